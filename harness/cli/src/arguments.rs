@@ -161,6 +161,15 @@ pub struct RunArguments {
     /// Give every program to a compiler alone, also where that takes much longer
     #[arg(long)]
     pub unpacked: bool,
+    /// Show N failing cases whole [default: 40 of an engine whose causes are not known, none otherwise]
+    #[arg(long, value_name = "N", value_parser = whole::<usize>(0, 500), allow_negative_numbers = true)]
+    pub failures: Option<usize>,
+    /// Do not search for the causes of failing cases, which asks the engines about smaller programs
+    #[arg(long)]
+    pub no_causes: bool,
+    /// Search for causes for N minutes at most [default: 10]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, 100_000), allow_negative_numbers = true, conflicts_with = "no_causes")]
+    pub cause_time: Option<u64>,
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
     #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
     pub report: Option<PathBuf>,

@@ -11,6 +11,7 @@ mod arguments;
 mod baselines;
 mod caches;
 mod case_folder;
+mod cause_stage;
 mod commands;
 mod engines;
 mod exit;

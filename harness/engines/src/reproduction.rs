@@ -3,13 +3,14 @@
 use crate::adapters::{ProbeVariable, without_colours};
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Outcome, shell_quote};
+use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 /// All that a person needs to run one program on a compiler, with the compiler's own tools only: the program and what stands
 /// around it, and the commands. Nothing in it depends on the machine on which it was made.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Reproduction {
     /// The files of the folder in which the commands run. The first is the program.
     pub files: Vec<ReproductionFile>,
@@ -20,7 +21,7 @@ pub struct Reproduction {
 }
 
 /// A file of a reproduction.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct ReproductionFile {
     /// The name of the file, without a folder.
     pub name: String,
@@ -29,7 +30,7 @@ pub struct ReproductionFile {
 }
 
 /// A program or folder of a compiler, which a variable of the shell names.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct ReproductionTool {
     /// The name of the variable, such as `IEC2C`.
     pub variable: String,

@@ -146,7 +146,7 @@ impl Exported {
         let (mut events, mut whole) = (Vec::new(), false);
         let export = Export::read(self.folder.path()).expect("an export");
         let imported = import(&export, &[source], &mut |event| match event {
-            Event::Header(_) => {}
+            Event::Header(_) | Event::Cause(_) => {}
             Event::Case(case) => events.push(case),
             Event::Footer(_) => whole = true,
         });

@@ -1,13 +1,12 @@
-//! `discrepancies/ENGINE/NN-….md`: the deviations of an engine from documents, one page for each cluster of cases. Each page
-//! can be pasted into a tracker: the smallest program, the compiler's own command, the expected result and its basis, the
-//! actual result.
+//! `discrepancies/ENGINE/NN-….md`: the deviations of an engine from documents, one page for each cause, or, where the run did
+//! not search for causes, for each cluster of cases. Each page can be pasted into a tracker: the smallest program, the
+//! compiler's own commands, the expected result and its basis, the actual result.
 //!
 //! A cluster holds the cases of one case file and claim with one symptom. Only the smallest program of a cluster is kept, so
 //! that memory does not grow with the number of cases.
 
-mod normalize;
+mod cause_page;
 mod page;
-mod symptom;
 
 use crate::ReportError;
 use crate::observations::probe;
@@ -17,13 +16,15 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use stickler_run::{CaseEvent, Event, Grade, Verdict};
-use symptom::Symptom;
+use stickler_run::{CaseEvent, Cause, EngineHeader, Event, Grade, Symptom, Verdict};
 
 /// The name of the pages' folder in a folder of reports.
 pub(crate) const NAME: &str = "discrepancies";
 
-/// The maximum number of clusters of one engine; cases that belong to no kept cluster are counted.
+/// The name of the folder of the pages about what contradicts no source that binds the engine.
+const DIFFERS: &str = "differs";
+
+/// The maximum number of causes or clusters of one engine; cases that belong to no kept one are counted.
 const MAX_CLUSTERS: usize = 300;
 
 /// The clusters of a run, gathered until their pages are written.
@@ -38,6 +39,10 @@ struct Engine {
     /// The worst grade of a rejection by the engine that still passed.
     strict: Grade,
     clusters: BTreeMap<Key, Cluster>,
+    /// The causes of its failing cases, those that explain most cases first; none where they were not searched for.
+    causes: Vec<Cause>,
+    /// The number of failing cases.
+    failing: u64,
     /// The number of cases that belong to no kept cluster.
     left_out: u64,
 }
@@ -85,6 +90,12 @@ impl Discrepancies {
                     entry(&mut self.engines, &engine.name).strict = engine.strict;
                 }
             }
+            Event::Cause(cause) => {
+                let causes = &mut entry(&mut self.engines, &cause.engine).causes;
+                if causes.len() < MAX_CLUSTERS {
+                    causes.push(cause.clone());
+                }
+            }
             Event::Case(_) | Event::Footer(_) => {}
         }
     }
@@ -92,6 +103,7 @@ impl Discrepancies {
     fn take_case(&mut self, case: &CaseEvent) {
         let file = case.id.split("::").next().unwrap_or(&case.id);
         let engine = entry(&mut self.engines, &case.engine);
+        engine.failing += 1;
         let key = Key {
             basis: case.basis.clone(),
             file: file.to_owned(),
@@ -124,6 +136,10 @@ impl Discrepancies {
         for (name, engine) in engines.filter(|(_, engine)| !engine.clusters.is_empty()) {
             let folder = self.folder.join(file_name(name));
             fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
+            if !engine.causes.is_empty() {
+                engine.write_causes(&folder, name, overview)?;
+                continue;
+            }
             let about = header.engines.iter().find(|engine| engine.name == *name);
             // The cluster with the most cases comes first.
             let mut clusters: Vec<(&Key, &Cluster)> = engine.clusters.iter().collect();
@@ -138,6 +154,51 @@ impl Discrepancies {
         }
         Ok(())
     }
+}
+
+impl Engine {
+    /// Writes a page for each cause, and the lists of them: causes that contradict no source that binds the engine have a folder
+    /// of their own.
+    fn write_causes(&self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
+        let about = engine(overview, name);
+        let explained: u64 = self.causes.iter().map(Cause::number).sum();
+        let unexplained = self.failing.saturating_sub(explained);
+        let (differ, fail): (Vec<&Cause>, Vec<&Cause>) =
+            self.causes.iter().partition(|cause| cause.differs());
+        let mut index = cause_page::index(name, about, &fail, unexplained);
+        index.push_str(&cause_page::list(&fail));
+        if !differ.is_empty() {
+            index.push_str(&cause_page::to_differences(DIFFERS, differ.len()));
+            let folder = folder.join(DIFFERS);
+            fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
+            let list = cause_page::list(&differ);
+            write(
+                folder.join("README.md"),
+                &format!("{}{list}", cause_page::differences(name, about)),
+            )?;
+            write_pages(&folder, name, overview, &differ)?;
+        }
+        write_pages(folder, name, overview, &fail)?;
+        write(folder.join("README.md"), &index)
+    }
+}
+
+/// Writes a page for each of these causes.
+fn write_pages(folder: &Path, name: &str, overview: &Overview, causes: &[&Cause]) -> Result<(), ReportError> {
+    let about = engine(overview, name);
+    for (cause, number) in causes.iter().zip(1..) {
+        write(
+            folder.join(cause_page::file(number, cause)),
+            &cause_page::page(name, about, cause, overview),
+        )?;
+    }
+    Ok(())
+}
+
+/// Returns the engine with this name, where the header of the run names it.
+fn engine<'o>(overview: &'o Overview, name: &str) -> Option<&'o EngineHeader> {
+    let mut engines = overview.header.iter().flat_map(|header| &header.engines);
+    engines.find(|engine| engine.name == name)
 }
 
 impl Cluster {
@@ -179,7 +240,8 @@ fn file_name(name: &str) -> String {
 /// Removes the pages of all engines, and the folders that are empty then. Other files in the folders stay.
 fn remove_pages(folder: &Path) -> Result<(), ReportError> {
     for engine in entries(folder) {
-        for page in entries(&engine) {
+        let differs = engine.join(DIFFERS);
+        for page in entries(&engine).into_iter().chain(entries(&differs)) {
             let name = page
                 .file_name()
                 .unwrap_or_default()
@@ -191,6 +253,7 @@ fn remove_pages(folder: &Path) -> Result<(), ReportError> {
             }
         }
         // A folder in which something is left is no error.
+        let _ = fs::remove_dir(&differs);
         let _ = fs::remove_dir(&engine);
     }
     let _ = fs::remove_dir(folder);

@@ -48,6 +48,7 @@ impl Encoder {
     fn encode(&mut self, event: &Event) -> serde_json::Result<Option<GroupNumber>> {
         match event {
             Event::Header(header) => self.line(&Frame::Header(Cow::Borrowed(header)))?,
+            Event::Cause(cause) => self.line(&Frame::Cause(Box::new(Cow::Borrowed(cause))))?,
             Event::Footer(footer) => self.line(&Frame::Footer(Cow::Borrowed(footer)))?,
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
@@ -102,7 +103,9 @@ impl EventLog {
         let group = self.encoder.encode(event)?;
         let due = match event {
             Event::Header(_) | Event::Footer(_) => true,
-            Event::Case(_) => self.encoder.lines.len() >= BATCH || self.written.elapsed() >= FLUSH_INTERVAL,
+            Event::Case(_) | Event::Cause(_) => {
+                self.encoder.lines.len() >= BATCH || self.written.elapsed() >= FLUSH_INTERVAL
+            }
         };
         if due {
             self.flush()?;
@@ -250,7 +253,7 @@ impl<R: BufRead> Reader<R> {
         match self.decoder.event(&self.line, line) {
             Ok(_) if self.complete => Err(LogError::Misplaced { line }),
             Ok(Some(Event::Header(_))) if line > 1 => Err(LogError::Misplaced { line }),
-            Ok(Some(Event::Case(_) | Event::Footer(_)) | None) | Err(_) if line == 1 => {
+            Ok(Some(Event::Case(_) | Event::Cause(_) | Event::Footer(_)) | None) | Err(_) if line == 1 => {
                 Err(LogError::NoHeader)
             }
             Ok(Some(event)) => self.count(&event).map(|()| Some(Some(event))),
@@ -264,6 +267,7 @@ impl<R: BufRead> Reader<R> {
         match event {
             Event::Header(header) => self.promised = header.cases,
             Event::Case(_) => self.cases += 1,
+            Event::Cause(_) => {}
             Event::Footer(_) if self.cases != self.promised => {
                 return Err(LogError::Miscounted {
                     promised: self.promised,

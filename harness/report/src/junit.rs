@@ -60,7 +60,7 @@ impl Junit {
             // The times of header and footer are taken from the overview, when the document is written.
             (Event::Header(header), _) => self.engines.clone_from(&header.engines),
             (Event::Case(case), Some(group)) => self.take_case(case, group),
-            (Event::Case(_) | Event::Footer(_), _) => {}
+            (Event::Case(_) | Event::Cause(_) | Event::Footer(_), _) => {}
         }
     }
 
@@ -251,7 +251,7 @@ mod tests {
         for event in events {
             let group = match event {
                 Event::Case(case) => Some(groups.number(case).0),
-                Event::Header(_) | Event::Footer(_) => None,
+                Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
             };
             junit.take(event, group);
             overview.take(event);

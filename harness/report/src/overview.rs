@@ -5,7 +5,9 @@ use crate::engine;
 use crate::observations::Observations;
 use crate::text::clip_facts;
 use std::collections::BTreeMap;
-use stickler_run::{CaseEvent, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals};
+use stickler_run::{
+    CaseEvent, Cause, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals,
+};
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
 pub const MAX_KEPT_FAILURES: usize = 500;
@@ -32,6 +34,8 @@ pub struct Overview {
     pub observations: u64,
     /// The observations, where several engines took part; a single engine has none to disagree with.
     pub observed: Observations,
+    /// The causes of failing cases, those that explain most cases first; none where they were not searched for.
+    pub causes: Vec<Cause>,
     /// The footer of the run; `None` where the run was cut short.
     pub footer: Option<Footer>,
 }
@@ -42,6 +46,7 @@ impl Overview {
         match event {
             Event::Header(header) => self.header = Some(header.clone()),
             Event::Case(case) => self.take_case(case),
+            Event::Cause(cause) => self.causes.push(cause.clone()),
             Event::Footer(footer) => self.footer = Some(footer.clone()),
         }
     }

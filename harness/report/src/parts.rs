@@ -8,7 +8,7 @@ mod belonging;
 use crate::LogError;
 use crate::events::{Completeness, Reader};
 use std::io::BufRead;
-use stickler_run::{CaseEvent, DefinedHeader, EngineTotals, Event, Footer, Header};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, EngineTotals, Event, Footer, Header};
 use stickler_workers::Shard;
 
 /// The event log of one part of a run, with the name that messages use for it.
@@ -56,6 +56,9 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
         next.advance();
     }
     missing.extend(streams.iter().filter_map(|stream| stream.trouble.clone()));
+    for cause in causes(&mut streams) {
+        sink(Event::Cause(cause));
+    }
     if missing.is_empty() {
         sink(Event::Footer(footer(&header, &streams)));
     }
@@ -122,6 +125,8 @@ struct Stream<R> {
     defined: Vec<DefinedHeader>,
     /// The next case of the part.
     case: Option<CaseEvent>,
+    /// The causes that the part found.
+    causes: Vec<Cause>,
     footer: Option<Footer>,
     /// The reason why the part is incomplete.
     trouble: Option<String>,
@@ -144,6 +149,7 @@ impl<R: BufRead> Stream<R> {
             started: header.started,
             defined: header.defined,
             case: None,
+            causes: Vec::new(),
             footer: None,
             trouble: None,
         }
@@ -161,6 +167,7 @@ impl<R: BufRead> Stream<R> {
                     self.case = Some(case);
                     return;
                 }
+                Some(Ok(Event::Cause(cause))) => self.causes.push(cause),
                 Some(Ok(Event::Footer(footer))) => self.footer = Some(footer),
                 // The reader rejects a second header.
                 Some(Ok(Event::Header(_))) => {}
@@ -188,6 +195,19 @@ impl<R: BufRead> Stream<R> {
 fn first_by_file<R>(streams: &mut [Stream<R>]) -> Option<&mut Stream<R>> {
     let waiting = streams.iter_mut().filter(|stream| stream.case.is_some());
     waiting.min_by(|one, other| one.file().cmp(&other.file()))
+}
+
+/// Merges the causes of all parts, those that explain most cases first.
+fn causes<R>(streams: &mut [Stream<R>]) -> Vec<Cause> {
+    let mut whole: Vec<Cause> = Vec::new();
+    for cause in streams.iter_mut().flat_map(|stream| stream.causes.drain(..)) {
+        match whole.iter_mut().find(|one| one.is_same(&cause)) {
+            Some(one) => one.merge(cause),
+            None => whole.push(cause),
+        }
+    }
+    whole.sort_by_key(|cause| std::cmp::Reverse(cause.number()));
+    whole
 }
 
 /// Adds the footers up. Parts run side by side, so the whole run took as long as the longest of them.

@@ -57,7 +57,7 @@ impl Results {
                 }
             }
             // The footer is taken from the overview, when the document is written.
-            (Event::Case(_) | Event::Footer(_), _) => {}
+            (Event::Case(_) | Event::Cause(_) | Event::Footer(_), _) => {}
         }
         Ok(())
     }

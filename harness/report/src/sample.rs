@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use stickler_run::{
-    BaselineHeader, BaselineNote, CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Grade,
-    Header, Observed, OutdatedEntry, SourceHeader, Totals, Verdict,
+    BaselineHeader, BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases,
+    FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, SourceHeader, Totals, Verdict, Witness,
 };
 use stickler_types::{Diagnostic, Value};
 
@@ -71,6 +71,35 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         observations: Vec::new(),
         program: None,
         baseline: None,
+    }
+}
+
+/// Returns a cause with this title, which explains so many cases with this verdict.
+pub(crate) fn cause(title: &str, cases: u64, verdict: Verdict) -> Cause {
+    let case = case("t::a(1)", verdict);
+    Cause {
+        engine: case.engine,
+        symptom: "value".to_owned(),
+        construct: title.to_owned(),
+        title: title.to_owned(),
+        shown: Witness {
+            case: case.id,
+            dialect: case.dialect.clone(),
+            basis: case.basis.clone(),
+            about: case.title,
+            program: "PROGRAM m END_PROGRAM\n".to_owned(),
+            expected: vec![value("into", "INT#-128")],
+            got: vec![value("into", "INT#128")],
+            ..Witness::default()
+        },
+        cases: vec![ExplainedCases {
+            probe: "widening/t::a".to_owned(),
+            dialect: case.dialect,
+            basis: case.basis,
+            verdict,
+            cases,
+        }],
+        ..Cause::default()
     }
 }
 

@@ -1,9 +1,10 @@
 //! Writes the summary of a run on the terminal.
 //!
-//! The most important part comes last, where the reader looks when the run ends: first the cases that are not as expected,
-//! then the claims, then the totals, then one line with the result. The summary is written with ANSI styles; the caller's
+//! The most important part comes last, where the reader looks when the run ends: first the causes, or, of an engine whose
+//! causes are not known, the cases that are not as expected; then the claims, then the totals, then one line with the result. The summary is written with ANSI styles; the caller's
 //! stream strips them where they do not belong.
 
+mod causes;
 mod claims;
 pub(crate) mod failure;
 
@@ -13,7 +14,7 @@ use crate::table::{Cell, Table};
 use crate::text::{duration, judged, outdated, outdated_entries, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
-use stickler_run::{EngineHeader, Totals, Verdict};
+use stickler_run::{CaseEvent, EngineHeader, Totals, Verdict};
 use stickler_types::{counted, grouped};
 
 pub(crate) const BOLD: Style = Style::new().bold();
@@ -21,8 +22,8 @@ pub(crate) const DIM: Style = Style::new().dimmed();
 pub(crate) const GOOD: Style = AnsiColor::Green.on_default();
 pub(crate) const BAD: Style = AnsiColor::Red.on_default();
 
-/// The maximum number of failures that are shown whole.
-const MAX_SHOWN_FAILURES: usize = 40;
+/// The number of failures that are shown whole, of engines whose causes are not known, where nothing else is asked for.
+const SHOWN_FAILURES: usize = 40;
 
 /// The maximum number of baseline entries out of date that are named.
 const MAX_SHOWN_OUTDATED: usize = 20;
@@ -32,6 +33,8 @@ const MAX_SHOWN_OUTDATED: usize = 20;
 pub struct Surroundings<'a> {
     /// The path of the folder of reports, where there is one.
     pub reports: Option<&'a str>,
+    /// The maximum number of failures that are shown whole; `None` shows some of engines whose causes are not known.
+    pub failures: Option<usize>,
 }
 
 /// Writes the summary of a run.
@@ -40,17 +43,31 @@ pub struct Surroundings<'a> {
 /// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     write_failures(out, overview, around)?;
+    causes::write(out, overview)?;
     claims::write(out, overview)?;
     write_totals(out, overview)?;
     write_last_line(out, overview, around)
 }
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
-    for case in overview.failures.iter().take(MAX_SHOWN_FAILURES) {
+    let is_explained = |case: &&CaseEvent| {
+        // No cause is searched for what passed unexpectedly.
+        case.verdict != Verdict::Xpass && overview.causes.iter().any(|cause| cause.engine == case.engine)
+    };
+    let shown: Vec<&CaseEvent> = match around.failures {
+        Some(number) => overview.failures.iter().take(number).collect(),
+        None => overview
+            .failures
+            .iter()
+            .filter(|case| !is_explained(case))
+            .take(SHOWN_FAILURES)
+            .collect(),
+    };
+    for case in &shown {
         failure::write(out, case, overview.engine(case), overview.totals.len() > 1)?;
     }
-    let rest = overview.failed.saturating_sub(MAX_SHOWN_FAILURES as u64);
-    if rest > 0 {
+    let rest = overview.failed.saturating_sub(shown.len() as u64);
+    if rest > 0 && overview.causes.is_empty() {
         let place = match around.reports {
             Some(folder) => format!("all are in {folder}/events.jsonl and {folder}/junit.xml"),
             None => "with --report DIR all are written to files".to_owned(),
@@ -249,7 +266,7 @@ fn kinds(totals: &Totals, as_expected: bool) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_SHOWN_FAILURES, Surroundings, write};
+    use super::{SHOWN_FAILURES, Surroundings, write};
     use crate::overview::Overview;
     use crate::sample;
     use stickler_run::{CaseEvent, Event, Verdict};
@@ -263,6 +280,7 @@ mod tests {
             &overview,
             Surroundings {
                 reports: Some("reports/latest"),
+                failures: None,
             },
         )
         .expect("written");
@@ -441,8 +459,8 @@ Claims                      kind      passed  failed  open
             .map(|number| sample::case(&number.to_string(), Verdict::Crash))
             .collect();
         let text = shown(&sample::run_of(cases));
-        assert_eq!(text.matches("CRASH").count(), MAX_SHOWN_FAILURES);
-        let rest = 3000 - MAX_SHOWN_FAILURES;
+        assert_eq!(text.matches("CRASH").count(), SHOWN_FAILURES);
+        let rest = 3000 - SHOWN_FAILURES;
         assert!(
             text.contains(&format!(
                 "and {} more that are not as expected; all are in",
@@ -450,6 +468,31 @@ Claims                      kind      passed  failed  open
             )),
             "{text}"
         );
+    }
+
+    #[test]
+    fn where_causes_are_known_single_failures_are_shown_only_when_asked_for() {
+        let mut events = sample::run();
+        let footer = events.pop().expect("a footer");
+        events.extend([
+            Event::Cause(sample::cause("it widens nothing", 1, Verdict::Fail)),
+            footer,
+        ]);
+        let text = shown(&events);
+        assert!(
+            text.starts_with("Cases  Cause\n    1  it widens nothing\n"),
+            "{text}"
+        );
+        assert!(!text.contains("FAIL"), "{text}");
+        let mut overview = Overview::default();
+        events.iter().for_each(|event| overview.take(event));
+        let mut bytes = Vec::new();
+        let around = Surroundings {
+            reports: None,
+            failures: Some(1),
+        };
+        write(&mut bytes, &overview, around).expect("written");
+        assert!(String::from_utf8_lossy(&bytes).contains("FAIL"));
     }
 
     #[test]

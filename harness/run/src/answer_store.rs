@@ -4,9 +4,9 @@
 //! engine itself are kept: a crash, a time limit or an invalid answer may be caused by the machine, and the engine is asked
 //! again.
 
-use crate::answers::{Answers, Rendering};
+use crate::answers::{Answers, Rendering, ask};
 use serde::{Deserialize, Serialize};
-use stickler_engines::{Diagnostic, Digest, NamedValue, Outcome};
+use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
 use stickler_suite::Case;
 use stickler_types::{Fault, Value};
 
@@ -18,6 +18,30 @@ pub trait AnswerStore: Sync {
 
     /// Keeps answers under a question, for later runs. Neither contains a line feed, and the question contains no blank.
     fn put(&self, question: &str, answers: &str);
+}
+
+/// Returns the answers of an engine about a case like [`ask`](ask()), from the store where it has them; other answers are added
+/// to it.
+///
+/// # Errors
+/// [`EngineError`] where no session can be opened.
+pub fn ask_stored(
+    session: &mut EngineSession<'_>,
+    case: &Case,
+    store: Option<&dyn AnswerStore>,
+) -> Result<Answers, EngineError> {
+    let Some(store) = store else {
+        return ask(session, case);
+    };
+    let question = question(case);
+    if let Some(known) = store.get(&question).and_then(read) {
+        return Ok(known);
+    }
+    let answers = ask(session, case)?;
+    if let Some(text) = written(&answers) {
+        store.put(&question, &text);
+    }
+    Ok(answers)
 }
 
 /// Returns the digest of everything that an engine is asked about a case: 32 hexadecimal digits.

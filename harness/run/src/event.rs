@@ -1,12 +1,14 @@
-//! The events of a run: a header, one event for each case and engine, a footer. Every report is a projection of them and
-//! adds no facts; a stream without its footer is a truncated run. Basis: reports/README.md.
+//! The events of a run: a header, one event for each case and engine, the causes of what failed, a footer. Every report is a
+//! projection of them and adds no facts; a stream without its footer is a truncated run. Basis: reports/README.md.
 
 mod baseline;
+mod cause;
 mod source;
 mod totals;
 mod verdict;
 
 pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
+pub use cause::{Cause, ExplainedCases, Reduced, Repeats, Witness};
 pub use source::SourceHeader;
 pub use totals::Totals;
 pub use verdict::Verdict;
@@ -24,11 +26,17 @@ pub const PROGRAM: &str = "program.st";
 
 /// An event of a run. Its form in a log is up to the log.
 #[derive(Clone, PartialEq, Debug)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "events are passed on one by one, and nobody keeps many"
+)]
 pub enum Event {
     /// The first event.
     Header(Header),
     /// The result of a case on an engine; these events come in the order of the suite.
     Case(CaseEvent),
+    /// A cause of failing cases; these events come after the cases, where the causes were searched for.
+    Cause(Cause),
     /// The last event of a run that was not cut short.
     Footer(Footer),
 }

@@ -21,8 +21,9 @@ mod pack;
 mod plan;
 mod schedule;
 mod select;
+mod symptom;
 
-pub use answer_store::AnswerStore;
+pub use answer_store::{AnswerStore, ask_stored};
 pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
@@ -31,6 +32,7 @@ pub use binding::binds;
 pub use case_judge::CaseJudge;
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
+pub use event::{Cause, ExplainedCases, Reduced, Repeats, Witness};
 pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
 pub use filter::Filter;
@@ -41,3 +43,4 @@ pub use plan::{Plan, RunError, Summary};
 pub use schedule::{run, run_with};
 pub use select::select;
 pub use stickler_engines::Grade;
+pub use symptom::Symptom;

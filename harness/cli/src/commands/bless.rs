@@ -71,7 +71,7 @@ fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
             dialects = defined.filter_map(|defined| defined.name.parse().ok()).collect();
         }
         Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
-        Event::Footer(_) => {}
+        Event::Cause(_) | Event::Footer(_) => {}
     })
     .with_context(|| format!("cannot read {shown}"))?;
     if let Completeness::Truncated { .. } = completeness {

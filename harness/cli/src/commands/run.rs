@@ -3,6 +3,7 @@
 use crate::arguments::RunArguments;
 use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder, Loaded};
+use crate::cause_stage::CauseStage;
 use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
@@ -12,6 +13,7 @@ use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::PathBuf;
+use stickler_causes::Search;
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
@@ -49,8 +51,18 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
     let cancel = interrupt::cancellation_ending_engines()?;
     let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
-    let take = &mut |event| sink.take(&event);
+    let mut causes = CauseStage::new(arguments);
+    let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));
     let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
+    let search = Search {
+        plan: &plan,
+        suite: &suite,
+        engines: &engines,
+        stores: &stores,
+        limits: causes.limits(),
+        cancel,
+    };
+    causes.finish(&search, &mut |event| sink.take(&event));
     caches.report_problems();
     let overview = sink.finish()?;
     let shown = report_folder.map(|folder| folder.display().to_string());
@@ -59,6 +71,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         &overview,
         Surroundings {
             reports: shown.as_deref(),
+            failures: arguments.failures,
         },
     )?;
     let summary = summary?;
@@ -192,7 +205,7 @@ impl<'c> EventSink<'c> {
                 .progress
                 .iter()
                 .for_each(|bar| bar.advance(self.overview.failed)),
-            Event::Footer(_) => {}
+            Event::Cause(_) | Event::Footer(_) => {}
         }
         if self.broken.is_none()
             && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))

@@ -35,7 +35,14 @@ impl TestFolder {
 
     /// Runs the suite on the engine, which accepts programs that contain `knows`.
     fn run(&self, knows: &str, more: &[&str]) -> Ended {
-        let common = ["run", "--cases", SUITE, "--engine", "cmd:sh grumpy.sh"];
+        let common = [
+            "run",
+            "--no-causes",
+            "--cases",
+            SUITE,
+            "--engine",
+            "cmd:sh grumpy.sh",
+        ];
         self.command(&[&common, more].concat(), knows)
     }
 

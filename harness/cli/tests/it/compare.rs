@@ -44,7 +44,7 @@ fn later(event: &mut Event) {
     let case = match event {
         Event::Header(header) => return header.engines[0].version = "0.2.0".to_owned(),
         Event::Case(case) => case,
-        Event::Footer(_) => return,
+        Event::Cause(_) | Event::Footer(_) => return,
     };
     match (&*case.id, &*case.dialect) {
         ("language/wrong-on-purpose", _) => {

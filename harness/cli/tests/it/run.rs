@@ -98,7 +98,7 @@ fn the_parts_of_a_divided_run_are_the_whole() {
             .iter()
             .filter_map(|event| match event {
                 Event::Case(case) => Some(format!("{}@{}", case.id, case.dialect)),
-                Event::Header(_) | Event::Footer(_) => None,
+                Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
             })
             .collect();
         ids.sort();
@@ -244,7 +244,7 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
                 case.verdict,
                 case.got.clone(),
             )),
-            Event::Case(_) | Event::Header(_) | Event::Footer(_) => None,
+            Event::Case(_) | Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
         };
         events.iter().filter_map(told).collect::<Vec<_>>()
     };

@@ -85,7 +85,7 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
 }
 
 /// Returns the sentence about the parts of a diagnostic that were not compared.
-const fn not_compared(strict: Grade) -> &'static str {
+pub(super) const fn not_compared(strict: Grade) -> &'static str {
     match strict {
         Grade::Code => "",
         Grade::Line => "Codes are Stickler's own and were not compared, only lines. ",
@@ -107,13 +107,13 @@ fn others(text: &mut String, cluster: &Cluster) {
     text.push('\n');
 }
 
-fn called(name: &str, about: Option<&EngineHeader>) -> String {
+pub(super) fn called(name: &str, about: Option<&EngineHeader>) -> String {
     let version = about.map_or("", |about| about.version.as_str());
     inline(format!("{name} {version}").trim_end())
 }
 
 /// Adds a sentence and a code block, with a fence that the code cannot close.
-fn block(text: &mut String, before: &str, language: &str, code: &str) {
+pub(super) fn block(text: &mut String, before: &str, language: &str, code: &str) {
     let fence = fence(code);
     let code = code.trim_end_matches('\n');
     let _ = write!(text, "{before}\n\n{fence}{language}\n{code}\n{fence}\n\n");

@@ -5,7 +5,7 @@ use crate::overview::Overview;
 use crate::sample::{self, error, names, told, value};
 use std::fs;
 use std::path::Path;
-use stickler_run::{CaseEvent, Event, Fact, Grade, Verdict};
+use stickler_run::{CaseEvent, Event, ExplainedCases, Fact, Grade, Repeats, Verdict, Witness};
 
 fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
     CaseEvent {
@@ -159,6 +159,112 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
     ] {
         assert!(page.contains(part), "{part}\n{page}");
     }
+}
+
+#[test]
+fn a_cause_has_a_page_that_stands_for_itself() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let failing = |id| failing(id, "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
+    let mut run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
+    let footer = run.pop().expect("a footer");
+    let mut cause = sample::cause("`into := from` gives 128", 2, Verdict::Fail);
+    cause.flaky = Some(Repeats { seen: 7, of: 20 });
+    cause.types = vec!["SINT, INT".to_owned(), "INT, DINT".to_owned()];
+    cause.second = Some(Witness {
+        program: "PROGRAM n END_PROGRAM\n".to_owned(),
+        expected: vec![value("into", "DINT#5")],
+        got: vec![value("into", "DINT#6")],
+        ..Witness::default()
+    });
+    cause.cases.push(ExplainedCases {
+        basis: "iec-61131-3: 6.3".to_owned(),
+        probe: "widening/u::a".to_owned(),
+        dialect: "matiec".to_owned(),
+        verdict: Verdict::Fail,
+        cases: 1,
+    });
+    run.extend([Event::Cause(cause), footer]);
+    write(folder.path(), &sample::with_sources(run));
+    let engine = folder.path().join("discrepancies/reference");
+    assert_eq!(names(&engine), ["01-into-from-gives-128.md", "README.md"]);
+    let page = fs::read_to_string(engine.join("01-into-from-gives-128.md")).expect("a page");
+    assert_eq!(
+        page,
+        "\
+# reference 0.1.0: \\`into := from\\` gives 128
+
+Save this as `program.st`:
+
+```iecst
+PROGRAM m END_PROGRAM
+```
+
+and run
+
+```sh
+ironplcc check program.st
+```
+
+Expected, by [ironplc-type-conversions: Integer widening](<https://example.org/Integer widening#integer-widening>) (IronPLC: Type Conversions, document, read 0.239):
+
+```
+into = INT#-128
+```
+
+Got:
+
+```
+into = INT#128
+```
+
+**By chance:** this came in 7 of 20 runs of the same program.
+
+Another program shows the same:
+
+```iecst
+PROGRAM n END_PROGRAM
+```
+
+Expected: `` into = DINT#5 ``. Got: `` into = DINT#6 ``.
+
+Seen with the types SINT, INT · INT, DINT.
+
+3 cases show this. It hides whether the compiler meets other claims, whose cases fail for it too:
+
+- iec-61131-3: 6.3: 1
+
+| cases | probe | dialect |
+|--:|---|---|
+| 2 | `` widening/t::a `` | ironplc-ed2 |
+| 1 | `` widening/u::a `` | matiec |
+
+Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickler run --filter 'widening/t::a(1)@ironplc-ed2' ``
+"
+    );
+    let index = fs::read_to_string(engine.join("README.md")).expect("the list");
+    assert!(index.contains("1 page, one for each cause"), "{index}");
+}
+
+#[test]
+fn causes_that_contradict_nothing_that_binds_the_engine_have_a_folder_of_their_own() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
+    let mut run = sample::run_of(vec![case.clone(), case]);
+    let footer = run.pop().expect("a footer");
+    let causes = [("fails", Verdict::Fail), ("differs", Verdict::Differs)];
+    run.extend(causes.map(|(title, verdict)| Event::Cause(sample::cause(title, 1, verdict))));
+    run.push(footer);
+    write(folder.path(), &run);
+    let engine = folder.path().join("discrepancies/reference");
+    assert_eq!(names(&engine), ["01-fails.md", "README.md", "differs"]);
+    assert_eq!(names(&engine.join("differs")), ["01-differs.md", "README.md"]);
+    let index = fs::read_to_string(engine.join("README.md")).expect("the list");
+    assert!(
+        index.contains("\n1 more page is in [`differs`](differs/README.md)"),
+        "{index}"
+    );
+    write(folder.path(), &sample::run_of(Vec::new()));
+    assert_eq!(names(folder.path()), Vec::<String>::new());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::LogError;
 use crate::groups::{Group, GroupNumber};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
-use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Footer, Header, Observed, Verdict};
+use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, Observed, Verdict};
 
 /// A line that is not about a case.
 #[derive(Serialize, Deserialize)]
@@ -14,6 +14,8 @@ pub(super) enum Frame<'r> {
     Header(Cow<'r, Header>),
     /// The common properties of the cases of a group, before the first of them.
     Group(GroupRecord<'r>),
+    /// A cause of failing cases, after all cases.
+    Cause(Box<Cow<'r, Cause>>),
     /// The last line of a complete run.
     Footer(Cow<'r, Footer>),
 }
@@ -122,7 +124,7 @@ impl Decoder {
     pub(super) fn event(&mut self, line: &[u8], number: u64) -> Result<Option<Event>, LogError> {
         let broken = |source| LogError::Line { line: number, source };
         let Tag { kind } = serde_json::from_slice(line).map_err(broken)?;
-        if !matches!(&*kind, "header" | "group" | "footer") {
+        if !matches!(&*kind, "header" | "group" | "cause" | "footer") {
             let record: CaseRecord<'_> = serde_json::from_slice(line).map_err(broken)?;
             let group = self.groups.get(record.group);
             let group = group.ok_or(LogError::Group { line: number })?;
@@ -130,6 +132,7 @@ impl Decoder {
         }
         match serde_json::from_slice(line).map_err(broken)? {
             Frame::Header(header) => Ok(Some(Event::Header(header.into_owned()))),
+            Frame::Cause(cause) => Ok(Some(Event::Cause((*cause).into_owned()))),
             Frame::Footer(footer) => Ok(Some(Event::Footer(footer.into_owned()))),
             Frame::Group(record) if record.number == self.groups.len() => {
                 self.groups.push(record.group.into_owned());

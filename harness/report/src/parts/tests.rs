@@ -4,7 +4,7 @@ use super::{Part, merge};
 use crate::events::{Reader, log_of};
 use crate::sample;
 use std::io;
-use stickler_run::{Event, Verdict};
+use stickler_run::{Cause, Event, Verdict};
 use stickler_workers::Shard;
 
 /// Returns the events of a whole run of some cases in two files.
@@ -52,7 +52,7 @@ fn merged(parts: Vec<Part<io::Cursor<Vec<u8>>>>) -> (Vec<Event>, Vec<String>) {
 fn keys(events: &[Event]) -> Vec<(String, String)> {
     let case = |event: &Event| match event {
         Event::Case(case) => Some((case.file.clone(), case.id.clone())),
-        Event::Header(_) | Event::Footer(_) => None,
+        Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
     };
     events.iter().filter_map(case).collect()
 }
@@ -167,4 +167,32 @@ fn a_case_of_another_part_is_named() {
 fn where_nothing_can_be_read_there_is_no_run() {
     let (events, missing) = merged(vec![log("a", &[])]);
     assert_eq!((events.len(), missing.len()), (0, 1));
+}
+
+#[test]
+fn a_cause_of_several_parts_is_one_cause_of_the_whole() {
+    let with_cause = |index, title: &str| {
+        let mut events = part(index, 2);
+        let footer = events.pop().expect("a footer");
+        let cause = Cause {
+            construct: "the same".to_owned(),
+            ..sample::cause(title, 5, Verdict::Fail)
+        };
+        let other = sample::cause(&format!("of part {index}"), 7, Verdict::Fail);
+        events.extend([Event::Cause(cause), Event::Cause(other), footer]);
+        events
+    };
+    let parts = vec![
+        log("a", &with_cause(1, "first")),
+        log("b", &with_cause(2, "second")),
+    ];
+    let (events, missing) = merged(parts);
+    assert_eq!(missing, Vec::<String>::new());
+    let causes = events.iter().filter_map(|event| match event {
+        Event::Cause(cause) => Some((cause.title.as_str(), cause.number())),
+        Event::Header(_) | Event::Case(_) | Event::Footer(_) => None,
+    });
+    let causes: Vec<(&str, u64)> = causes.collect();
+    assert_eq!(causes, [("first", 10), ("of part 1", 7), ("of part 2", 7)]);
+    assert!(is_whole(&events));
 }

@@ -73,7 +73,7 @@ fn go(plan: Plan, suite: &Suite, engine: &dyn Engine) -> Ended {
         match event {
             Event::Header(header) => ended.header = header,
             Event::Case(case) => ended.cases.push(case),
-            Event::Footer(_) => {}
+            Event::Cause(_) | Event::Footer(_) => {}
         }
     }
     ended

@@ -37,7 +37,7 @@ fn verdict(plan: &Plan, basis: &str, engine: &Puppet) -> Verdict {
     let (_, events) = timeless_run(plan, &citing(basis), &[engine], &[]);
     let cases = events.into_iter().filter_map(|event| match event {
         Event::Case(case) => Some(case.verdict),
-        Event::Header(_) | Event::Footer(_) => None,
+        Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
     });
     let verdicts: Vec<Verdict> = cases.collect();
     assert_eq!(verdicts.len(), 1);
@@ -115,7 +115,7 @@ fn an_older_baseline_that_expects_a_failure_is_read_and_blessing_it_says_what_ch
         match event {
             Event::Header(header) => run = Some(EngineRun::new(header.engines[0].clone())),
             Event::Case(case) => run.as_mut().unwrap().take(case),
-            Event::Footer(_) => {}
+            Event::Cause(_) | Event::Footer(_) => {}
         }
     }
     let day = plan.today;

@@ -26,7 +26,7 @@ pub fn timeless_run(
     let mut events = Vec::new();
     let mut sink = |mut event: Event| {
         match &mut event {
-            Event::Header(_) => {}
+            Event::Header(_) | Event::Cause(_) => {}
             Event::Case(case) => case.duration_us = 0,
             Event::Footer(footer) => footer.duration_ms = 0,
         }

@@ -283,7 +283,7 @@ fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
     let mut sink = |event: Event| match event {
         Event::Case(case) => ids.push(case.id),
         Event::Header(_) => {}
-        Event::Footer(_) => panic!("complete"),
+        Event::Cause(_) | Event::Footer(_) => panic!("complete"),
     };
     let summary = run(&plan, &cases, &[&packing], &mut sink, &cancel).unwrap();
     assert!(summary.cancelled && summary.cases == ids.len() as u64);

@@ -40,7 +40,7 @@ fn with_jobs(jobs: usize) -> Plan {
 fn timeless(mut events: Vec<Event>) -> Vec<Event> {
     for event in &mut events {
         match event {
-            Event::Header(_) => {}
+            Event::Header(_) | Event::Cause(_) => {}
             Event::Case(case) => case.duration_us = 0,
             Event::Footer(footer) => footer.duration_ms = 0,
         }
@@ -51,7 +51,7 @@ fn timeless(mut events: Vec<Event>) -> Vec<Event> {
 fn ids(events: &[Event]) -> Vec<String> {
     let id = |event: &Event| match event {
         Event::Case(case) => Some(format!("{}@{} {}", case.id, case.dialect, case.engine)),
-        Event::Header(_) | Event::Footer(_) => None,
+        Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
     };
     events.iter().filter_map(id).collect()
 }

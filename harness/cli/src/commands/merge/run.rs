@@ -39,6 +39,7 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
         &overview,
         Surroundings {
             reports: Some(&shown),
+            failures: None,
         },
     )?;
     // The list of missing parts follows the summary.

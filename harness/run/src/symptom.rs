@@ -1,27 +1,37 @@
 //! Classifies the deviation of an engine in a case by a symptom, from the expected and the actual facts.
 
-use super::normalize::normalize_message;
+mod normalize;
+
+use crate::{CaseEvent, Fact, Grade, Verdict};
+use normalize::normalize_message;
 use std::fmt;
-use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 use stickler_types::{Diagnostic, Fault};
 
 /// A symptom; cases of one rule with the same symptom most probably have one cause. The words of the symptoms are those of
 /// findings.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub(super) enum Symptom {
+pub enum Symptom {
     /// The engine crashed; holds its normalized message.
     Crash(String),
     /// The engine gave no answer in time.
     Hang,
-    /// The engine gave an invalid answer.
-    Error,
+    /// The engine gave an invalid answer; holds the normalized description.
+    Error(String),
     /// The engine rejects a program that must be accepted; holds its code or normalized message, or nothing where it gave
     /// neither.
     Rejected(String),
     /// The engine accepts a program that must be rejected; holds the expected code, or nothing where any will do.
     NotRejected(String),
-    /// The engine rejects the program for another reason; holds the expected code.
-    OtherCode(String),
+    /// The engine rejects the program for another reason.
+    OtherCode {
+        /// The expected code.
+        code: String,
+        /// The code or normalized message of the first diagnostic that is not expected; empty where there is none.
+        told: String,
+    },
+    /// The engine reports a mistake without its place: with no line, or at line 1, column 1; holds the code or normalized
+    /// message of the diagnostic.
+    NoPlace(String),
     /// The engine reports the mistake on another line; holds the expected code.
     OtherLine(String),
     /// The engine reports some of the mistakes; holds the code of a missing one.
@@ -45,12 +55,19 @@ pub(super) enum Symptom {
 impl Symptom {
     /// Returns the symptom of a case that did not come out as expected. `strict` is the worst grade of a rejection that
     /// still passed.
-    pub(super) fn of(case: &CaseEvent, strict: Grade) -> Symptom {
-        let CaseEvent { expected, got, .. } = case;
-        match case.actual_verdict() {
+    #[must_use]
+    pub fn of(case: &CaseEvent, strict: Grade) -> Symptom {
+        Symptom::of_facts(case.actual_verdict(), (&case.expected, &case.got), strict)
+    }
+
+    /// Returns the symptom of a verdict, the expected and the actual facts. `strict` is the worst grade of a rejection that
+    /// still passed.
+    #[must_use]
+    pub fn of_facts(verdict: Verdict, (expected, got): (&[Fact], &[Fact]), strict: Grade) -> Symptom {
+        match verdict {
             Verdict::Crash => return Symptom::Crash(crash(got)),
             Verdict::Timeout => return Symptom::Hang,
-            Verdict::Error => return Symptom::Error,
+            Verdict::Error => return Symptom::Error(error(got)),
             _ => {}
         }
         let is_missing = |fact: &Fact| matches!(fact, Fact::MissingValue { .. });
@@ -71,7 +88,8 @@ impl Symptom {
     }
 
     /// Returns the symptom as a part of a file name.
-    pub(super) fn word(&self) -> String {
+    #[must_use]
+    pub fn word(&self) -> String {
         let (word, about) = self.words();
         match about {
             "" => word.to_owned(),
@@ -85,10 +103,11 @@ impl Symptom {
             // The message of a crash would fill the name of the file.
             Symptom::Crash(_) => ("crash", ""),
             Symptom::Hang => ("hang", ""),
-            Symptom::Error => ("error", ""),
+            Symptom::Error(_) => ("error", ""),
             Symptom::Rejected(reason) => ("rejected", reason),
             Symptom::NotRejected(code) => ("not-rejected", code),
-            Symptom::OtherCode(code) => ("not", code),
+            Symptom::OtherCode { code, .. } => ("not", code),
+            Symptom::NoPlace(code) => ("no-place-of", code),
             Symptom::OtherLine(code) => ("line-of", code),
             Symptom::Incomplete(code) => ("incomplete", code),
             Symptom::Surplus(reason) => ("surplus", reason),
@@ -102,10 +121,15 @@ impl Symptom {
     }
 
     /// Returns whether the symptom concerns the lines and codes of a rejection.
-    pub(super) const fn is_of_a_rejection(&self) -> bool {
+    #[must_use]
+    pub const fn is_of_a_rejection(&self) -> bool {
         matches!(
             self,
-            Symptom::OtherCode(_) | Symptom::OtherLine(_) | Symptom::Incomplete(_) | Symptom::Surplus(_)
+            Symptom::OtherCode { .. }
+                | Symptom::NoPlace(_)
+                | Symptom::OtherLine(_)
+                | Symptom::Incomplete(_)
+                | Symptom::Surplus(_)
         )
     }
 }
@@ -115,10 +139,19 @@ impl fmt::Display for Symptom {
         match self {
             Symptom::Crash(words) => write!(f, "it dies{}", in_brackets(words)),
             Symptom::Hang => f.write_str("it gives no answer"),
-            Symptom::Error => f.write_str("its answer makes no sense"),
+            Symptom::Error(words) => write!(f, "its answer makes no sense{}", in_brackets(words)),
             Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", in_brackets(reason)),
             Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", in_brackets(code)),
-            Symptom::OtherCode(code) => write!(f, "it rejects, but for another reason than {code}"),
+            Symptom::OtherCode { code, told } => {
+                write!(
+                    f,
+                    "it rejects, but for another reason than {code}{}",
+                    in_brackets(told)
+                )
+            }
+            Symptom::NoPlace(code) => {
+                write!(f, "it does not tell the place of a mistake{}", in_brackets(code))
+            }
             Symptom::OtherLine(code) => write!(f, "it names another place for {code}"),
             Symptom::Incomplete(code) => write!(f, "it does not tell every mistake ({code} is not told)"),
             Symptom::Surplus(reason) => {
@@ -173,6 +206,15 @@ fn crash(got: &[Fact]) -> String {
     reason.unwrap_or_default()
 }
 
+/// Returns the normalized description of an invalid answer.
+fn error(got: &[Fact]) -> String {
+    let message = got.iter().find_map(|fact| match fact {
+        Fact::Error { message } => Some(normalize_message(message)),
+        _ => None,
+    });
+    message.unwrap_or_default()
+}
+
 /// Returns the code of a diagnostic; without a code, the normalized message.
 fn reason(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
@@ -189,20 +231,34 @@ fn first_reason(facts: &[Fact]) -> String {
 /// Returns the symptom of an expected rejection, by those parts of the diagnostics that were compared.
 fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
+    let told = extra.first().map(|first| reason(first)).unwrap_or_default();
     // Where lines are not compared, only a diagnostic on a line without a mistake is wrong.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
-        return Symptom::Surplus(extra.first().map(|first| reason(first)).unwrap_or_default());
+        return Symptom::Surplus(told);
     };
     let code = reason(first);
     let nothing_met = missing.len() == expected.len() && !extra.is_empty();
     match strict {
-        Grade::Code if extra.iter().any(|told| told.code == first.code) => Symptom::OtherLine(code),
-        Grade::Code if nothing_met || extra.iter().any(|told| told.line == first.line) => {
-            Symptom::OtherCode(code)
-        }
-        Grade::Line | Grade::Rejected if nothing_met => Symptom::OtherLine(code),
+        Grade::Code => match extra.iter().find(|told| told.code == first.code) {
+            Some(same) if has_no_place(same) => Symptom::NoPlace(code),
+            Some(_) => Symptom::OtherLine(code),
+            None if nothing_met || extra.iter().any(|told| told.line == first.line) => {
+                Symptom::OtherCode { code, told }
+            }
+            None => Symptom::Incomplete(code),
+        },
+        Grade::Line | Grade::Rejected if nothing_met => match extra.iter().all(|told| has_no_place(told)) {
+            true => Symptom::NoPlace(told),
+            false => Symptom::OtherLine(code),
+        },
         _ => Symptom::Incomplete(code),
     }
+}
+
+/// Returns whether a diagnostic does not tell where the mistake is. Line 1, column 1 is what a compiler says that has lost the
+/// place; where the mistake really stands there, the diagnostic is the expected one.
+fn has_no_place(told: &Diagnostic) -> bool {
+    told.line.is_none() || (told.line, told.column) == (Some(1), Some(1))
 }
 
 /// Returns the expected diagnostics that did not come, and the actual ones that are not expected. Where codes are compared,
@@ -271,17 +327,38 @@ fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
 #[cfg(test)]
 mod tests {
     use super::Symptom;
-    use crate::sample::{self, error, rendered, told, value};
-    use stickler_run::{CaseEvent, Fact, Grade, Verdict};
-    use stickler_types::Fault;
+    use crate::{Fact, Grade, Verdict};
+    use stickler_types::{Diagnostic, Fault, Value};
+
+    fn value(name: &str, literal: &str) -> Fact {
+        Fact::Value {
+            name: name.to_owned(),
+            value: Value::parse(literal).expect("a typed literal"),
+        }
+    }
+
+    fn error(line: u32, code: &str) -> Fact {
+        told(line, code, "")
+    }
+
+    /// Returns a diagnostic; line 0 stands for none, and so does an empty code.
+    fn told(line: u32, code: &str, message: &str) -> Fact {
+        Fact::Diagnostic(Diagnostic {
+            line: (line > 0).then_some(line),
+            code: (!code.is_empty()).then(|| code.to_owned()),
+            message: message.to_owned(),
+            ..Diagnostic::default()
+        })
+    }
+
+    fn rendered(line: &str) -> Fact {
+        Fact::Rendered {
+            lines: vec![line.to_owned()],
+        }
+    }
 
     fn symptom(expected: &[Fact], got: &[Fact], strict: Grade) -> Symptom {
-        let case = CaseEvent {
-            expected: expected.to_vec(),
-            got: got.to_vec(),
-            ..sample::case("a", Verdict::Fail)
-        };
-        Symptom::of(&case, strict)
+        Symptom::of_facts(Verdict::Fail, (expected, got), strict)
     }
 
     /// Checks the words of the symptoms for these actual facts, where `expected` is expected.
@@ -303,7 +380,7 @@ mod tests {
             [
                 (&[Fact::Accepted], "not-rejected-P4025"),
                 (&[told(1, "P4025", "out of range")], "line-of-P4025"),
-                (&[told(0, "P4025", "out of range")], "line-of-P4025"),
+                (&[told(0, "P4025", "out of range")], "no-place-of-P4025"),
                 (&[told(9, "P0002", "m")], "not-P4025"),
                 (&[error_in_6(), told(9, "P0002", "m")], "surplus-P0002"),
                 (&[error_in_6(), told(6, "P4025", "m")], "surplus-P4025"),
@@ -358,7 +435,7 @@ mod tests {
                 (&[Fact::MissingValue { name: name() }], "missing"),
             ],
         );
-        are(&[rendered(&["a := b;"])], [(&[rendered(&["a:=b;"])], "text")]);
+        are(&[rendered("a := b;")], [(&[rendered("a:=b;")], "text")]);
     }
 
     #[test]
@@ -409,13 +486,10 @@ mod tests {
     #[test]
     fn crashes_are_told_apart_by_their_words_and_not_by_their_numbers() {
         let crash = |reason: &str| {
-            let case = CaseEvent {
-                got: vec![Fact::Crashed {
-                    reason: reason.to_owned(),
-                }],
-                ..sample::case("a", Verdict::Crash)
+            let crashed = Fact::Crashed {
+                reason: reason.to_owned(),
             };
-            Symptom::of(&case, Grade::Code)
+            Symptom::of_facts(Verdict::Crash, (&[Fact::Accepted], &[crashed]), Grade::Code)
         };
         assert_eq!(crash("signal 11 in stage 3"), crash("signal 6 in stage 4"));
         let ended = |words: &str| crash(&format!("it ended (exit status: 3); its last words: {words}"));
@@ -424,5 +498,25 @@ mod tests {
             ended("Error: V9009 - the pool isn't there (task 0)").to_string(),
             "it dies (it ended; its last words: Error: - the pool isn't there)"
         );
+    }
+
+    #[test]
+    fn a_diagnostic_that_has_lost_its_place_is_told_from_one_at_a_wrong_place() {
+        let at = |line, column| {
+            Fact::Diagnostic(Diagnostic {
+                line: Some(line),
+                column: Some(column),
+                code: Some("P4025".to_owned()),
+                ..Diagnostic::default()
+            })
+        };
+        let of = |got: Fact, strict| symptom(&[error(6, "P4025")], &[got], strict).word();
+        assert_eq!(of(at(1, 1), Grade::Code), "no-place-of-P4025");
+        assert_eq!(of(at(1, 2), Grade::Code), "line-of-P4025");
+        assert_eq!(
+            of(told(0, "", "no sum at 7"), Grade::Line),
+            "no-place-of-no sum at"
+        );
+        assert_eq!(of(told(2, "", "no sum"), Grade::Line), "line-of-P4025");
     }
 }

@@ -1,0 +1,313 @@
+//! The essence of a cause: what of its smallest program matters for the defect, without the place where it happens to stand.
+//!
+//! Two small programs show one defect where the engine does the same with the same construct. Which construct it is follows
+//! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
+//! program contains; without a conversion, everything by which the program differs from an assignment.
+
+use crate::reduction::Smallest;
+use crate::shape::{function, number, own_functions, text};
+use crate::tokens::{Token, TokenKind, tokens};
+use std::collections::BTreeSet;
+use stickler_run::{Fact, Symptom};
+use stickler_types::{ElementaryType, Family};
+
+/// What matters of a small program that shows a defect.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Essence {
+    /// What the engine does; causes with different classes are different.
+    pub(crate) class: String,
+    /// The constructs that the defect needs.
+    pub(crate) features: BTreeSet<String>,
+    /// Whether a program with more features of the same class shows the same defect: it contains what already fails alone.
+    pub(crate) is_contained: bool,
+    /// The class of a valid program that is rejected for the same reason, for one that is rejected for the wrong reason.
+    pub(crate) hidden_class: Option<String>,
+}
+
+impl Essence {
+    /// Returns the essence of a program that was made small.
+    pub(crate) fn of(smallest: &Smallest) -> Essence {
+        let sign = &smallest.deviation.sign;
+        let program = Program::new(smallest);
+        let (class, features, is_contained) = match &sign.symptom {
+            Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
+            Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
+            Symptom::OtherCode { code, told } => (
+                format!("{code} as {told} {}", sign.at),
+                program.of_rejection(),
+                true,
+            ),
+            Symptom::Value | Symptom::Missing => {
+                let (features, converts) = program.of_value();
+                (sign.symptom.word(), features, !converts)
+            }
+            Symptom::Crash(words) if words.split(' ').count() > 3 => {
+                (format!("crash {words}"), BTreeSet::new(), false)
+            }
+            Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => (sign.word(), BTreeSet::new(), false),
+            _ => (
+                sign.word(),
+                BTreeSet::from([sign.shape(&smallest.program)]),
+                false,
+            ),
+        };
+        let hidden_class = match &sign.symptom {
+            Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => Some(rejected(told, &sign.at)),
+            _ => None,
+        };
+        let by_chance = if smallest.flaky.is_some() {
+            "by chance: "
+        } else {
+            ""
+        };
+        Essence {
+            class: format!("{by_chance}{}", class.trim_end()),
+            features,
+            is_contained,
+            hidden_class: hidden_class.map(|class| format!("{by_chance}{}", class.trim_end())),
+        }
+    }
+
+    /// Returns whether a cause with this essence explains one with the essence `other`.
+    pub(crate) fn explains(&self, other: &Essence) -> bool {
+        let same_class = self.class == other.class || other.hidden_class.as_ref() == Some(&self.class);
+        let contains = self.is_contained && self.features.is_subset(&other.features);
+        same_class && (self.features == other.features || contains)
+    }
+}
+
+fn rejected(reason: &str, at: &str) -> String {
+    format!("rejected {reason} {at}")
+}
+
+/// A small program with the line that matters.
+struct Program<'p> {
+    tokens: Vec<Token<'p>>,
+    /// The names that the program declares.
+    own: BTreeSet<String>,
+    /// The number of the line at which the expected or the actual diagnostic stands.
+    line: Option<u32>,
+    /// Whether the engine could not read the program.
+    is_unread: bool,
+}
+
+impl<'p> Program<'p> {
+    fn new(smallest: &'p Smallest) -> Program<'p> {
+        let deviation = &smallest.deviation;
+        let is_placed = |line: &u32| *line > 1;
+        let line = |facts: &[Fact]| {
+            facts
+                .iter()
+                .find_map(|fact| fact.diagnostic()?.line)
+                .filter(is_placed)
+        };
+        let told = deviation.got.iter().find_map(Fact::diagnostic);
+        let tokens = tokens(&smallest.program);
+        Program {
+            own: own_functions(&tokens),
+            tokens,
+            line: line(&deviation.got).or_else(|| line(&deviation.expected)),
+            is_unread: told
+                .and_then(|told| told.code.as_deref())
+                .is_some_and(|code| code.starts_with("P0")),
+        }
+    }
+
+    /// Returns the tokens of the line that matters; of the whole program where no line is known.
+    fn of_line(&self) -> Vec<Token<'p>> {
+        let on_line = |token: &&Token<'p>| self.line.is_none_or(|line| token.line == line);
+        self.tokens.iter().filter(on_line).copied().collect()
+    }
+
+    /// Returns the features of a mistake that is accepted: the operators of its line, or the kinds of its operands.
+    fn of_mistake(&self) -> BTreeSet<String> {
+        let line = self.of_line();
+        let mut features = operations(&line, &self.own);
+        if features.is_empty() {
+            features.insert(place_of(&self.tokens, self.line).to_owned());
+            let value = line.iter().rfind(|token| token.kind != TokenKind::Sign);
+            if value.is_some_and(|value| matches!(value.kind, TokenKind::Number | TokenKind::Text)) {
+                features.insert("untyped literal".to_owned());
+            }
+        }
+        features
+    }
+
+    /// Returns the features of a program that is rejected wrongly: those of the line, and, where the engine could read the
+    /// program, the kinds of declarations.
+    fn of_rejection(&self) -> BTreeSet<String> {
+        let line = self.of_line();
+        let mut features = operations(&line, &self.own);
+        let literals: Vec<String> = line.iter().filter_map(special_literal).collect();
+        // A literal that the engine does not know is not known anywhere.
+        if literals.is_empty() {
+            features.insert(place_of(&self.tokens, self.line).to_owned());
+        }
+        features.extend(literals);
+        let by_name = line
+            .windows(2)
+            .any(|pair| pair[0].text == ":=" && pair[1].kind == TokenKind::Word);
+        if by_name && features.contains("declaration") {
+            features.insert("initial value by name".to_owned());
+        }
+        if !self.is_unread {
+            features.extend(declarations(&self.tokens));
+        }
+        features
+    }
+
+    /// Returns the features of a program that computes a wrong value, and whether it converts between types.
+    fn of_value(&self) -> (BTreeSet<String>, bool) {
+        let mut features = operations(&self.tokens, &self.own);
+        features.remove("call");
+        let types: BTreeSet<ElementaryType> = self.tokens.iter().filter_map(type_of_token).collect();
+        let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
+        let numbers = types.iter().filter(|ty| kind(**ty).is_some()).count();
+        if numbers > 1 {
+            let kinds: Vec<&str> = kinds.into_iter().collect();
+            features.insert(format!("conversion {}", kinds.join(" and ")));
+            return (features, true);
+        }
+        features.extend(self.tokens.iter().filter_map(special_literal));
+        features.extend(declarations(&self.tokens));
+        (features, false)
+    }
+}
+
+/// Returns the type that a token names, as a word or as the prefix of a literal.
+fn type_of_token(token: &Token<'_>) -> Option<ElementaryType> {
+    let upper = token.text.to_ascii_uppercase();
+    match token.kind {
+        TokenKind::Word => ElementaryType::from_name(&upper),
+        TokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
+        _ => None,
+    }
+}
+
+/// Returns the kind of values between which conversions are one piece of work in a compiler; `None` for BOOL, which is the
+/// type of comparisons too.
+const fn kind(ty: ElementaryType) -> Option<&'static str> {
+    Some(match ty.family() {
+        Family::Boolean => return None,
+        Family::Signed | Family::Unsigned | Family::BitString => "integer",
+        Family::Real => "real",
+        Family::Duration => "duration",
+        Family::Date | Family::TimeOfDay | Family::DateAndTime => "date or time",
+        Family::Text | Family::Character => "text",
+    })
+}
+
+/// Returns where a line stands.
+fn place_of(tokens: &[Token<'_>], line: Option<u32>) -> &'static str {
+    let before = tokens
+        .iter()
+        .take_while(|token| line.is_none_or(|line| token.line < line));
+    let mut place = "statement";
+    for token in before.filter(|token| token.kind == TokenKind::Word) {
+        let upper = token.text.to_ascii_uppercase();
+        place = match upper.as_str() {
+            "TYPE" => "type",
+            "END_TYPE" | "END_VAR" => "statement",
+            _ if upper == "VAR" || upper.starts_with("VAR_") => "declaration",
+            _ => place,
+        };
+    }
+    place
+}
+
+/// Returns the operators, functions and statements among these tokens; an assignment and a field are none.
+fn operations(tokens: &[Token<'_>], own: &BTreeSet<String>) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for (at, token) in tokens.iter().enumerate() {
+        let next = tokens.get(at + 1);
+        let upper = token.text.to_ascii_uppercase();
+        let operation = match token.kind {
+            TokenKind::Sign => sign(
+                token,
+                at.checked_sub(1).and_then(|before| tokens.get(before)),
+                next,
+            ),
+            TokenKind::Word => match upper.as_str() {
+                "MOD" => Some("arithmetic"),
+                "AND" | "OR" | "XOR" | "NOT" => Some("bitwise operator"),
+                "IF" | "ELSIF" | "CASE" | "FOR" | "WHILE" | "UNTIL" => Some("condition"),
+                _ if next.is_some_and(|next| next.text == "(") => {
+                    let is_own = own.contains(&upper);
+                    found.insert(if is_own {
+                        "call".to_owned()
+                    } else {
+                        function(&upper)
+                    });
+                    None
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        found.extend(operation.map(str::to_owned));
+    }
+    found
+}
+
+/// Returns the operation of a sign, by the tokens around it.
+fn sign(token: &Token<'_>, before: Option<&Token<'_>>, next: Option<&Token<'_>>) -> Option<&'static str> {
+    let is_operand = |token: &Token<'_>| token.kind != TokenKind::Sign || matches!(token.text, ")" | "]");
+    match token.text {
+        "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
+        "*" | "/" => Some("arithmetic"),
+        "**" => Some("power"),
+        "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),
+        "&" => Some("bitwise operator"),
+        "=>" => Some("output argument"),
+        "[" => Some("subscript or list"),
+        "." => next
+            .is_some_and(|next| matches!(next.kind, TokenKind::Number | TokenKind::Partial))
+            .then_some("bit access"),
+        _ => None,
+    }
+}
+
+/// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.
+fn special_literal(token: &Token<'_>) -> Option<String> {
+    let upper = token.text.to_ascii_uppercase();
+    match token.kind {
+        TokenKind::Number => Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real")),
+        TokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
+        TokenKind::Typed => {
+            let (prefix, _) = upper.split_once('#')?;
+            let is_number = type_of_token(token)
+                .is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")));
+            (!is_number).then(|| format!("{prefix}#"))
+        }
+        _ => None,
+    }
+}
+
+/// Returns the kinds of declarations in a program, without those that every program has.
+fn declarations(tokens: &[Token<'_>]) -> BTreeSet<String> {
+    let words: BTreeSet<String> = tokens
+        .iter()
+        .map(|token| token.text.to_ascii_uppercase())
+        .collect();
+    let special = [
+        "STRUCT",
+        "ARRAY",
+        "FUNCTION",
+        "FUNCTION_BLOCK",
+        "VAR_IN_OUT",
+        "VAR_OUTPUT",
+        "VAR_EXTERNAL",
+        "VAR_GLOBAL",
+        "VAR_TEMP",
+        "CONSTANT",
+        "RETAIN",
+        "CONFIGURATION",
+    ];
+    let found = special.iter().filter(|word| words.contains(**word));
+    let mut found: BTreeSet<String> = found.map(|word| (*word).to_owned()).collect();
+    let is_composed = found.contains("STRUCT") || found.contains("ARRAY");
+    if words.contains("TYPE") && !is_composed {
+        found.insert("type of one's own".to_owned());
+    }
+    found
+}

@@ -1,0 +1,28 @@
+//! Finds the causes of failing cases: what one mend in a compiler would put right.
+//!
+//! | step | done by |
+//! |---|---|
+//! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
+//! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `question` |
+//! | groups whose reduced programs have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find`] |
+//!
+//! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
+//! program what must happen; where values are compared, only those count that the case itself asserts and that stay what
+//! its document says.
+//!
+//! *Architecture invariant:* it knows no report; what it finds depends on the answers of the engine, and on the time only
+//! where a limit of time ends the search.
+#![forbid(unsafe_code)]
+
+mod essence;
+mod failed;
+mod find;
+mod question;
+mod reduction;
+mod shape;
+mod sign;
+mod title;
+mod tokens;
+
+pub use failed::FailedCases;
+pub use find::{CauseProgress, Limits, Search, find};

@@ -1,0 +1,141 @@
+//! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
+
+use crate::sign::Sign;
+use std::sync::Arc;
+use stickler_engines::{EngineError, EngineSession};
+use stickler_reference::Limits;
+use stickler_run::{AnswerStore, Answers, Fact, Grade, Symptom, Verdict, ask, ask_stored, judge};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault};
+use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
+
+/// The maximum number of variables of a program that are looked at.
+const MAX_VARIABLES: usize = 1000;
+
+/// An engine with the strictness by which it is judged.
+pub(crate) struct Questioner<'e> {
+    pub(crate) session: EngineSession<'e>,
+    pub(crate) strict: Grade,
+    /// The answers of earlier runs.
+    pub(crate) store: Option<&'e dyn AnswerStore>,
+}
+
+/// A deviation that an engine showed on a program.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Deviation {
+    pub(crate) sign: Sign,
+    pub(crate) expected: Vec<Fact>,
+    pub(crate) got: Vec<Fact>,
+}
+
+impl Questioner<'_> {
+    /// Asks the engine about a case, or takes what it answered in an earlier run; `None` where it does what it must, or does
+    /// not support the program.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
+        let answers = ask_stored(&mut self.session, case, self.store)?;
+        Ok(self.judged(case, &answers))
+    }
+
+    /// Asks the engine about a case, also where it answered before.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn deviation_now(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
+        let answers = ask(&mut self.session, case)?;
+        Ok(self.judged(case, &answers))
+    }
+
+    fn judged(&self, case: &Case, answers: &Answers) -> Option<Deviation> {
+        let judged = judge(case, answers, self.strict);
+        if matches!(judged.verdict, Verdict::Pass | Verdict::Unsupported) {
+            return None;
+        }
+        let facts = (&judged.expected[..], &judged.got[..]);
+        Some(Deviation {
+            sign: Sign::of(&case.source, judged.verdict, facts, self.strict),
+            expected: judged.expected,
+            got: judged.got,
+        })
+    }
+}
+
+/// Returns the case with another program in its place, made from its own by changes that keep the deviation `sign`. `None`
+/// where the program must do something else than the case's own, so that the document of the case says nothing of it.
+pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Case> {
+    let known = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    let is_known = |observation: &&Observation| {
+        let mut names = known.iter();
+        names.any(|name| name.eq_ignore_ascii_case(&observation.name))
+    };
+    let observe: Vec<Observation> = case.observe.iter().filter(is_known).cloned().collect();
+    let request = RunRequest {
+        source: program,
+        observe: &observe,
+        ..case.request()
+    };
+    let outcome = stickler_reference::run(&request, Limits::default()).ok()?;
+    let expectation = expectation(&case.expectation, &sign.symptom, outcome)?;
+    Some(Case {
+        source: program.into(),
+        observe: observe.into(),
+        expectation: Arc::new(expectation),
+        ..case.clone()
+    })
+}
+
+/// Returns what must happen with a smaller program, by what the reference does and by what was expected of the whole one.
+fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Option<Expectation> {
+    let must_be_rejected = whole.accepted == Acceptance::Rejected;
+    match outcome {
+        Outcome::Rejected { diagnostics } if must_be_rejected => {
+            let expected = |told: &stickler_types::Diagnostic| {
+                let (code, line) = (told.registered_code()?, told.line?);
+                let is_expected = whole.diagnostics.iter().any(|one| one.code == code);
+                is_expected.then_some(ExpectedDiagnostic { line, code })
+            };
+            let mut diagnostics: Vec<ExpectedDiagnostic> =
+                diagnostics.iter().map(expected).collect::<Option<_>>()?;
+            diagnostics.sort();
+            Some(Expectation {
+                accepted: Acceptance::Rejected,
+                diagnostics,
+                ..Expectation::default()
+            })
+        }
+        // What is wrong with the program is gone, and the engine may still reject it.
+        Outcome::Executed { .. } if must_be_rejected => {
+            let may_hide = matches!(symptom, Symptom::OtherCode { .. } | Symptom::Surplus(_));
+            may_hide.then(Expectation::default)
+        }
+        Outcome::Executed { values } if whole.fault.is_none() => accepted(whole, symptom, &values),
+        Outcome::Faulted { fault, line, .. } => {
+            let expected = whole.fault.filter(|expected| expected.fault == fault)?;
+            let line = line.unwrap_or(expected.line);
+            Some(Expectation {
+                fault: Some(ExpectedFault { fault, line }),
+                ..Expectation::default()
+            })
+        }
+        _ => None,
+    }
+}
+
+/// Returns what must happen with a program that is accepted: where values count, those that the whole program must have too.
+fn accepted(whole: &Expectation, symptom: &Symptom, values: &[NamedValue]) -> Option<Expectation> {
+    if matches!(symptom, Symptom::Rejected(_) | Symptom::Crash(_)) {
+        return Some(Expectation::default());
+    }
+    let is_kept = |expected: &&stickler_suite::ExpectedValue| {
+        let key = expected.key().to_string();
+        let mut values = values.iter();
+        values.any(|(name, value)| name.eq_ignore_ascii_case(&key) && *value == expected.value)
+    };
+    let kept: Vec<_> = whole.values.iter().filter(is_kept).cloned().collect();
+    let is_kept = !kept.is_empty();
+    is_kept.then(|| Expectation {
+        values: kept,
+        ..Expectation::default()
+    })
+}

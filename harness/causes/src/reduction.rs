@@ -1,0 +1,246 @@
+//! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
+
+use crate::question::{Deviation, Questioner, with_program};
+use crate::sign::Sign;
+use crate::tokens::{TokenKind, tokens};
+use stickler_engines::EngineError;
+use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
+use stickler_run::{CaseEvent, Fact, Reduced, Repeats, Symptom};
+use stickler_suite::Case;
+
+/// The number of times that the smallest program is run to see whether the engine does the same each time.
+const REPEATS: u32 = 4;
+/// The number of times that a program is run with which the engine does not do the same each time.
+const REPEATS_OF_CHANCE: u32 = 20;
+
+/// A program that shows what a case shows, as small as it became.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Smallest {
+    pub(crate) program: String,
+    pub(crate) deviation: Deviation,
+    pub(crate) reduction: Reduced,
+    pub(crate) flaky: Option<Repeats>,
+    /// The number of times that the engine was asked.
+    pub(crate) questions: u64,
+}
+
+impl Smallest {
+    /// Returns the program of a case as it is, without header and marks.
+    pub(crate) fn unreduced(event: &CaseEvent, sign: &Sign) -> Smallest {
+        let (program, lines) = without_marks(event.program.as_deref().unwrap_or_default());
+        Smallest {
+            program,
+            deviation: Deviation {
+                sign: sign.clone(),
+                expected: moved(&event.expected, &lines),
+                got: moved(&event.got, &lines),
+            },
+            reduction: Reduced::Not,
+            flaky: None,
+            questions: 0,
+        }
+    }
+}
+
+/// Reduces the program of a case that failed with this sign, with at most so many questions to the engine. `stop` is asked
+/// before each.
+///
+/// # Errors
+/// [`EngineError`] where the engine crashed and cannot be started again.
+pub(crate) fn reduce(
+    asked: &mut Questioner<'_>,
+    (case, event): (&Case, &CaseEvent),
+    sign: &Sign,
+    tries: u64,
+    stop: &dyn Fn() -> bool,
+) -> Result<Smallest, EngineError> {
+    let unreduced = Smallest::unreduced(event, sign);
+    if !is_reducible(&sign.symptom) {
+        return Ok(unreduced);
+    }
+    let mut error = None;
+    let mut questions = 0;
+    let start = unreduced.program.clone();
+    let found = {
+        let mut interesting = |program: &str| {
+            if error.is_some() || !is_whole(program) {
+                return Interestingness::Invalid;
+            }
+            let Some(smaller) = with_program(case, sign, program) else {
+                return Interestingness::Invalid;
+            };
+            questions += 1;
+            match asked.deviation(&smaller) {
+                Ok(seen) => Interestingness::from(seen.is_some_and(|seen| sign.is_kept_by(&seen.sign))),
+                Err(failed) => {
+                    error = Some(failed);
+                    Interestingness::Invalid
+                }
+            }
+        };
+        let budget = ReductionBudget { tries, stop };
+        reduce::text(&start, case.dialect, &mut interesting, &budget)
+    };
+    if let Some(error) = error {
+        return Err(error);
+    }
+    let (program, reduction) = match found.ended {
+        StopReason::NotInteresting => (start, Reduced::Not),
+        StopReason::Smallest => (found.value, Reduced::Smallest),
+        StopReason::OutOfTries | StopReason::Stopped => (found.value, Reduced::Partly),
+    };
+    let smallest = Smallest {
+        program,
+        reduction,
+        questions,
+        ..unreduced
+    };
+    let smaller = with_program(case, sign, &smallest.program);
+    match smaller.filter(|_| reduction != Reduced::Not) {
+        Some(smaller) => repeated(asked, &smaller, sign, smallest),
+        // Without its marks the program does not show it.
+        None => {
+            let whole = repeated(asked, case, sign, smallest)?;
+            let unreduced = Smallest::unreduced(event, sign);
+            Ok(Smallest {
+                deviation: unreduced.deviation,
+                ..whole
+            })
+        }
+    }
+}
+
+/// Runs the case with the smallest program several times, and fills in what the engine does with it.
+fn repeated(
+    asked: &mut Questioner<'_>,
+    case: &Case,
+    sign: &Sign,
+    smallest: Smallest,
+) -> Result<Smallest, EngineError> {
+    let mut seen = Vec::new();
+    let mut most = REPEATS;
+    while (seen.len() as u32) < most {
+        let deviation = asked.deviation_now(case)?;
+        seen.push(deviation.filter(|seen| sign.is_kept_by(&seen.sign)));
+        if seen.last() == Some(&None) {
+            most = REPEATS_OF_CHANCE;
+        }
+    }
+    let of = seen.len() as u32;
+    let questions = smallest.questions + u64::from(of);
+    let mut deviations = seen.into_iter().flatten();
+    let Some(deviation) = deviations.next() else {
+        // Seen once, in the run.
+        let flaky = Some(Repeats { seen: 1, of: of + 1 });
+        return Ok(Smallest {
+            flaky,
+            questions,
+            reduction: Reduced::Not,
+            ..smallest
+        });
+    };
+    let shown = 1 + deviations.count() as u32;
+    Ok(Smallest {
+        deviation,
+        flaky: (shown < of).then_some(Repeats { seen: shown, of }),
+        questions,
+        ..smallest
+    })
+}
+
+/// Returns whether programs with this symptom are made smaller. A hang would take the whole time limit of each question;
+/// what a compiler renders, and what it answers beside the point, is plain without a smaller program.
+const fn is_reducible(symptom: &Symptom) -> bool {
+    !matches!(symptom, Symptom::Hang | Symptom::Error(_) | Symptom::Text)
+}
+
+/// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
+/// them for that alone, whatever else was wrong with it.
+fn is_whole(program: &str) -> bool {
+    let tokens = tokens(program);
+    let mut has_variables = false;
+    for pair in tokens.windows(2) {
+        let opens = pair[0].kind == TokenKind::Word && pair[0].text.to_ascii_uppercase().starts_with("VAR");
+        let closes = ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
+            .iter()
+            .any(|end| pair[1].is(end));
+        if opens && pair[1].is("END_VAR") || closes && pair[0].is("END_VAR") {
+            return false;
+        }
+        has_variables |= pair[0].is("END_VAR");
+    }
+    has_variables
+}
+
+/// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
+/// that they leave; and of each of its lines the number in the program with marks.
+fn without_marks(program: &str) -> (String, Vec<u32>) {
+    let mut unmarked = String::with_capacity(program.len());
+    let mut rest = program;
+    while let Some(start) = rest.find("(*!") {
+        unmarked.push_str(&rest[..start]);
+        let end = rest[start..].find("*)").map_or(rest.len(), |end| start + end + 2);
+        // The lines of a mark stay for now, so that lines are counted as they were.
+        unmarked.extend(rest[start..end].chars().filter(|character| *character == '\n'));
+        rest = &rest[end..];
+    }
+    unmarked.push_str(rest);
+    let (mut plain, mut lines) = (String::new(), Vec::new());
+    for (line, number) in unmarked.lines().zip(1..) {
+        if !line.trim().is_empty() {
+            plain.push_str(line.trim_end());
+            plain.push('\n');
+            lines.push(number);
+        }
+    }
+    (plain, lines)
+}
+
+/// Returns facts with the numbers of their lines changed to those of a program of which only `lines` are left.
+fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
+    let place = |line: &mut u32| {
+        if let Some(at) = lines.iter().position(|former| former == line) {
+            *line = at as u32 + 1;
+        }
+    };
+    let mut facts = facts.to_vec();
+    for fact in &mut facts {
+        match fact {
+            Fact::Diagnostic(told) => told.line.iter_mut().for_each(place),
+            Fact::Fault { line, .. } => line.iter_mut().for_each(place),
+            _ => {}
+        }
+    }
+    facts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_whole, moved, without_marks};
+    use stickler_run::Fact;
+
+    #[test]
+    fn header_and_marks_go_and_comments_stay() {
+        let case = "(*!\ntitle = \"t\"\n*)\nPROGRAM p\n    x := 1;   (*! error P4035 *)\n(* c *)\nEND_PROGRAM\n(*! values\nx = INT#1\n*)\n";
+        let (program, lines) = without_marks(case);
+        assert_eq!(program, "PROGRAM p\n    x := 1;\n(* c *)\nEND_PROGRAM\n");
+        assert_eq!(lines, [4, 5, 6, 7]);
+        assert_eq!(without_marks("(*! open"), (String::new(), Vec::new()));
+        let fault = |line| Fact::Fault {
+            fault: stickler_types::Fault::Subrange,
+            line: Some(line),
+        };
+        assert_eq!(
+            moved(&[fault(5), fault(1), Fact::Accepted], &lines),
+            [fault(2), fault(1), Fact::Accepted]
+        );
+    }
+
+    #[test]
+    fn a_program_without_variables_or_statements_is_none_to_ask_about() {
+        assert!(is_whole("PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p VAR x : INT; END_VAR END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p VAR END_VAR x := 1; END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p x := 1; END_PROGRAM"));
+    }
+}

@@ -1,0 +1,148 @@
+//! The sign of a failing program: its symptom, what the engine said, and where.
+
+use crate::shape::{Types, shape, token_at};
+use crate::tokens::tokens;
+use stickler_run::{Fact, Grade, Symptom, Verdict};
+
+/// The properties by which two failing programs of the same shape are told apart.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(crate) struct Sign {
+    pub(crate) symptom: Symptom,
+    /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; how
+    /// the first differing lines differ, for a rendered text.
+    pub(crate) at: String,
+}
+
+impl Sign {
+    /// Returns the sign of a program that did not come out as expected.
+    pub(crate) fn of(program: &str, verdict: Verdict, facts: (&[Fact], &[Fact]), strict: Grade) -> Sign {
+        let symptom = Symptom::of_facts(verdict, facts, strict);
+        let at = match &symptom {
+            Symptom::Rejected(reason)
+            | Symptom::OtherCode { told: reason, .. }
+            | Symptom::Surplus(reason)
+                if reason.starts_with("P0") =>
+            {
+                token_of(program, reason, facts.1)
+            }
+            Symptom::Text => difference(facts),
+            _ => String::new(),
+        };
+        Sign { symptom, at }
+    }
+
+    /// Returns the sign as a word; equal words mean equal signs.
+    pub(crate) fn word(&self) -> String {
+        let told = match &self.symptom {
+            Symptom::OtherCode { told, .. } => told,
+            Symptom::Crash(words) | Symptom::Error(words) => words,
+            _ => "",
+        };
+        let words = [&self.symptom.word(), told, &self.at].map(str::to_owned);
+        let words: Vec<String> = words.into_iter().filter(|word| !word.is_empty()).collect();
+        words.join(" ")
+    }
+
+    /// Returns how much of its types the shape of a program with this sign keeps: what is computed depends on them, what is
+    /// accepted or rejected seldom does.
+    fn types(&self) -> Types {
+        match self.symptom {
+            Symptom::Value
+            | Symptom::Missing
+            | Symptom::Fault(_)
+            | Symptom::FaultLine(_)
+            | Symptom::NotFaulted(_) => Types::Families,
+            _ => Types::Equal,
+        }
+    }
+
+    /// Returns the shape of a program with this sign. It is empty where the program does not matter.
+    pub(crate) fn shape(&self, program: &str) -> String {
+        match self.symptom {
+            // A compiler that loses the place of a diagnostic loses it in every program; the others are told by `at`.
+            Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => String::new(),
+            _ => shape(program, self.types()),
+        }
+    }
+
+    /// Returns whether a smaller program with the sign `seen` shows the same defect, or one that this sign hides.
+    pub(crate) fn is_kept_by(&self, seen: &Sign) -> bool {
+        if self == seen {
+            return true;
+        }
+        match (&self.symptom, &seen.symptom) {
+            (Symptom::Incomplete(code), Symptom::NotRejected(same)) => code == same,
+            // The program is rejected for this reason even where nothing is wrong with it.
+            (Symptom::OtherCode { told, .. } | Symptom::Surplus(told), Symptom::Rejected(reason)) => {
+                told == reason && self.at == seen.at
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Returns the kind of token at the place of the diagnostic with this code.
+fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
+    let diagnostics = got.iter().filter_map(Fact::diagnostic);
+    let mut places = diagnostics.filter(|told| told.code.as_deref() == Some(code));
+    match places.next().map(|told| (told.line, told.column)) {
+        Some((Some(line), Some(column))) => token_at(program, line, column),
+        _ => String::new(),
+    }
+}
+
+/// Returns how the first lines differ in which a rendered text is not the expected one.
+fn difference((expected, got): (&[Fact], &[Fact])) -> String {
+    let (expected, got) = (Fact::text(expected), Fact::text(got));
+    let mut pairs = expected.lines().zip(got.lines());
+    let Some((wanted, told)) = pairs.find(|(wanted, told)| wanted != told) else {
+        return "lines are missing".to_owned();
+    };
+    let texts = |line: &str| {
+        tokens(line)
+            .iter()
+            .map(|token| token.text.to_owned())
+            .collect::<Vec<_>>()
+    };
+    match texts(wanted) == texts(told) {
+        true => "blanks".to_owned(),
+        false => format!("{} / {}", shape(wanted, Types::Equal), shape(told, Types::Equal)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::Diagnostic;
+
+    fn told(line: u32, column: u32, code: &str) -> Fact {
+        Fact::Diagnostic(Diagnostic {
+            line: Some(line),
+            column: Some(column),
+            code: Some(code.to_owned()),
+            ..Diagnostic::default()
+        })
+    }
+
+    fn sign(program: &str, expected: Fact, got: Fact) -> Sign {
+        Sign::of(program, Verdict::Fail, (&[expected], &[got]), Grade::Code)
+    }
+
+    #[test]
+    fn mistakes_of_reading_are_told_apart_by_what_stands_there() {
+        let of = |program: &str| sign(program, Fact::Accepted, told(1, 6, "P0002"));
+        assert_eq!(of("x := 5;"), of("y := 7;"));
+        assert_ne!(of("x := 5;"), of("x := y;"));
+        let typed = |program: &str| sign(program, Fact::Accepted, told(1, 6, "P4035"));
+        assert_eq!(typed("x := 5;"), typed("x := y;"));
+    }
+
+    #[test]
+    fn a_sign_that_hides_another_is_kept_by_it_and_not_the_other_way_round() {
+        let hidden = sign("x := y;", Fact::Accepted, told(1, 6, "P2006"));
+        let hides = sign("x := y;", told(1, 1, "P4022"), told(1, 6, "P2006"));
+        assert!(hides.is_kept_by(&hidden) && !hidden.is_kept_by(&hides));
+        let other = sign("x := y;", Fact::Accepted, told(1, 6, "P2010"));
+        assert!(!hides.is_kept_by(&other));
+    }
+}

@@ -1,0 +1,258 @@
+//! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
+
+use crate::reduction::Smallest;
+use crate::shape::is_fixed;
+use crate::tokens::{Token, TokenKind, tokens};
+use stickler_run::{Fact, Symptom};
+use stickler_types::Diagnostic;
+
+/// The maximum number of characters that are shown of a line, a message or a value.
+const MAX_LENGTH: usize = 90;
+/// The maximum number of variables whose types are named.
+const MAX_TYPES: usize = 3;
+
+/// Returns the title of a cause, by the smallest program that shows it.
+pub(crate) fn title(smallest: &Smallest) -> String {
+    let Smallest {
+        program, deviation, ..
+    } = smallest;
+    let (expected, got) = (&deviation.expected[..], &deviation.got[..]);
+    let line = |number: Option<u32>| {
+        let line = number.and_then(|number| program.lines().nth(number.checked_sub(1)? as usize));
+        described(program, line.unwrap_or_else(|| last_statement(program)))
+    };
+    let first = |facts: &[Fact]| {
+        facts
+            .iter()
+            .find_map(Fact::diagnostic)
+            .cloned()
+            .unwrap_or_default()
+    };
+    let (wanted, mut told) = (first(expected), first(got));
+    // A compiler that has lost the place says line 1.
+    told.line = told.line.filter(|line| *line > 1);
+    match &deviation.sign.symptom {
+        Symptom::NotRejected(code) => {
+            format!("{} is accepted, not rejected{}", line(wanted.line), with(code))
+        }
+        Symptom::Rejected(_) => format!("{} is rejected: {}", line(told.line), said(&told)),
+        Symptom::OtherCode { code, .. } => {
+            format!(
+                "{} is rejected, but not with {code}: {}",
+                line(wanted.line),
+                said(&told)
+            )
+        }
+        Symptom::NoPlace(code) => format!("{code} is reported without the place of the mistake"),
+        Symptom::OtherLine(code) => format!("{}: {code} is reported on another line", line(wanted.line)),
+        Symptom::Incomplete(code) => {
+            format!(
+                "{}: {code} is not reported beside other mistakes",
+                line(line_of(code, expected))
+            )
+        }
+        Symptom::Surplus(_) => {
+            let extra = got
+                .iter()
+                .find(|fact| !expected.contains(fact) && fact.diagnostic().is_some());
+            let extra = extra.and_then(Fact::diagnostic).cloned().unwrap_or_default();
+            format!(
+                "{} is reported although nothing is wrong there: {}",
+                line(extra.line),
+                said(&extra)
+            )
+        }
+        Symptom::Value | Symptom::Missing => wrong_value(program, expected, got),
+        Symptom::Crash(words) => format!("{} makes it crash: {}", line(None), clipped(words)),
+        Symptom::Hang => format!("{}: no answer in time", line(None)),
+        Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
+        Symptom::Fault(fault) => format!("{} stops with the fault {fault}", line(None)),
+        Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
+        Symptom::NotFaulted(fault) => format!("{} does not stop with the fault {fault}", line(None)),
+        Symptom::Text => match deviation.sign.at.as_str() {
+            "blanks" => "a rendered program has other blanks".to_owned(),
+            _ => rendered(expected, got),
+        },
+    }
+}
+
+/// Returns the first expected value that did not come, with the statement that computes it.
+fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
+    for (wanted, told) in expected.iter().zip(got) {
+        let Fact::Value { name, value } = wanted else {
+            continue;
+        };
+        if wanted == told {
+            continue;
+        }
+        let value = clipped(&value.to_string());
+        return match (told, assignment(program, name)) {
+            (Fact::Value { value: other, .. }, Some(line)) => {
+                format!("{} gives {other}, not {value}", described(program, line))
+            }
+            (Fact::Value { value: other, .. }, None) => {
+                format!(
+                    "{}: {name} is {other}, not {value}",
+                    described(program, declaration(program, name))
+                )
+            }
+            _ => format!(
+                "the value of {name} cannot be seen: {}",
+                described(program, declaration(program, name))
+            ),
+        };
+    }
+    described(program, last_statement(program)) + " computes another value"
+}
+
+fn rendered(expected: &[Fact], got: &[Fact]) -> String {
+    let (expected, got) = (Fact::text(expected), Fact::text(got));
+    let mut pairs = expected.lines().zip(got.lines());
+    match pairs.find(|(wanted, told)| wanted != told) {
+        Some((wanted, told)) => format!("`{}` is rendered as `{}`", clipped(wanted), clipped(told)),
+        None => "a rendered program has other lines".to_owned(),
+    }
+}
+
+/// Returns the line of the expected diagnostic with this code.
+fn line_of(code: &str, expected: &[Fact]) -> Option<u32> {
+    let mut diagnostics = expected.iter().filter_map(Fact::diagnostic);
+    diagnostics.find(|one| one.code.as_deref() == Some(code))?.line
+}
+
+/// Returns the code and the message of a diagnostic.
+fn said(told: &Diagnostic) -> String {
+    let parts = [told.code.as_deref().unwrap_or_default(), &told.message];
+    let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    match parts.is_empty() {
+        true => "no reason is given".to_owned(),
+        false => clipped(&parts.join(" ")),
+    }
+}
+
+fn with(code: &str) -> String {
+    match code {
+        "" => String::new(),
+        code => format!(" with {code}"),
+    }
+}
+
+/// Returns a text of one line and no more than a title has room for.
+fn clipped(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default().trim();
+    match line.char_indices().nth(MAX_LENGTH) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line.to_owned(),
+    }
+}
+
+/// Returns a line of a program in code quotes, with the types of its variables where these stand elsewhere.
+fn described(program: &str, line: &str) -> String {
+    let code = line.trim().trim_end_matches(';').trim_end();
+    let mut types = Vec::new();
+    for token in tokens(code) {
+        let declared = type_of(program, &token).filter(|_| !declares(code, token.text));
+        if let Some(ty) = declared
+            && types.len() < MAX_TYPES
+        {
+            let entry = format!("{} : {ty}", token.text);
+            if !types.contains(&entry) {
+                types.push(entry);
+            }
+        }
+    }
+    match types.is_empty() {
+        true => format!("`{}`", clipped(code)),
+        false => format!("`{}` ({})", clipped(code), types.join(", ")),
+    }
+}
+
+/// Returns whether a line itself declares this name.
+fn declares(line: &str, name: &str) -> bool {
+    let tokens = tokens(line);
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[0].is(name) && matches!(pair[1].text, ":" | ","))
+}
+
+/// Returns the type with which a program declares a name, as it is written.
+fn type_of(program: &str, name: &Token<'_>) -> Option<String> {
+    if name.kind != TokenKind::Word || is_fixed(name.text) {
+        return None;
+    }
+    let tokens = tokens(program);
+    let at = (0..tokens.len()).find(|&at| tokens[at].is(name.text) && is_declared(&tokens, at))?;
+    let colon = at + tokens[at..].iter().position(|token| token.text == ":")?;
+    let rest = &tokens[colon + 1..];
+    let end = rest.iter().position(|token| matches!(token.text, ";" | ":="))?;
+    let words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
+    Some(clipped(&words.join(" "))).filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))
+}
+
+/// Returns whether the name at this place is declared there: names with commas between them come before a colon.
+fn is_declared(tokens: &[Token<'_>], at: usize) -> bool {
+    let before = at.checked_sub(1).and_then(|before| tokens.get(before));
+    let is_head = before.is_some_and(|before| before.is("FUNCTION") || before.is("TYPE"));
+    let mut behind = tokens[at + 1..].chunks(2);
+    let end = behind
+        .find(|pair| pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != TokenKind::Word));
+    !is_head && end.is_some_and(|end| end[0].text == ":")
+}
+
+/// Returns the last line that assigns a variable, a field or an element of it.
+fn assignment<'p>(program: &'p str, name: &str) -> Option<&'p str> {
+    let name = name.split(['@', '[', '.']).next().unwrap_or(name);
+    let assigns = |line: &&str| {
+        let tokens = tokens(line);
+        let target = tokens.first().is_some_and(|first| first.is(name));
+        let declares = tokens.get(1).is_some_and(|next| next.text == ":");
+        target && !declares && tokens.iter().any(|token| token.text == ":=")
+    };
+    program.lines().rfind(assigns)
+}
+
+/// Returns the line that declares a variable, or the field that a path ends with.
+fn declaration<'p>(program: &'p str, path: &str) -> &'p str {
+    let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
+    let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
+    let mut lines = program.lines();
+    lines
+        .find(|line| declares(line, name))
+        .unwrap_or_else(|| last_statement(program))
+}
+
+/// Returns the last line of a program that is no end of anything.
+fn last_statement(program: &str) -> &str {
+    let mut lines = program.lines().rev();
+    let is_statement = |line: &&str| {
+        let first = line.trim().to_ascii_uppercase();
+        !first.trim_matches(';').is_empty() && !first.starts_with("END_")
+    };
+    lines.find(is_statement).unwrap_or(program)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PROGRAM: &str = "FUNCTION f : INT\nVAR_INPUT n : INT; END_VAR\nf := n;\nEND_FUNCTION\nPROGRAM main\nVAR a, b : REAL; c : ARRAY[1..2] OF INT := [1, 2]; END_VAR\na := b + f(c[1]);\nEND_PROGRAM\n";
+
+    #[test]
+    fn a_line_is_shown_with_the_types_of_its_variables() {
+        assert_eq!(
+            described(PROGRAM, "    a := b + f(c[1]);"),
+            "`a := b + f(c[1])` (a : REAL, b : REAL, c : ARRAY [ 1 .. 2 ] OF INT)"
+        );
+        assert_eq!(
+            described(PROGRAM, "x : LREAL := 1.0E300;"),
+            "`x : LREAL := 1.0E300`"
+        );
+    }
+
+    #[test]
+    fn the_line_that_computes_a_value_is_found() {
+        assert_eq!(assignment(PROGRAM, "a@3"), Some("a := b + f(c[1]);"));
+        assert_eq!(assignment(PROGRAM, "c[1]"), None);
+        assert!(declaration(PROGRAM, "c[1]").starts_with("VAR a, b"));
+        assert_eq!(declaration("PROGRAM p\n  q();\nEND_PROGRAM", "x"), "  q();");
+    }
+}

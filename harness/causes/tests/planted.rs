@@ -1,0 +1,296 @@
+//! Finds the defects that are planted in an engine, each of which many cases of several tables and dialects show.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+use stickler_causes::{FailedCases, Limits, Search, find};
+use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
+use stickler_run::{Cause, Event, Plan, Reduced, run};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
+use stickler_types::{Diagnostic, DialectName, Observation, Value};
+use stickler_workers::Cancellation;
+
+/// A compiler that does what the reference does, but for three defects: it cannot read an exponent of three digits, it
+/// assigns a value of every type to every other, and it does not convert integers to REAL.
+#[derive(Default)]
+struct Defective {
+    identity: Option<Identity>,
+    /// The number of programs that were run.
+    asked: AtomicU64,
+    /// Every so many programs are rejected, whatever they are; 0 stands for none.
+    rejects_every: u64,
+}
+
+impl Defective {
+    fn new(rejects_every: u64) -> Defective {
+        let identity = Identity {
+            name: "defective".to_owned(),
+            version: "1".to_owned(),
+            dialects: vec![DialectName::IronplcEd2, DialectName::IronplcEd3],
+            abilities: vec![Ability::Execute],
+            grade: Grade::Code,
+        };
+        Defective {
+            identity: Some(identity),
+            rejects_every,
+            ..Defective::default()
+        }
+    }
+}
+
+impl Engine for Defective {
+    fn identity(&self) -> &Identity {
+        self.identity.as_ref().expect("made by new")
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(Compiling(self)))
+    }
+}
+
+struct Compiling<'e>(&'e Defective);
+
+impl Session for Compiling<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let number = self.0.asked.fetch_add(1, Ordering::Relaxed);
+        let rejected = |line: usize, message: &str| Outcome::Rejected {
+            diagnostics: vec![Diagnostic {
+                line: u32::try_from(line).ok(),
+                column: Some(1),
+                message: message.to_owned(),
+                ..Diagnostic::default()
+            }],
+        };
+        if self.0.rejects_every > 0 && number.is_multiple_of(self.0.rejects_every) {
+            return rejected(1, "the dice said no");
+        }
+        let lines = || request.source.lines().zip(1..);
+        if let Some((_, line)) = lines().find(|(line, _)| line.contains("E300") || line.contains("E250")) {
+            return rejected(line, "exponent of three digits");
+        }
+        let outcome = stickler_reference::run(request, stickler_reference::Limits::default());
+        let integers = ["SINT", " INT", "DINT"]
+            .iter()
+            .any(|ty| request.source.contains(ty));
+        match outcome.expect("observed variables are there") {
+            Outcome::Rejected { mut diagnostics } => {
+                diagnostics.retain(|told| told.code.as_deref() != Some("P4035"));
+                match diagnostics.is_empty() {
+                    true => Outcome::Accepted,
+                    false => Outcome::Rejected { diagnostics },
+                }
+            }
+            Outcome::Executed { mut values } => {
+                let reals = values.iter_mut().filter(|(_, value)| value.type_name() == "REAL");
+                let wrong = || Value::parse("REAL#0.5").expect("a literal");
+                reals.filter(|_| integers).for_each(|(_, value)| *value = wrong());
+                Outcome::Executed { values }
+            }
+            other => other,
+        }
+    }
+
+    fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+        Outcome::Accepted
+    }
+
+    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
+        Outcome::Rendered {
+            text: source.to_owned(),
+        }
+    }
+}
+
+/// Returns a case in both dialects: a program, which must end with a value (`into = REAL#5.0`), or be rejected (`7 P4035`).
+fn case(id: &str, program: &str, must: &str) -> Vec<Case> {
+    let mut expectation = Expectation::default();
+    let mut observe = Vec::new();
+    if let Some((name, value)) = must.split_once(" = ") {
+        let value = Value::parse(value).expect("a literal");
+        observe.push(Observation::last(name, value.type_name()));
+        expectation.values.push(ExpectedValue {
+            name: name.into(),
+            after: None,
+            value,
+            line: 1,
+        });
+    } else {
+        let (line, code) = must.split_once(' ').expect("a line and a code");
+        expectation.accepted = Acceptance::Rejected;
+        expectation.diagnostics.push(ExpectedDiagnostic {
+            line: line.parse().expect("a number"),
+            code: code.parse().expect("a code"),
+        });
+    }
+    let in_dialect = |dialect| Case {
+        id: id.into(),
+        dialect,
+        title: "A title".into(),
+        basis: format!("a-source: {}", id.split("::").next().unwrap_or_default()).into(),
+        summary: None,
+        file: "conformance-cases/area/file.toml".into(),
+        area: "area".into(),
+        line: 1,
+        source: program.into(),
+        scans: 1,
+        tags: Arc::new([]),
+        clock: Arc::new([]),
+        set: Arc::new([]),
+        expectation: Arc::new(expectation.clone()),
+        observe: observe.clone().into(),
+        cell: None,
+    };
+    [DialectName::IronplcEd2, DialectName::IronplcEd3]
+        .map(in_dialect)
+        .to_vec()
+}
+
+/// Returns a program that assigns a variable of one type to one of another in a function, and more that does not matter.
+fn assigning(from: &str, value: &str, into: &str) -> String {
+    format!(
+        "(*!\ntitle = \"t\"\n*)\nPROGRAM main\nVAR\n    other : INT := 7;\n    data : {from} := {value};\n    into : {into};\nEND_VAR\n    \
+         other := other + 1;\n    into := data;   (*! here *)\nEND_PROGRAM\n"
+    )
+}
+
+fn suite() -> Suite {
+    let mut cases = Vec::new();
+    for (from, value, into, is) in [
+        ("INT", "5", "REAL", "REAL#5.0"),
+        ("SINT", "-7", "REAL", "REAL#-7.0"),
+        ("INT", "-300", "REAL", "REAL#-300.0"),
+    ] {
+        let id = format!("real/from-integer::assignment({from},{value})");
+        cases.extend(case(&id, &assigning(from, value, into), &format!("into = {is}")));
+    }
+    for (from, into) in [("DINT", "INT"), ("LREAL", "REAL"), ("REAL", "INT")] {
+        let value = if from == "DINT" { "5" } else { "5.0" };
+        let id = format!("integer/narrower::assignment({from},{into})");
+        cases.extend(case(&id, &assigning(from, value, into), "11 P4035"));
+    }
+    let field = "TYPE R : STRUCT f : LREAL; END_STRUCT; END_TYPE\nPROGRAM main\nVAR\n    r : R;\n    into : BOOL;\nEND_VAR\n    \
+                 r.f := 1.0E300;\n    into := r.f > 2.0;\nEND_PROGRAM\n";
+    cases.extend(case("real/fields::write", field, "into = BOOL#TRUE"));
+    for (id, value) in [
+        ("real/large::initial(1)", "1.0E300"),
+        ("widening/large::initial(2)", "-2.5E250"),
+    ] {
+        let must = format!("into = LREAL#{value}");
+        cases.extend(case(id, &assigning("LREAL", value, "LREAL"), &must));
+    }
+    let mut suite = Suite::default();
+    suite.cases = cases;
+    suite
+}
+
+fn causes(engine: &Defective, jobs: usize, limits: Limits) -> Vec<Cause> {
+    let (suite, plan) = (
+        suite(),
+        Plan {
+            jobs,
+            ..Plan::default()
+        },
+    );
+    let cancel = Cancellation::new();
+    let mut failed = FailedCases::default();
+    let engines: [&dyn Engine; 1] = [engine];
+    let mut sink = |event: Event| failed.take(&event);
+    run(&plan, &suite, &engines, &mut sink, &cancel).expect("a run");
+    let search = Search {
+        plan: &plan,
+        suite: &suite,
+        engines: &engines,
+        stores: &[],
+        limits,
+        cancel: &cancel,
+    };
+    let mut told = Vec::new();
+    let found = find(&failed, &search, &mut |progress| told.push(progress)).expect("causes");
+    assert!(told.last().is_none_or(|last| last.done == last.of));
+    found
+}
+
+#[test]
+fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
+    let found = causes(&Defective::new(0), 2, Limits::default());
+    let told: Vec<(u64, &str)> = found
+        .iter()
+        .map(|cause| (cause.number(), cause.title.as_str()))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            (
+                6,
+                "`into := DINT#0` (into : INT) is accepted, not rejected with P4035"
+            ),
+            (6, "`into := INT#5` (into : REAL) gives REAL#0.5, not REAL#5.0"),
+            (
+                6,
+                "`data : LREAL := 1.0E300` is rejected: exponent of three digits"
+            ),
+        ]
+    );
+    for cause in &found {
+        assert_eq!(cause.reduction, Reduced::Smallest);
+        assert_ne!(cause.shown.expected, cause.shown.got);
+        assert!(!cause.shown.program.contains("(*!"), "{}", cause.shown.program);
+        assert!(!cause.shown.program.contains("other"), "{}", cause.shown.program);
+        assert_eq!(cause.flaky, None);
+    }
+    let bases = found[2].cases.iter().map(|some| some.basis.as_str());
+    let bases: std::collections::BTreeSet<&str> = bases.collect();
+    assert_eq!(bases.len(), 3, "one defect under three claims: {bases:?}");
+    let second = found[1].second.as_ref().expect("a second witness");
+    assert!(second.program.contains("SINT"), "{}", second.program);
+}
+
+#[test]
+fn the_same_is_found_however_many_threads_there_are() {
+    let found = |jobs| causes(&Defective::new(0), jobs, Limits::default());
+    assert_eq!(found(1), found(4));
+}
+
+#[test]
+fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
+    let engine = Defective::new(0);
+    let limits = Limits {
+        questions: 0,
+        ..Limits::default()
+    };
+    let found = causes(&engine, 1, limits);
+    assert_eq!(found.iter().map(Cause::number).sum::<u64>(), 18);
+    assert_eq!(engine.asked.load(Ordering::Relaxed), 18, "the run alone asked");
+    let program = &found
+        .iter()
+        .find(|cause| cause.symptom.contains("P4035"))
+        .expect("a cause")
+        .shown;
+    assert!(
+        program.program.starts_with("PROGRAM main\n"),
+        "{}",
+        program.program
+    );
+    let line = program.expected[0].diagnostic().and_then(|told| told.line);
+    assert_eq!(line, Some(8), "lines are those of the program that is shown");
+    let late = Limits {
+        time: Duration::ZERO,
+        ..Limits::default()
+    };
+    assert!(
+        causes(&engine, 1, late)
+            .iter()
+            .all(|cause| cause.reduction == Reduced::Not)
+    );
+}
+
+#[test]
+fn what_comes_by_chance_is_told_as_such() {
+    let found = causes(&Defective::new(19), 1, Limits::default());
+    let chance = found
+        .iter()
+        .find(|cause| cause.title.contains("the dice"))
+        .expect("a cause");
+    let repeats = chance.flaky.expect("it does not come each time");
+    assert!(repeats.seen < repeats.of, "{repeats:?}");
+}

@@ -1,0 +1,76 @@
+//! The search for causes after the cases of a run: holds the footer of the run back until they are found.
+
+use crate::arguments::RunArguments;
+use crate::output;
+use crate::progress::Progress;
+use std::time::Duration;
+use stickler_causes::{FailedCases, Limits, Search, find};
+use stickler_run::{Event, Reduced};
+use stickler_types::counted;
+
+/// The part of a run between its last case and its footer.
+pub struct CauseStage {
+    failed: FailedCases,
+    limits: Option<Limits>,
+    footer: Option<Event>,
+}
+
+impl CauseStage {
+    /// Prepares the search; with `--no-causes` there is none.
+    pub fn new(arguments: &RunArguments) -> CauseStage {
+        let mut limits = Limits::default();
+        if let Some(minutes) = arguments.cause_time {
+            limits.time = Duration::from_secs(minutes * 60);
+        }
+        CauseStage {
+            failed: FailedCases::default(),
+            limits: (!arguments.no_causes).then_some(limits),
+            footer: None,
+        }
+    }
+
+    /// Returns the limits of the search.
+    pub fn limits(&self) -> Limits {
+        self.limits.unwrap_or_default()
+    }
+
+    /// Takes an event of the run and passes it on, unless it is the footer.
+    pub fn pass(&mut self, event: Event, sink: &mut dyn FnMut(Event)) {
+        if self.limits.is_some() {
+            self.failed.take(&event);
+        }
+        match event {
+            Event::Footer(_) => self.footer = Some(event),
+            event => sink(event),
+        }
+    }
+
+    /// Searches for the causes of what failed, and passes them on, and the footer behind them. A run that was cut short has
+    /// neither. An engine that cannot be asked any more leaves no causes, which is said on stderr.
+    pub fn finish(self, search: &Search<'_>, sink: &mut dyn FnMut(Event)) {
+        let Some(footer) = self.footer else { return };
+        if self.limits.is_some() && !self.failed.is_empty() {
+            let progress = Progress::of_causes();
+            let found = find(&self.failed, search, &mut |told| {
+                progress.look_at(told.done, told.of)
+            });
+            progress.finish();
+            let causes = found.unwrap_or_else(|error| {
+                output::note(format!("the causes could not be searched for: {error}"));
+                Vec::new()
+            });
+            let left = causes
+                .iter()
+                .filter(|cause| cause.reduction == Reduced::Partly)
+                .count() as u64;
+            if left > 0 {
+                let programs = counted(left, "program", "programs");
+                output::note(format!(
+                    "the search for causes ended before {programs} could be made as small as possible; --cause-time N allows more"
+                ));
+            }
+            causes.into_iter().for_each(|cause| sink(Event::Cause(cause)));
+        }
+        sink(footer);
+    }
+}

@@ -1,0 +1,258 @@
+//! Writes the page of a cause, and its line in the list of an engine's pages.
+
+use super::page::{block, called, not_compared};
+use crate::basis::Basis;
+use crate::overview::Overview;
+use crate::summary::{code, inline, linked};
+use crate::text::visible;
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use stickler_run::{Cause, EngineHeader, Fact, Grade, PROGRAM, Reduced, SourceHeader, Witness};
+use stickler_types::{counted, grouped};
+
+/// The maximum number of lines in the table of cases; the others are counted.
+const MAX_LISTED: usize = 40;
+
+/// Returns the beginning of the list of an engine's causes. `unexplained` is the number of failing cases that belong to none.
+pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: &[&Cause], unexplained: u64) -> String {
+    let mut text = format!(
+        "# What {} does otherwise than documents say\n\n",
+        called(name, about)
+    );
+    let pages = counted(causes.len() as u64, "page", "pages");
+    // Writing to a String cannot fail.
+    let _ = write!(
+        text,
+        "{pages}, one for each cause: what one mend would probably put right. The smallest program of each was found by asking \
+         the compiler. A page is ready to be sent to those who write the compiler, once somebody has read it.\n\n"
+    );
+    let unreduced = causes
+        .iter()
+        .filter(|cause| cause.reduction == Reduced::Partly)
+        .count() as u64;
+    if unreduced > 0 {
+        let programs = counted(unreduced, "program was", "programs were");
+        let _ = write!(
+            text,
+            "{programs} not made as small as possible before the search for causes ended; several of these pages may have one \
+             cause.\n\n"
+        );
+    }
+    if unexplained > 0 {
+        let cases = counted(unexplained, "case", "cases");
+        let _ = write!(
+            text,
+            "No page has room for {cases} of other kinds; `events.jsonl` has them.\n\n"
+        );
+    }
+    text
+}
+
+/// Returns the beginning of the list of causes that contradict no source that binds the engine.
+pub(super) fn differences(name: &str, about: Option<&EngineHeader>) -> String {
+    format!(
+        "# What {} does otherwise than sources that do not speak for it\n\nThese are no failures: the sources are Stickler's own \
+         rules, or are about other systems.\n\n",
+        called(name, about)
+    )
+}
+
+/// Returns the sentence that leads to the list of differences.
+pub(super) fn to_differences(folder: &str, number: usize) -> String {
+    let causes = counted(number as u64, "more page is", "more pages are");
+    format!(
+        "\n{causes} in [`{folder}`]({folder}/README.md): differences from sources that do not speak for this compiler.\n\n"
+    )
+}
+
+/// Returns the table of pages.
+pub(super) fn list(causes: &[&Cause]) -> String {
+    let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
+    for (cause, number) in causes.iter().zip(1..) {
+        let (cases, title) = (cause.number(), inline(&cause.title));
+        let _ = writeln!(
+            text,
+            "| {cases} | [{title}]({}) | {} |",
+            file(number, cause),
+            inline(&cause.shown.basis)
+        );
+    }
+    text
+}
+
+/// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
+pub(super) fn file(number: usize, cause: &Cause) -> String {
+    let words = cause
+        .title
+        .split(|character: char| !character.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+    let mut name = words.join("-");
+    name.truncate(60);
+    format!("{number:02}-{}.md", name.trim_end_matches('-'))
+}
+
+/// Returns the page of a cause.
+pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, overview: &Overview) -> String {
+    let shown = &cause.shown;
+    let mut text = format!("# {}: {}\n\n", called(name, about), inline(&cause.title));
+    reproduction(&mut text, about, shown);
+    let expected = format!("Expected, by {}:", cited(shown, overview));
+    block(&mut text, &expected, "", &visible(&Fact::text(&shown.expected)));
+    block(&mut text, "Got:", "", &visible(&Fact::text(&shown.got)));
+    if let Some(repeats) = cause.flaky {
+        let _ = write!(
+            text,
+            "**By chance:** this came in {} of {} runs of the same program.\n\n",
+            repeats.seen, repeats.of
+        );
+    }
+    if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
+        let strict = about.map_or(Grade::Code, |about| about.strict);
+        let _ = write!(
+            text,
+            "Lines are those of `{PROGRAM}`. {}\n\n",
+            not_compared(strict)
+        );
+    }
+    second(&mut text, cause);
+    cases(&mut text, cause);
+    let rerun = about.map(|about| about.rerun(&shown.case, &shown.dialect));
+    let _ = write!(text, "Found by Stickler, in its dialect `{}`", shown.dialect);
+    let _ = match rerun.filter(|rerun| !rerun.is_empty()) {
+        Some(rerun) => writeln!(text, "; a case that shows it: {}", code(&rerun)),
+        None => writeln!(text, "."),
+    };
+    text
+}
+
+/// Adds the program, and what has to be done to see what the compiler does with it.
+fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Witness) {
+    let Some(reproduction) = &shown.reproduction else {
+        block(
+            text,
+            &format!("Save this as `{PROGRAM}`:"),
+            "iecst",
+            &visible(&shown.program),
+        );
+        match about.and_then(|about| about.commands.get(&shown.dialect)) {
+            Some(command) => block(text, "and run", "sh", command),
+            None => text.push_str("and give it to the compiler.\n\n"),
+        }
+        return;
+    };
+    for file in &reproduction.files {
+        let language = match file.name.rsplit('.').next() {
+            Some("st") => "iecst",
+            Some(other) => other,
+            None => "",
+        };
+        block(
+            text,
+            &format!("Save this as `{}`:", file.name),
+            language,
+            &visible(&file.text),
+        );
+    }
+    let mut commands = String::new();
+    for tool in &reproduction.tools {
+        let _ = writeln!(
+            commands,
+            "{}=\"${{{}:-{}}}\"",
+            tool.variable, tool.variable, tool.default
+        );
+    }
+    commands.push_str(&reproduction.commands.join(" &&\n"));
+    block(text, "and run", "sh", &commands);
+}
+
+/// Returns the claim with the source that makes it, as a link where that has an address of the web.
+fn cited(shown: &Witness, overview: &Overview) -> String {
+    let Basis { source, section } = Basis::of(&shown.basis);
+    let Some(source) = overview.source(source) else {
+        return format!("*{}*", inline(&shown.basis));
+    };
+    let claim = linked(&shown.basis, &source.address_of(section));
+    let SourceHeader {
+        title,
+        publisher,
+        kind,
+        read,
+        ..
+    } = source;
+    let read = if read.is_empty() {
+        String::new()
+    } else {
+        format!(", read {}", inline(read))
+    };
+    format!(
+        "{claim} ({}: {}, {}{read})",
+        inline(publisher),
+        inline(title),
+        inline(kind)
+    )
+}
+
+/// Adds the second witness, and the types that were seen.
+fn second(text: &mut String, cause: &Cause) {
+    if let Some(second) = &cause.second {
+        let same = second.expected == cause.shown.expected && second.got == cause.shown.got;
+        block(
+            text,
+            "Another program shows the same:",
+            "iecst",
+            &visible(&second.program),
+        );
+        if !same {
+            let _ = write!(
+                text,
+                "Expected: {}. Got: {}.\n\n",
+                code(&visible(&Fact::text(&second.expected)).replace('\n', "; ")),
+                code(&visible(&Fact::text(&second.got)).replace('\n', "; "))
+            );
+        }
+    }
+    let types: Vec<&str> = cause
+        .types
+        .iter()
+        .map(String::as_str)
+        .filter(|types| !types.is_empty())
+        .collect();
+    if types.len() > 1 {
+        let _ = write!(text, "Seen with the types {}.\n\n", types.join(" · "));
+    }
+}
+
+/// Adds the number of cases, the claims that they belong to, and their probes and dialects.
+fn cases(text: &mut String, cause: &Cause) {
+    let number = cause.number();
+    let shows = if number == 1 { "case shows" } else { "cases show" };
+    let _ = write!(text, "{} {shows} this", grouped(number));
+    let mut claims: BTreeMap<&str, u64> = BTreeMap::new();
+    for some in &cause.cases {
+        *claims.entry(some.basis.as_str()).or_default() += some.cases;
+    }
+    claims.remove(cause.shown.basis.as_str());
+    match claims.is_empty() {
+        true => text.push_str(":\n\n"),
+        false => text
+            .push_str(". It hides whether the compiler meets other claims, whose cases fail for it too:\n\n"),
+    }
+    for (claim, cases) in claims {
+        let _ = writeln!(text, "- {}: {cases}", inline(claim));
+    }
+    text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
+    for some in cause.cases.iter().take(MAX_LISTED) {
+        let _ = writeln!(
+            text,
+            "| {} | {} | {} |",
+            some.cases,
+            code(&some.probe),
+            inline(&some.dialect)
+        );
+    }
+    let rest: u64 = cause.cases.iter().skip(MAX_LISTED).map(|some| some.cases).sum();
+    if rest > 0 {
+        let _ = writeln!(text, "| {rest} | others | |");
+    }
+    text.push('\n');
+}

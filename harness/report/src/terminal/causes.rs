@@ -1,0 +1,114 @@
+//! Writes the largest causes of failing cases on the terminal, in two lines each.
+
+use super::{BAD, BOLD, DIM};
+use crate::overview::Overview;
+use crate::text::{shortened, visible};
+use std::collections::BTreeSet;
+use std::io::{self, Write};
+use stickler_run::{Cause, Reduced};
+use stickler_types::{counted, grouped};
+
+/// The maximum number of causes that are shown.
+const MAX_SHOWN_CAUSES: usize = 20;
+/// The maximum number of characters of a title that are shown.
+const MAX_TITLE: usize = 120;
+
+/// Writes the causes that explain most of the cases that are not as expected; nothing where there is none.
+///
+/// # Errors
+/// Returns the error of writing to `out`.
+pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let mut causes: Vec<&Cause> = overview
+        .causes
+        .iter()
+        .filter(|cause| cause.unexpected() > 0)
+        .collect();
+    if causes.is_empty() {
+        return Ok(());
+    }
+    causes.sort_by_key(|cause| std::cmp::Reverse(cause.unexpected()));
+    let several = overview.engines().len() > 1;
+    let widths = causes.iter().map(|cause| grouped(cause.unexpected()).len());
+    let width = widths.max().unwrap_or_default().max("Cases".len());
+    writeln!(out, "{BOLD}{:>width$}  Cause{BOLD:#}", "Cases")?;
+    for cause in causes.iter().take(MAX_SHOWN_CAUSES) {
+        let title = shortened(&visible(&cause.title), MAX_TITLE);
+        let on = if several {
+            format!(" on {}", visible(&cause.engine))
+        } else {
+            String::new()
+        };
+        writeln!(
+            out,
+            "{BAD}{:>width$}{BAD:#}  {title}{on}",
+            grouped(cause.unexpected())
+        )?;
+        writeln!(out, "{:>width$}  {DIM}{}{DIM:#}", "", about(cause))?;
+    }
+    let rest = &causes[causes.len().min(MAX_SHOWN_CAUSES)..];
+    if !rest.is_empty() {
+        let cases: u64 = rest.iter().map(|cause| cause.unexpected()).sum();
+        let causes = counted(rest.len() as u64, "cause", "causes");
+        writeln!(out, "{:>width$}  {causes} more", grouped(cases))?;
+    }
+    writeln!(out)
+}
+
+/// Returns the claim that a cause contradicts, and what else is known of it.
+fn about(cause: &Cause) -> String {
+    let mut text = visible(&cause.shown.basis);
+    let claims: BTreeSet<&str> = cause.cases.iter().map(|some| some.basis.as_str()).collect();
+    if claims.len() > 1 {
+        text.push_str(&format!(
+            ", and {}",
+            counted(claims.len() as u64 - 1, "other claim", "other claims")
+        ));
+    }
+    if let Some(repeats) = cause.flaky {
+        text.push_str(&format!(
+            "; by chance, in {} of {} runs",
+            repeats.seen, repeats.of
+        ));
+    }
+    if cause.reduction == Reduced::Partly {
+        text.push_str("; not as small as it could be");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::overview::Overview;
+    use crate::sample;
+    use stickler_run::{Repeats, Verdict};
+
+    fn shown(overview: &Overview) -> String {
+        let mut bytes = Vec::new();
+        super::write(&mut bytes, overview).expect("written");
+        anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string()
+    }
+
+    #[test]
+    fn the_largest_causes_stand_in_two_lines_each_and_what_is_known_is_left_out() {
+        let mut overview = Overview::default();
+        for number in 1..=22_u64 {
+            overview
+                .causes
+                .push(sample::cause(&format!("cause {number}"), number, Verdict::Fail));
+        }
+        overview.causes[21].flaky = Some(Repeats { seen: 3, of: 20 });
+        overview.causes.push(sample::cause("known", 99, Verdict::Xfail));
+        let text = shown(&overview);
+        let start = "\
+Cases  Cause
+   22  cause 22
+       ironplc-type-conversions: Integer widening; by chance, in 3 of 20 runs
+   21  cause 21
+";
+        assert!(text.starts_with(start), "{text}");
+        assert!(text.ends_with("    3  2 causes more\n\n"), "{text}");
+        assert!(!text.contains("known"), "{text}");
+        overview.causes.clear();
+        assert_eq!(shown(&overview), "");
+    }
+}

@@ -1,0 +1,210 @@
+//! A cause: what one mend in a compiler would put right, with the smallest program that shows it.
+
+use crate::{Fact, Verdict};
+use serde::{Deserialize, Serialize};
+use stickler_engines::Reproduction;
+
+/// The maximum number of entries in the types of a cause.
+const MAX_TYPES: usize = 24;
+
+/// A cause of failing cases on one engine: what one mend in the compiler would put right.
+///
+/// Causes are found after the cases, by asking the engine; `stickler_causes` says how. A run without that search has none.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Cause {
+    /// The name of the engine.
+    pub engine: String,
+    /// What the engine does, as a key: `accepted P4035`, `rejected P0002 ;`, `value`.
+    pub symptom: String,
+    /// The constructs that a program needs to show the cause, as a key: `conversion integer and real`. Together with the
+    /// engine and the symptom it is unique in a run, and by it the causes of several parts of a run are merged.
+    pub construct: String,
+    /// The cause in one line.
+    pub title: String,
+    /// The program that shows the cause best.
+    pub shown: Witness,
+    /// A program with other types or another construct that shows the same cause.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub second: Option<Witness>,
+    /// The elementary types in programs that show the cause, each entry those of one program; not of every case.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub types: Vec<String>,
+    /// How far the shown program was made smaller.
+    pub reduction: Reduced,
+    /// How often the engine deviated when it was given the shown program several times; `None` where it did so each time.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flaky: Option<Repeats>,
+    /// The cases that fail for this cause, by probe, dialect, claim and verdict, in the order of the suite.
+    pub cases: Vec<ExplainedCases>,
+}
+
+/// A program that shows a cause, what must happen and what happens.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct Witness {
+    /// The id of the case from which the program comes.
+    pub case: String,
+    /// The dialect of the case.
+    pub dialect: String,
+    /// The claim that the case checks: source and section.
+    pub basis: String,
+    /// The title of the case.
+    pub about: String,
+    /// The program, without the header and the marks of the case.
+    pub program: String,
+    /// The expected facts; lines are those of the program.
+    pub expected: Vec<Fact>,
+    /// The actual facts.
+    pub got: Vec<Fact>,
+    /// The files and commands by which a person sees it without Stickler; `None` where the engine has no tools of its own.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reproduction: Option<Reproduction>,
+}
+
+/// How far a program was made smaller.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Reduced {
+    /// It was not tried: the engine answered otherwise when it was asked again, the questions were spent, or nothing can be
+    /// made smaller.
+    #[default]
+    Not,
+    /// The questions for it were spent before it was as small as it can be.
+    Partly,
+    /// No smaller program was found.
+    Smallest,
+}
+
+/// How often something was seen in a number of runs.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct Repeats {
+    /// The number of runs in which it was seen.
+    pub seen: u32,
+    /// The number of all runs.
+    pub of: u32,
+}
+
+/// A number of cases with a probe, dialect, claim and verdict in common.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+pub struct ExplainedCases {
+    /// The beginning that the ids of the cases share: a case file and a probe.
+    pub probe: String,
+    /// The dialect of the cases.
+    pub dialect: String,
+    /// The claim that they check.
+    pub basis: String,
+    /// Their verdict.
+    pub verdict: Verdict,
+    /// The number of the cases.
+    pub cases: u64,
+}
+
+impl Cause {
+    /// Returns the number of cases that fail for this cause.
+    #[must_use]
+    pub fn number(&self) -> u64 {
+        self.cases.iter().map(|some| some.cases).sum()
+    }
+
+    /// Returns the number of these cases that are not as expected, which an expected failure is.
+    #[must_use]
+    pub fn unexpected(&self) -> u64 {
+        let unexpected = self.cases.iter().filter(|some| !some.verdict.is_as_expected());
+        unexpected.map(|some| some.cases).sum()
+    }
+
+    /// Returns whether no case of the cause contradicts a source that binds the engine.
+    #[must_use]
+    pub fn differs(&self) -> bool {
+        self.cases.iter().all(|some| some.verdict == Verdict::Differs)
+    }
+
+    /// Returns whether two causes are the same, found in two parts of a run.
+    #[must_use]
+    pub fn is_same(&self, other: &Cause) -> bool {
+        (&self.engine, &self.symptom, &self.construct) == (&other.engine, &other.symptom, &other.construct)
+    }
+
+    /// Adds what else was found out about the same cause: its cases, and its program where that is smaller.
+    pub fn merge(&mut self, mut other: Cause) {
+        let size = |witness: &Witness| (witness.program.len(), witness.program.clone());
+        let is_smaller = size(&other.shown) < size(&self.shown);
+        if other.flaky.is_none() && (is_smaller || self.flaky.is_some()) {
+            std::mem::swap(&mut other.shown, &mut self.shown);
+            (self.title, self.reduction, self.flaky) = (other.title.clone(), other.reduction, None);
+        }
+        self.explain(other);
+    }
+
+    /// Adds the cases of another cause, which this one explains: its programs contain what fails here already.
+    pub fn explain(&mut self, other: Cause) {
+        for some in other.cases {
+            ExplainedCases::add(&mut self.cases, some);
+        }
+        for types in other.types {
+            if self.types.len() < MAX_TYPES && !self.types.contains(&types) {
+                self.types.push(types);
+            }
+        }
+        if self.second.is_none() {
+            let is_different = other.shown.program != self.shown.program;
+            self.second = other.second.or_else(|| is_different.then_some(other.shown));
+        }
+    }
+}
+
+impl ExplainedCases {
+    /// Adds some cases to a list, to the entry with the same probe, dialect, claim and verdict where there is one.
+    pub fn add(list: &mut Vec<ExplainedCases>, some: ExplainedCases) {
+        let alike = |one: &&mut ExplainedCases| {
+            (&one.probe, &one.dialect, &one.basis, one.verdict)
+                == (&some.probe, &some.dialect, &some.basis, some.verdict)
+        };
+        match list.iter_mut().find(alike) {
+            Some(one) => one.cases += some.cases,
+            None => list.push(some),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cause(program: &str, cases: u64) -> Cause {
+        Cause {
+            engine: "compiler".to_owned(),
+            title: program.to_owned(),
+            shown: Witness {
+                program: program.to_owned(),
+                ..Witness::default()
+            },
+            cases: vec![ExplainedCases {
+                probe: "t::p".to_owned(),
+                verdict: Verdict::Fail,
+                cases,
+                ..ExplainedCases::default()
+            }],
+            ..Cause::default()
+        }
+    }
+
+    #[test]
+    fn of_two_parts_the_smaller_program_is_shown_and_the_other_is_the_second_witness() {
+        for (first, second) in [("short", "longer"), ("longer", "short")] {
+            let mut whole = cause(first, 2);
+            assert!(whole.is_same(&cause(second, 3)));
+            whole.merge(cause(second, 3));
+            assert_eq!(whole.number(), 5);
+            assert_eq!((whole.title.as_str(), whole.cases.len()), ("short", 1));
+            assert_eq!(whole.second.expect("a second").program, "longer");
+        }
+    }
+
+    #[test]
+    fn what_came_by_chance_gives_way_to_what_comes_each_time() {
+        let mut whole = cause("short", 1);
+        whole.flaky = Some(Repeats { seen: 3, of: 10 });
+        whole.merge(cause("longer", 1));
+        assert_eq!((whole.title.as_str(), whole.flaky), ("longer", None));
+    }
+}
