@@ -46,44 +46,46 @@ impl Citations {
     }
 
     /// Returns the basis of a case of a dialect that asserts something: the first of those written whose source speaks for the
-    /// dialect. Keeps a mistake where none is written, or one that a case cannot cite. Without `sources` the first of those written
-    /// is taken.
+    /// dialect; `None` where none is written. Keeps a mistake there, and for each that the case cannot cite. Without `sources` the
+    /// first of those written is taken.
     pub(crate) fn cite(
         &mut self,
         written: Option<&WrittenBasis>,
         dialect: DialectName,
         sources: Option<&Sources>,
-    ) -> Arc<str> {
-        let Some(written) = written else {
+    ) -> Option<Arc<str>> {
+        let is_filled =
+            |written: &&WrittenBasis| written.text.split(OR).any(|basis| !basis.trim().is_empty());
+        let Some(written) = written.filter(is_filled) else {
             let mistake = Mistake::new(1, "a case asserts something and has no basis").key("basis");
             let hint = "say where the claim comes from: `basis = \"source: section\"`";
             self.mistakes.insert(mistake.hint(hint));
-            return "".into();
+            return None;
         };
         let key = (Arc::clone(&written.text), dialect);
         self.used.insert(written.line);
         if let Some(chosen) = self.chosen.get(&key) {
-            return Arc::clone(chosen);
+            return Some(Arc::clone(chosen));
         }
         let all = || written.text.split(OR);
         let mistakes = all().filter_map(|basis| wrong(basis, dialect, sources?));
         let mistakes = mistakes.map(|message| Mistake::new(written.line, message).key("basis"));
-        let told = self.mistakes.len();
-        self.mistakes.extend(mistakes);
+        let mut mistakes: Vec<Mistake> = mistakes.collect();
         let chosen = sources.and_then(|sources| sources.choose(&written.text, dialect));
         let stated = all().any(|basis| is_stated(basis, dialect));
-        if sources.is_some() && chosen.is_none() && !stated && self.mistakes.len() == told {
+        if sources.is_some() && chosen.is_none() && !stated && mistakes.is_empty() {
             let message = format!("`{}` does not speak for {dialect}", written.text);
             let hint = "cite what says it of this dialect; where nothing does, leave it open";
-            let mistake = Mistake::new(written.line, message).key("basis").hint(hint);
-            self.mistakes.insert(mistake);
+            mistakes.push(Mistake::new(written.line, message).key("basis").hint(hint));
         }
-        let chosen = match chosen.or_else(|| all().next()) {
+        self.mistakes.extend(mistakes);
+        let first = || all().find(|basis| !basis.trim().is_empty());
+        let chosen = match chosen.or_else(first) {
             Some(chosen) if chosen.len() < written.text.len() => chosen.into(),
             _ => Arc::clone(&written.text),
         };
         self.chosen.insert(key, Arc::clone(&chosen));
-        chosen
+        Some(chosen)
     }
 
     /// Returns the mistakes, by line.

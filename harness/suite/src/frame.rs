@@ -73,7 +73,7 @@ impl Harvest {
         }
     }
 
-    /// Adds a case for each of the dialects.
+    /// Adds a case for each of the dialects. A case that asserts something without a basis is a mistake and left out.
     pub(crate) fn add(
         &mut self,
         context: &FileContext<'_>,
@@ -85,9 +85,10 @@ impl Harvest {
         let written = group.basis.as_ref();
         for &dialect in dialects {
             let basis = match open {
-                true => self.citations.none(written),
+                true => Some(self.citations.none(written)),
                 false => self.citations.cite(written, dialect, context.sources),
             };
+            let Some(basis) = basis else { continue };
             let case = Case {
                 id: Arc::clone(&group.id),
                 dialect,

@@ -110,6 +110,19 @@ mod tests {
         PROGRAM main\nVAR\n    r : INT;\nEND_VAR\n    r := 1;\nEND_PROGRAM\n(*! values\nr = INT#1\n*)\n";
 
     #[test]
+    fn a_case_that_asserts_something_has_a_basis() {
+        for basis in [
+            "",
+            "basis = \"\"\n",
+            "basis = [\"\", \"b: c\"]\n",
+            "basis = \" | \"\n",
+        ] {
+            let text = PROGRAM.replace("basis = \"rule: not-stated\"\n", basis);
+            assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked), "{basis}");
+        }
+    }
+
+    #[test]
     fn a_program_gives_a_case_for_each_dialect() {
         assert_eq!(judge(PROGRAM.as_bytes()), Ok(InputOutcome::Checked));
         let (cases, errors) = read_case_file("language/fuzzed.st", PROGRAM, &DIALECTS);

@@ -242,6 +242,14 @@ fn a_case_that_asserts_something_cites_a_source_that_there_is() {
             "",
             "1: `basis`: a case asserts something and has no basis (say where",
         ),
+        (
+            "basis = \"\"\n",
+            "1: `basis`: a case asserts something and has no basis (say where",
+        ),
+        (
+            "basis = [\"\", \"iec-61131-3: 6\"]\n",
+            "3: `basis`: `` is not written `source: section`",
+        ),
     ] {
         let text = PROGRAM.replace(basis, basis_then);
         let found = findings(&[("a/f.st", &text), ("sources.toml", &sources(&[("", PROGRAM)]))]);
