@@ -208,26 +208,35 @@ impl Call<'_> {
         }
     }
 
-    /// Returns the basis of TIME to and from a number, in every dialect: whole milliseconds that the target holds exactly
-    /// or as the nearest real. No document states another conversion of a duration.
+    /// Returns the basis of TIME to and from a number: whole milliseconds that the target holds exactly or as the nearest
+    /// real. No document states another conversion of a duration, and IronPLC documents a TIME of 32 bits.
     fn of_time(self, raw: u64) -> Option<&'static str> {
-        let says = match (self.from.family(), self.to.family()) {
-            (Family::Duration, Family::Signed | Family::Unsigned) => {
-                moment::has_whole_units(raw, self.from)
-                    && integer::holds(self.to, moment::units(raw, self.from))
+        let milliseconds = self.whole_milliseconds(raw)?;
+        match self.rules {
+            Rules::Ironplc => i32::try_from(milliseconds).is_ok().then_some(IRONPLC_TIME),
+            Rules::Matiec => Some(NAMING),
+            Rules::Plcnext => Some(MILLISECONDS_RULE),
+        }
+    }
+
+    /// Returns the milliseconds that TIME and a number have in common, if both hold them.
+    fn whole_milliseconds(self, raw: u64) -> Option<i128> {
+        match (self.from.family(), self.to.family()) {
+            (Family::Duration, Family::Signed | Family::Unsigned | Family::Real) => {
+                let units = moment::units(raw, self.from);
+                let holds = self.to.is_real() || integer::holds(self.to, units);
+                (holds && moment::has_whole_units(raw, self.from)).then_some(units)
             }
-            (Family::Duration, Family::Real) => moment::has_whole_units(raw, self.from),
             (Family::Signed | Family::Unsigned, Family::Duration) => {
-                moment::fits(moment::of_units(integer::number(raw, self.from), self.to))
+                let number = integer::number(raw, self.from);
+                moment::fits(moment::of_units(number, self.to)).then_some(number)
             }
-            (Family::Real, Family::Duration) => moment::is_whole_moment(raw, self.from, self.to),
-            _ => false,
-        };
-        says.then_some(match self.rules {
-            Rules::Ironplc => IRONPLC_TIME,
-            Rules::Matiec => NAMING,
-            Rules::Plcnext => MILLISECONDS_RULE,
-        })
+            (Family::Real, Family::Duration) if moment::is_whole_moment(raw, self.from, self.to) => {
+                let duration = moment::from_real_units(raw, self.from, self.to);
+                Some(moment::units(duration, self.to))
+            }
+            _ => None,
+        }
     }
 
     /// Returns the basis of `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; the page does not list other conversions of dates.

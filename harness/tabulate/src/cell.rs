@@ -18,6 +18,7 @@ pub type Cell = fn(&Call, &Agreed) -> String;
 /// | `id` | the function and the operand, where the other cells are too long for an id |
 /// | `huge`, `made` | a number whose square is infinite, and an expression with `huge` for an operand without a literal |
 /// | `expected` | the result as a typed literal |
+/// | `dialects` | the dialects whose sources say so; an empty cell where all do |
 /// | `basis` | the sources that say so; an empty cell where the head or the probe names them |
 #[must_use]
 pub fn of_column(name: &str) -> Option<Cell> {
@@ -34,6 +35,7 @@ pub fn of_column(name: &str) -> Option<Cell> {
         "made" => |call, _| made(literal(call, 0)).to_owned(),
         "expected" => |_, agreed| agreed.value.clone(),
         "basis" => |_, agreed| agreed.basis.clone(),
+        "dialects" => |_, agreed| agreed.dialects.clone(),
         _ => return None,
     })
 }

@@ -25,13 +25,15 @@ pub struct Agreed {
     pub value: String,
     /// The bases of the call, as the column `basis` has them: an empty text where those of the probes are right.
     pub basis: String,
+    /// The dialects that assert the result, as the column `dialects` has them: an empty text where all of the probes do.
+    pub dialects: String,
 }
 
 impl Table {
     /// Returns what the asserting probes agree on.
     ///
     /// # Errors
-    /// A sentence that names the dialect, where a probe asserts what is open there, leaves open what a document says, or names
+    /// A sentence that names the dialect, where a probe asserts what is open there and the table has no column `dialects`, leaves open what a document says, or names
     /// another document than the one that says so, and the table has no column `basis`; where two dialects give different
     /// results; and where the file leaves out a dialect that has the function.
     pub fn expected(&self, call: &Call) -> Result<Agreed, String> {
@@ -39,10 +41,18 @@ impl Table {
         let mut agreed: Option<String> = None;
         let mut bases: Vec<(DialectName, &'static str)> = Vec::new();
         let mut misnamed = None;
+        let mut leaves_out = false;
         for probe in &self.probes {
             for &dialect in &probe.dialects {
                 let expected = call.expected(dialect);
                 let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
+                if probe.claim == Some(Claim::Value)
+                    && expected.basis.is_none()
+                    && self.has_column("dialects")
+                {
+                    leaves_out = true;
+                    continue;
+                }
                 self.check(probe, call, dialect, &expected)?;
                 let (Some(Claim::Value), Some(basis)) = (probe.claim, expected.basis) else {
                     continue;
@@ -59,7 +69,7 @@ impl Table {
         }
         let basis = match misnamed {
             None => String::new(),
-            Some(_) if self.has_basis_column() => self.bases(&bases)?,
+            Some(_) if self.has_column("basis") => self.bases(&bases)?,
             Some((probe, dialect, basis)) => {
                 return Err(format!(
                     "`{}` does not name {basis}, which says so in {dialect}",
@@ -67,9 +77,16 @@ impl Table {
                 ));
             }
         };
+        let mut dialects: Vec<&str> = Vec::new();
+        for (dialect, _) in bases.iter().filter(|_| leaves_out) {
+            if !dialects.contains(&dialect.as_str()) {
+                dialects.push(dialect.as_str());
+            }
+        }
         Ok(Agreed {
             value: agreed.unwrap_or_default(),
             basis,
+            dialects: dialects.join(" "),
         })
     }
 

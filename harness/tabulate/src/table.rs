@@ -148,9 +148,9 @@ impl Table {
         self.cells().is_some()
     }
 
-    /// Whether the bases of the rows stand in the rows.
-    pub(crate) fn has_basis_column(&self) -> bool {
-        self.column("basis").is_some()
+    /// Whether the rows have a cell of this name.
+    pub(crate) fn has_column(&self, name: &str) -> bool {
+        self.column(name).is_some()
     }
 
     /// Returns the one of several bases that a case of a dialect has.
