@@ -109,15 +109,15 @@ impl Rusty {
         self.taken.get_or_init(|| library_words(&self.declarations, "st"))
     }
 
-    /// Returns the linker's inputs beside the driver: the object file, the standard library, static where there is one, and the
-    /// libraries that the standard library needs.
+    /// Returns the linker's inputs beside the driver: the object file, the standard library, shared where there is one, and the
+    /// libraries that the standard library needs. The static library of some versions cannot be linked: see
+    /// [`of_the_setup`].
     fn linked(&self) -> Vec<OsString> {
         let folder = &self.library;
-        let whole = folder.join("libiec61131std.a");
         let mut words = vec![OsString::from(OBJECT_FILE)];
-        match whole.is_file() {
-            true => words.push(whole.into()),
-            false => {
+        match has_shared_library(folder) {
+            false => words.push(folder.join("libiec61131std.a").into()),
+            true => {
                 let mut path = OsString::from("-Wl,-rpath,");
                 path.push(folder);
                 words.extend(["-L".into(), folder.into(), path, "-liec61131std".into()]);
@@ -129,6 +129,42 @@ impl Rusty {
             words.push("-no-pie".into());
         }
         words
+    }
+
+    /// Builds the driver with the object file and the standard library.
+    ///
+    /// # Errors
+    /// An outcome as [`Builder::build`] returns; [`Outcome::Error`] where the library is at fault.
+    fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
+        let built = self.builder.build_with(driver, &self.linked(), folder);
+        built.map_err(|outcome| of_the_setup(outcome, &self.library))
+    }
+}
+
+/// Tells whether a folder has the standard library as a shared library.
+fn has_shared_library(folder: &Path) -> bool {
+    ["so", "dylib"]
+        .iter()
+        .any(|kind| folder.join(format!("libiec61131std.{kind}")).is_file())
+}
+
+/// Returns the outcome of a program that could not be linked: an error of the set-up where the static library is at fault.
+///
+/// Basis: rusty: measured on a build of April 2025: each of several object files in `libiec61131std.a` defines the same
+/// functions `__user_init_…`, so that no program can be linked with it.
+fn of_the_setup(outcome: Outcome, library: &Path) -> Outcome {
+    match outcome {
+        Outcome::Crashed { reason }
+            if !has_shared_library(library) && reason.contains("multiple definition of `__user_init_") =>
+        {
+            failed(format!(
+                "no program can be linked with `libiec61131std.a` in `{}`, which defines a function twice; name a folder with \
+                 the shared library (`libiec61131std.so`) by {}: {reason}",
+                library.display(),
+                LIBRARY.variable
+            ))
+        }
+        other => other,
     }
 }
 
@@ -253,10 +289,7 @@ impl RustySession<'_> {
         if !found.is_empty() {
             return Err(self.refused(&program, found));
         }
-        let linked = self.engine.linked();
-        self.engine
-            .builder
-            .build_with(&driver.text, &linked, &self.folder)?;
+        self.engine.build(&driver.text, &self.folder)?;
         driver.execute(&self.folder).map_err(diagnostics::steady)
     }
 

@@ -42,12 +42,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
         Ok(found) => return refused(programs, found),
         Err(outcome) => return broken_off(&outcome, programs),
     }
-    let linked = session.engine.linked();
-    let built = session
-        .engine
-        .builder
-        .build_with(&driver.text, &linked, &session.folder);
-    match built {
+    match session.engine.build(&driver.text, &session.folder) {
         Ok(()) => {
             let known = driver.execute_all(&session.folder).into_iter();
             Round::Ran(known.map(steady).collect())

@@ -314,3 +314,44 @@ fn a_version_is_short_whatever_a_build_knows_of_itself() {
         assert_eq!(short(said), shortened);
     }
 }
+
+#[test]
+fn the_shared_library_is_linked_where_there_are_both() {
+    let Some((engine, folder)) = stand_in() else {
+        return;
+    };
+    let names =
+        |words: Vec<OsString>, part: &str| words.iter().any(|word| word.to_string_lossy().contains(part));
+    assert!(names(engine.linked(), "libiec61131std.a"));
+    folder.write("lib/libiec61131std.so", "").unwrap();
+    assert!(!names(engine.linked(), "libiec61131std.a"));
+    assert!(names(engine.linked(), "-liec61131std"));
+}
+
+#[test]
+fn a_static_library_that_cannot_be_linked_is_no_crash_of_the_compiler() {
+    // As GNU ld reported it of a build of April 2025.
+    let said = "libiec61131std.a(st.o): in function `__user_init_CTU_LINT':\n\
+                arithmetic_functions.st:(.text+0x3120): multiple definition of `__user_init_CTU_LINT'; \
+                program.o:program.st:(.text+0x70): first defined here\ncollect2: error: ld returned 1 exit status\n";
+    let ended = Ended {
+        status: ExitStatus::default(),
+        stdout: String::new(),
+        stderr: said.to_owned(),
+    };
+    let reason = locate::first_error(&ended);
+    let crash = || Outcome::Crashed {
+        reason: reason.clone(),
+    };
+    let folder = Folder::new().unwrap();
+    let Outcome::Error { message } = of_the_setup(crash(), folder.path()) else {
+        panic!("no error")
+    };
+    assert!(message.contains("STICKLER_RUSTY_LIB"), "{message}");
+    let other = Outcome::Crashed {
+        reason: "undefined reference to `x'".to_owned(),
+    };
+    assert_eq!(of_the_setup(other.clone(), folder.path()), other);
+    folder.write("libiec61131std.so", "").unwrap();
+    assert_eq!(of_the_setup(crash(), folder.path()), crash());
+}
