@@ -85,7 +85,8 @@ impl Value {
     /// `STRING#'a$'b'`, `COLOR#RED`.
     ///
     /// A prefix that names no elementary type names an enumeration. `REAL` and `LREAL` also have `NaN`, `Infinity` and
-    /// `-Infinity`, in any case. The text must contain nothing but the literal, not even blanks.
+    /// `-Infinity`, in any case. What a variable holds that should not is spelled so that no two values look alike: a date with
+    /// a time of that day, `DATE#2024-02-29-12:00:00`, and a time of day outside the day as a duration, `TOD#86400000000000ns`. The text must contain nothing but the literal, not even blanks.
     ///
     /// # Errors
     /// A [`LiteralError`] with its offset in `literal`; `Overflow` where the type has no such value.
@@ -124,13 +125,41 @@ fn plain_of_type(rest: &str, ty: ElementaryType) -> Result<u64, LiteralError> {
         }
         Family::Real => not_finite(rest, ty).map_or_else(|| literal::real(rest, ty), Ok),
         Family::Duration => literal::duration(rest).map(i64::cast_unsigned),
-        Family::Date => literal::date(rest).map(i64::cast_unsigned),
-        Family::TimeOfDay => literal::time_of_day(rest).map(i64::cast_unsigned),
+        Family::Date => literal::date(rest)
+            .or_else(|error| otherwise(literal::date_and_time(rest), is_whole_day, error))
+            .map(i64::cast_unsigned),
+        Family::TimeOfDay => literal::time_of_day(rest)
+            .or_else(|error| otherwise(literal::duration(rest), is_within_a_day, error))
+            .map(i64::cast_unsigned),
         Family::DateAndTime => literal::date_and_time(rest).map(i64::cast_unsigned),
         Family::Text | Family::Character => match text_of_type(rest, ty)?[..] {
             [unit] => Ok(u64::from(unit)),
             _ => Err(LiteralError::malformed(1, "exactly one character")),
         },
+    }
+}
+
+/// Nanoseconds in a day.
+const DAY: i64 = 86_400_000_000_000;
+
+fn is_whole_day(nanoseconds: i64) -> bool {
+    nanoseconds.rem_euclid(DAY) == 0
+}
+
+fn is_within_a_day(nanoseconds: i64) -> bool {
+    (0..DAY).contains(&nanoseconds)
+}
+
+/// Returns a value that no literal of its type stands for, read in the spelling of another type. Such a spelling of a value that
+/// has a literal is an error.
+fn otherwise(
+    read: Result<i64, LiteralError>,
+    has_a_literal: fn(i64) -> bool,
+    error: LiteralError,
+) -> Result<i64, LiteralError> {
+    match read {
+        Ok(value) if !has_a_literal(value) => Ok(value),
+        _ => Err(error),
     }
 }
 
@@ -233,7 +262,13 @@ fn write_plain(f: &mut fmt::Formatter<'_>, ty: ElementaryType, raw: u64) -> fmt:
         Family::Real => literal::write_real(f, raw, ty),
         Family::Duration if ty == ElementaryType::Time => literal::write_milliseconds(f, raw.cast_signed()),
         Family::Duration => literal::write_nanoseconds(f, raw.cast_signed()),
+        Family::Date if !is_whole_day(raw.cast_signed()) => {
+            literal::write_date_and_time(f, raw.cast_signed())
+        }
         Family::Date => literal::write_date(f, raw.cast_signed()),
+        Family::TimeOfDay if !is_within_a_day(raw.cast_signed()) => {
+            literal::write_nanoseconds(f, raw.cast_signed())
+        }
         Family::TimeOfDay => literal::write_time_of_day(f, raw.cast_signed()),
         Family::DateAndTime => literal::write_date_and_time(f, raw.cast_signed()),
         Family::Text | Family::Character => literal::write_text(f, &[raw as u16], is_wide(ty)),

@@ -274,3 +274,24 @@ fn a_value_names_its_type() {
     assert_eq!(parsed("Color#Red").type_name(), "Color");
     assert_eq!(parsed("STRING#''").type_name(), "STRING");
 }
+
+#[test]
+fn dates_and_times_of_day_that_no_literal_stands_for_look_like_no_other_value() {
+    const DAY: i64 = 86_400_000_000_000;
+    for (ty, nanoseconds, spelled) in [
+        (E::Date, DAY, "DATE#1970-01-02"),
+        (E::Date, DAY + DAY / 2, "DATE#1970-01-02-12:00:00"),
+        (E::Date, -1, "DATE#1969-12-31-23:59:59.999999999"),
+        (E::Ldate, 1, "LDATE#1970-01-01-00:00:00.000000001"),
+        (E::Tod, DAY - 1, "TOD#23:59:59.999999999"),
+        (E::Tod, DAY, "TOD#86400000000000ns"),
+        (E::Ltod, -1, "LTOD#-1ns"),
+    ] {
+        let value = Value::plain(ty, nanoseconds.cast_unsigned());
+        assert_eq!(value.to_string(), spelled);
+        assert_eq!(parsed(spelled), value);
+    }
+    for literal in ["DATE#1970-01-02-00:00:00", "TOD#5ns", "TOD#24:00:00"] {
+        assert!(Value::parse(literal).is_err(), "{literal}");
+    }
+}
