@@ -3,7 +3,7 @@
 use crate::{Grade, NoReproduction, Reproduction};
 use serde::{Deserialize, Serialize};
 use std::fmt;
-use stickler_types::{DialectName, Outcome, RunRequest};
+use stickler_types::{Code, DialectName, Outcome, RunRequest};
 
 /// Something that can run programs: the reference, or a real compiler behind an adapter.
 ///
@@ -93,6 +93,9 @@ pub struct Identity {
     pub abilities: Vec<Ability>,
     /// The best grade that can be asked of the engine's rejections: how exactly it can say what is wrong with a program.
     pub grade: Grade,
+    /// The diagnostic codes that this version of the engine does not have, so that nobody can ask it for them. Empty where that
+    /// is unknown.
+    pub lacks: Vec<Code>,
 }
 
 impl Identity {
@@ -187,6 +190,7 @@ mod tests {
             dialects: vec![DialectName::Matiec, known],
             abilities: Vec::new(),
             grade: Grade::Code,
+            lacks: Vec::new(),
         };
         assert_eq!(identity.asked_in(known), Some(known));
         assert_eq!(identity.asked_in(unknown), Some(DialectName::Matiec));

@@ -28,6 +28,7 @@ impl Reference {
                 .collect(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
             grade: Grade::Code,
+            lacks: Vec::new(),
         };
         Reference {
             identity,

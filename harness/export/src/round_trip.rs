@@ -83,6 +83,7 @@ fn engine() -> Identity {
         dialects: DialectName::ALL.to_vec(),
         abilities: vec![Ability::Check, Ability::Execute],
         grade: Grade::Rejected,
+        lacks: Vec::new(),
     }
 }
 

@@ -60,7 +60,7 @@ impl CaseJudge<'_> {
     /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
     /// failure.
     fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
-        let judgement = judge(case, answers, self.plan.strict(self.engine));
+        let judgement = judge(case, answers, self.plan.needed(self.engine, case));
         let binds = || binds(case, self.engine, self.sources, self.plan.strict_rules);
         match judgement.verdict {
             Verdict::Fail if !binds() => Judgement {

@@ -106,6 +106,21 @@ impl Plan {
         }
     }
 
+    /// Returns the worst grade of a rejection or a fault in this case by this engine that still passes: the one of
+    /// [`Plan::strict`], but the line where the case asks for a code that the engine's version does not have.
+    #[must_use]
+    pub fn needed(&self, engine: &Identity, case: &Case) -> Grade {
+        let expected = &case.expectation.diagnostics;
+        let strict = self.strict(engine);
+        match expected
+            .iter()
+            .any(|expected| engine.lacks.contains(&expected.code))
+        {
+            true => strict.max(Grade::Line),
+            false => strict,
+        }
+    }
+
     /// Returns the baseline of this engine, matched with the suite; `None` where there is none.
     #[must_use]
     pub fn matched_baseline<'s>(&self, suite: &'s Suite, engine: &Identity) -> Option<MatchedBaseline<'s>> {
@@ -150,6 +165,7 @@ mod tests {
         let compiler = Identity {
             name: "compiler".to_owned(),
             grade: Grade::Line,
+            lacks: Vec::new(),
             ..reference.identity().clone()
         };
         let strict = |strict| {

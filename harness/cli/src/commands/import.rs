@@ -81,6 +81,7 @@ fn engine(arguments: &ImportArguments) -> anyhow::Result<Identity> {
         dialects: DialectName::ALL.to_vec(),
         abilities: vec![Ability::Check, Ability::Execute],
         grade: Grade::Rejected,
+        lacks: Vec::new(),
     })
 }
 

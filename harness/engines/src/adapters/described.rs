@@ -64,6 +64,7 @@ impl DescribedEngine {
                 dialects: description.dialects.keys().map(|dialect| dialect.0).collect(),
                 abilities: abilities(&description),
                 grade: description.grade.unwrap_or_else(|| best_grade(&description)),
+                lacks: Vec::new(),
             },
             description,
             here: here.to_owned(),

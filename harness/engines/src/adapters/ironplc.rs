@@ -4,6 +4,7 @@
 //!
 //! Basis: ironplc: `ironplcc --help`, `ironplcvm --help`; measured on version 0.239.
 
+mod codes;
 mod diagnostics;
 mod dump;
 mod readback;
@@ -68,6 +69,7 @@ impl Ironplc {
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
             // The registry's codes are those of this compiler.
             grade: Grade::Code,
+            lacks: codes::lacking(&compiler),
         };
         Ok(Ironplc {
             identity,

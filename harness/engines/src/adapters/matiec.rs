@@ -94,6 +94,7 @@ impl Matiec {
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler has no diagnostic codes.
                 grade: Grade::Line,
+                lacks: Vec::new(),
             },
             compiler,
             library,

@@ -94,6 +94,7 @@ impl Rusty {
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler's codes classify mistakes otherwise than the registry does.
                 grade: Grade::Line,
+                lacks: Vec::new(),
             },
             compiler,
             declarations,

@@ -95,6 +95,7 @@ impl Strucpp {
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler has no diagnostic codes.
                 grade: Grade::Line,
+                lacks: Vec::new(),
             },
             translator: CommandLine::of(
                 node.to_string_lossy().into_owned(),

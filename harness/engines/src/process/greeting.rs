@@ -99,6 +99,7 @@ fn identity(hello: HelloReply) -> Result<Identity, EngineError> {
         dialects: hello.dialects.iter().filter_map(known).collect(),
         abilities: hello.abilities,
         grade: hello.grade,
+        lacks: Vec::new(),
     };
     if identity.dialects.is_empty() {
         let spoken: Vec<String> = hello.dialects.iter().map(|name| harmless(name)).collect();

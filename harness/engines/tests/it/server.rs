@@ -74,6 +74,7 @@ fn talk_bytes(input: &[u8]) -> Vec<Json> {
         dialects: vec![DialectName::Matiec],
         abilities: vec![Ability::Execute],
         grade: Grade::Line,
+        lacks: Vec::new(),
     };
     let mut output = Vec::new();
     serve(&Parrot { identity }, input, &mut output).unwrap();

@@ -178,6 +178,7 @@ impl Puppet {
             dialects: DialectName::ALL.to_vec(),
             abilities: vec![Ability::Execute],
             grade: Grade::Code,
+            lacks: Vec::new(),
         };
         Puppet {
             identity,

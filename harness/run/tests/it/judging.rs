@@ -1,11 +1,11 @@
 //! Tests of judging outcomes by expectations.
 
-use crate::fixtures::{executed, expecting, fault, named, rejected, rejection, values};
+use crate::fixtures::{Puppet, executed, expecting, fault, named, rejected, rejection, values};
 use std::sync::Arc;
-use stickler_engines::Outcome;
-use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Verdict, judge};
+use stickler_engines::{Engine, Identity, Outcome};
+use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Plan, Verdict, judge};
 use stickler_suite::{Acceptance, Case, Expectation};
-use stickler_types::{Fault, Observation};
+use stickler_types::{Code, Fault, Observation};
 
 fn judged(expectation: Expectation, run: Outcome) -> Judgement {
     judge(&expecting(expectation), &Answers::of_run(run), Grade::Code)
@@ -162,6 +162,25 @@ fn a_worse_grade_passes_only_where_it_is_asked_for() {
         (Some(Grade::Rejected), Verdict::Pass)
     );
     assert_eq!(graded_fault(Grade::Line), (Some(Grade::Rejected), Verdict::Fail));
+}
+
+#[test]
+fn a_code_that_the_engine_does_not_have_is_not_asked_for_and_its_line_is() {
+    let engine = |lacks: &[Code]| Identity {
+        lacks: lacks.to_vec(),
+        ..Puppet::new("ironplc", |_| Outcome::Accepted).identity().clone()
+    };
+    let case = expecting(rejection(&["6 P4049", "7 P4035"]));
+    let verdict = |lacks: &[Code], places: &[&str]| {
+        let needed = Plan::default().needed(&engine(lacks), &case);
+        judge(&case, &Answers::of_run(rejected(places)), needed).verdict
+    };
+    let lacked = [Code::OperatorOperandTypeMismatch];
+    assert_eq!(verdict(&lacked, &["6 P4035", "7 P4035"]), Verdict::Pass);
+    assert_eq!(verdict(&[], &["6 P4035", "7 P4035"]), Verdict::Fail);
+    assert_eq!(verdict(&lacked, &["5 P4035", "7 P4035"]), Verdict::Fail);
+    let other = [Code::NotImplemented];
+    assert_eq!(verdict(&other, &["6 P4035", "7 P4035"]), Verdict::Fail);
 }
 
 #[test]

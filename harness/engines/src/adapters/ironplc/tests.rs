@@ -56,6 +56,7 @@ pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
             dialects: vec![DialectName::IronplcEd2],
             abilities: Vec::new(),
             grade: Grade::Code,
+            lacks: Vec::new(),
         },
         compiler: folder.path().join("ironplcc"),
         machine: folder.path().join("ironplcvm"),
