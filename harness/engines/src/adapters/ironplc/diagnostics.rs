@@ -1,20 +1,23 @@
 //! Parses the diagnostics that `ironplcc` writes to stderr, with colours whether or not a terminal reads them.
 //!
 //! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column` names
-//! the place.
+//! the place. Where the compiler does not know the place, it shows 1:1 without a file, or marks nothing there.
 
 use crate::adapters::plain::without_colours;
 use crate::{Diagnostic, Outcome};
 
-/// Returns all diagnostics of a text, sorted by line, column and code, each once.
+/// Returns all diagnostics of a text, sorted by line, column and code, each once. One whose place the compiler does not tell
+/// has no line.
 pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
     let plain = without_colours(stderr);
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
-    for line in plain.lines() {
+    let mut lines = plain.lines();
+    while let Some(line) = lines.next() {
         if let Some(diagnostic) = heading(line) {
             diagnostics.push(diagnostic);
         } else if let (Some(place), Some(last)) = (place(line), diagnostics.last_mut())
             && last.line.is_none()
+            && !(place == BEGINNING && (has_no_file(line) || marks_nothing(lines.clone())))
         {
             (last.line, last.column) = (Some(place.0), Some(place.1));
         }
@@ -22,6 +25,31 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
     diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
     diagnostics.dedup();
     diagnostics
+}
+
+/// The place that the compiler shows where it knows none.
+const BEGINNING: (u32, u32) = (1, 1);
+
+/// Tells whether the line of a place names no file.
+fn has_no_file(line: &str) -> bool {
+    line.split_once("┌─ ")
+        .is_some_and(|(_, place)| place.starts_with(':'))
+}
+
+/// Tells whether the lines below the place 1:1 mark an empty range: one mark under the beginning of a word that is longer.
+/// A mistake in the first word of a program has as many marks as the word has characters.
+fn marks_nothing<'l>(mut below: impl Iterator<Item = &'l str>) -> bool {
+    let source = below.find_map(|line| line.strip_prefix("1 │ "));
+    let marks = below.next().and_then(|line| line.split_once("│ "));
+    let (Some(source), Some((_, marks))) = (source, marks) else {
+        return false;
+    };
+    let of_a_word = |character: char| character.is_alphanumeric() || character == '_';
+    let word = source.chars().take_while(|&character| of_a_word(character));
+    word.count() != 1
+        && !source.starts_with(|first: char| !of_a_word(first) && !first.is_whitespace())
+        && marks.starts_with('^')
+        && !marks.starts_with("^^")
 }
 
 /// Parses a heading such as `error[P4035]: message`.
@@ -120,6 +148,38 @@ mod tests {
                 )
             ]
         );
+    }
+
+    #[test]
+    fn a_place_that_the_compiler_does_not_tell_is_none() {
+        let shown = |place: &str, source: &str, marks: &str| {
+            let text = format!("error[P4025]: m\n  ┌─ {place}\n  │\n1 │ {source}\n  │ {marks}\n  │\n");
+            read(&text)[0].line
+        };
+        // As version 0.239 shows `x := b.9;` on line 5, and `b := -1;`.
+        assert_eq!(
+            shown(
+                "/x/program.st:1:1",
+                "PROGRAM main",
+                "^ Bit index 9 is out of range"
+            ),
+            None
+        );
+        assert_eq!(shown(":1:1", "", "^ Assignment value"), None);
+        assert_eq!(
+            shown("/x/program.st:1:1", "PROGRAM main", "^^^^^^^ label"),
+            Some(1)
+        );
+        assert_eq!(
+            shown("/x/program.st:1:1", ") PROGRAM main", "^ Expected"),
+            Some(1)
+        );
+        assert_eq!(
+            shown("/x/program.st:1:1", "x PROGRAM main", "^ Expected"),
+            Some(1)
+        );
+        assert_eq!(shown("/x/program.st:1:9", "PROGRAM main", "^ label"), Some(1));
+        assert_eq!(shown("/x/program.st:5:7", "  x := b.9;", "^ label"), Some(5));
     }
 
     #[test]
