@@ -4,11 +4,13 @@
 //!
 //! Basis: ironplc: `ironplcc --help`, `ironplcvm --help`; measured on version 0.239.
 
+mod characters;
 mod codes;
 mod diagnostics;
 mod dump;
 mod readback;
 mod reproduction;
+mod texts;
 
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
@@ -25,6 +27,7 @@ use readback::{ReadbackError, Readbacks, RunHints};
 pub(super) use reproduction::reproduce;
 use std::path::{Path, PathBuf};
 use stickler_types::{BuiltIn, DialectName, Fault};
+use texts::Texts;
 
 const COMPILER: Dependency = Dependency {
     key: "ironplcc",
@@ -46,6 +49,7 @@ pub(super) struct Ironplc {
     identity: Identity,
     compiler: PathBuf,
     machine: PathBuf,
+    texts: Texts,
 }
 
 impl Ironplc {
@@ -75,6 +79,7 @@ impl Ironplc {
             identity,
             compiler,
             machine,
+            texts: Texts::default(),
         })
     }
 }
@@ -160,8 +165,14 @@ impl IronplcSession<'_> {
     /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
     /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        let unreadable = self.engine.texts.unreadable(self, request);
+        self.run_with(request, RunHints::without(unreadable))
+    }
+
+    /// Executes a program with the probe variables that hints ask for, until every value is read.
+    fn run_with(&self, request: &RunRequest<'_>, hints: RunHints) -> Result<Outcome, Outcome> {
         takes_no_settings(request)?;
-        let mut readbacks = Readbacks::of(request, RunHints::default());
+        let mut readbacks = Readbacks::of(request, hints);
         loop {
             let container = self.compile_with_probes(request, &readbacks)?;
             let scans = Scans {
@@ -169,10 +180,35 @@ impl IronplcSession<'_> {
                 container: &container,
             };
             // A second run is needed for texts that turn out to be long, and for names that several variables have.
-            match scans.outcome(request, &readbacks)? {
-                RunResult::Done(outcome) => return Ok(outcome),
-                RunResult::Retry(hints) => readbacks = Readbacks::of(request, hints),
+            match scans.outcome(request, &readbacks) {
+                Ok(RunResult::Done(early @ Outcome::Faulted { .. }))
+                | Err(early @ Outcome::Crashed { .. })
+                    if !readbacks.probes().is_empty() =>
+                {
+                    return Err(self.without_probes(request, early));
+                }
+                Ok(RunResult::Done(outcome)) => return Ok(outcome),
+                Ok(RunResult::Retry(hints)) => readbacks = Readbacks::of(request, hints),
+                Err(outcome) => return Err(outcome),
             }
+        }
+    }
+
+    /// Returns the outcome of a program that ended early with its probe variables: what it does by itself, or
+    /// [`Outcome::Error`] where it runs to its end without them, so that only its values cannot be read.
+    fn without_probes(&self, request: &RunRequest<'_>, early: Outcome) -> Outcome {
+        let container = self.compile(request.dialect, request.source);
+        let alone = container.and_then(|container| {
+            let session = self;
+            let container = &container;
+            Scans { session, container }.execute(request.scans)
+        });
+        match alone {
+            Ok(Execution::Finished(_)) => failed(format!(
+                "its values cannot be read: the program runs to its end, and not with variables that copy them: {early}"
+            )),
+            Ok(Execution::Faulted(..)) => early,
+            Err(outcome) => outcome,
         }
     }
 
@@ -267,6 +303,7 @@ impl Scans<'_> {
                     Ok(value) => values.push((asked.key().to_string(), value)),
                     Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
                     Err(ReadbackError::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
+                    Err(ReadbackError::Failed(reason)) => return Err(failed(reason)),
                 },
                 // The probe variables hold the values from before the fault; values that only they would show are left out.
                 Execution::Faulted(_, text) => {

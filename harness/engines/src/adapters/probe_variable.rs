@@ -2,6 +2,7 @@
 
 use super::source::MainProgram;
 use crate::{Observation, Outcome, RunRequest};
+use std::collections::BTreeSet;
 use std::fmt::Write;
 use stickler_types::ElementaryType;
 
@@ -70,11 +71,12 @@ pub(super) fn with_shown_probes(
 }
 
 /// Adds probe variables to a program. Each line keeps its number: the declarations stand behind the program's
-/// name, the assignments before its `END_PROGRAM`.
+/// name, the assignments before its `END_PROGRAM`. A variable that takes several values in turn is declared once.
 pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVariable]) -> String {
     let mut text = source[..main.inside.start].to_owned();
     text.push_str(" VAR");
-    for probe in probes {
+    let mut declared = BTreeSet::new();
+    for probe in probes.iter().filter(|probe| declared.insert(&probe.name)) {
         // Writing into a String does not fail.
         let _ = write!(text, " {} : {};", probe.name, probe.type_name);
     }

@@ -1,5 +1,6 @@
 //! Reads each observed value back from a dump of variables, and chooses the probe variables that this needs.
 
+use super::characters::{self, escaped_literal, plain_literal};
 use super::dump::{self, Dump, Shown};
 use crate::adapters::probe_variable::ProbeVariable;
 use crate::adapters::source::enumeration;
@@ -22,23 +23,53 @@ enum Readback {
     Copy(String, ElementaryType),
     /// A variable or probe variable of this name shows the position of the value among those of its enumeration.
     Enumerated(String, Vec<String>),
-    /// Probe variables show the length of the text and, for each of its first characters, the position in the alphabet.
+    /// Probe variables show the length of the text and, for each of its first characters, its place.
     Text {
         ty: ElementaryType,
         length: String,
-        characters: Vec<String>,
+        characters: Vec<PlaceOfCharacter>,
     },
     /// The value cannot be read back; holds the reason.
     Unreadable(String),
 }
 
-/// Facts that only a run of the program shows, and that decide how its values are read back in the next run.
+/// The probe variables that show the positions of one character among the [plain](characters::plain) and the
+/// [escaped](characters::escaped) characters.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct PlaceOfCharacter {
+    plain: String,
+    escaped: String,
+}
+
+/// The probe variables that all texts of a type share: one text with each of the
+/// [plain](characters::plain) characters, one with each of the [escaped](characters::escaped) ones, and one for the character
+/// that is sought.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Alphabets {
+    plain: String,
+    escaped: String,
+    one: String,
+}
+
+/// Facts that only a run shows, and that decide how values are read back in the next run.
 #[derive(Clone, Default, PartialEq, Eq, Debug)]
 pub(super) struct RunHints {
+    /// The types of text whose values the calls that read them do not show, each with the reason.
+    unreadable: BTreeMap<ElementaryType, String>,
     /// Variables that share their name with another one.
     ambiguous: BTreeSet<String>,
     /// Lengths of texts that had more characters than were read.
     lengths: BTreeMap<String, usize>,
+}
+
+impl RunHints {
+    /// Returns the hints before any run: these types of text cannot be read, each with the reason.
+    pub(super) fn without(unreadable: BTreeMap<ElementaryType, String>) -> RunHints {
+        RunHints {
+            unreadable,
+            ..RunHints::default()
+        }
+    }
 }
 
 /// The ways in which all values of a request are read back.
@@ -46,6 +77,7 @@ pub(super) struct RunHints {
 pub(super) struct Readbacks {
     readbacks: BTreeMap<String, Readback>,
     probes: Vec<ProbeVariable>,
+    alphabets: BTreeMap<ElementaryType, Alphabets>,
     hints: RunHints,
 }
 
@@ -54,8 +86,10 @@ pub(super) struct Readbacks {
 pub(super) enum ReadbackError {
     /// The program has to be run again with the probe variables that these hints ask for.
     Retry(RunHints),
-    /// The value cannot be read back; holds the reason.
+    /// The virtual machine never shows such a value; holds the reason.
     Unsupported(String),
+    /// The value was to be shown and could not be read; holds the reason.
+    Failed(String),
 }
 
 impl Readbacks {
@@ -64,6 +98,7 @@ impl Readbacks {
         let mut readbacks = Readbacks {
             readbacks: BTreeMap::new(),
             probes: Vec::new(),
+            alphabets: BTreeMap::new(),
             hints,
         };
         for asked in request.observe {
@@ -103,23 +138,54 @@ impl Readbacks {
     }
 
     /// Reads a text back by its length and, of each character, the position in a text that holds all characters.
+    ///
+    /// FIND gets variables, never literals or results: version 0.239 does not compare wide texts otherwise. No variable has an
+    /// initial value, so that nothing depends on one.
     fn text(&mut self, name: &str, ty: ElementaryType) -> Readback {
+        if let Some(reason) = self.hints.unreadable.get(&ty) {
+            return Readback::Unreadable(reason.clone());
+        }
         let count = self
             .hints
             .lengths
             .get(name)
             .copied()
             .unwrap_or(INITIAL_CHARACTERS);
-        let alphabet = alphabet(ty);
+        let Alphabets { plain, escaped, one } = self.alphabets(ty);
         let length = self.probe(format!("LEN({name})"), "INT");
-        let characters = (1..=count)
-            .map(|at| self.probe(format!("FIND({alphabet}, MID({name}, 1, {at}))"), "INT"))
-            .collect();
+        let mut characters = Vec::with_capacity(count);
+        for at in 1..=count {
+            self.probes.push(ProbeVariable {
+                name: one.clone(),
+                type_name: format!("{ty}[1]"),
+                expression: format!("MID({name}, 1, {at})"),
+            });
+            characters.push(PlaceOfCharacter {
+                plain: self.probe(format!("FIND({plain}, {one})"), "INT"),
+                escaped: self.probe(format!("FIND({escaped}, {one})"), "INT"),
+            });
+        }
         Readback::Text {
             ty,
             length,
             characters,
         }
+    }
+
+    /// Returns the variables that hold the characters of a type.
+    fn alphabets(&mut self, ty: ElementaryType) -> Alphabets {
+        if let Some(known) = self.alphabets.get(&ty) {
+            return known.clone();
+        }
+        let literals = [plain_literal(ty), escaped_literal(ty)];
+        let [plain, escaped] = literals.map(|literal| {
+            let length = literal.len();
+            self.probe(literal, &format!("{ty}[{length}]"))
+        });
+        let one = format!("{plain}_sought");
+        let alphabets = Alphabets { plain, escaped, one };
+        self.alphabets.insert(ty, alphabets.clone());
+        alphabets
     }
 
     fn copy(&mut self, path: &str, type_name: &str) -> String {
@@ -142,10 +208,11 @@ impl Readbacks {
     /// [`ReadbackError`] where the dump does not show it.
     pub(super) fn value(&self, asked: &Observation, dump: &Dump<'_>) -> Result<Value, ReadbackError> {
         match self.readbacks.get(&*asked.name) {
-            Some(Readback::Simple(ty)) => dump::value(*ty, self.shown(&asked.name, &asked.name, dump)?)
-                .map_err(ReadbackError::Unsupported),
+            Some(Readback::Simple(ty)) => {
+                dump::value(*ty, self.shown(&asked.name, &asked.name, dump)?).map_err(ReadbackError::Failed)
+            }
             Some(Readback::Copy(name, ty)) => {
-                dump::value(*ty, self.shown(&asked.name, name, dump)?).map_err(ReadbackError::Unsupported)
+                dump::value(*ty, self.shown(&asked.name, name, dump)?).map_err(ReadbackError::Failed)
             }
             Some(Readback::Enumerated(name, values)) => {
                 let shown = self.shown(&asked.name, name, dump)?;
@@ -155,7 +222,7 @@ impl Readbacks {
                     .ok()
                     .and_then(|place| values.get(place));
                 let value = value.ok_or_else(|| {
-                    ReadbackError::Unsupported(format!("it shows `{shown}` as {}", asked.type_name))
+                    ReadbackError::Failed(format!("it shows `{shown}` as {}", asked.type_name))
                 })?;
                 Ok(Value::enumerated(&*asked.type_name, value))
             }
@@ -165,7 +232,7 @@ impl Readbacks {
                 characters,
             }) => self.read_text(&asked.name, *ty, length, characters, dump),
             Some(Readback::Unreadable(reason)) => Err(ReadbackError::Unsupported(reason.clone())),
-            None => Err(ReadbackError::Unsupported(format!(
+            None => Err(ReadbackError::Failed(format!(
                 "no readback was planned for {}",
                 asked.name
             ))),
@@ -190,7 +257,7 @@ impl Readbacks {
                 hints.ambiguous.insert(path.to_owned());
                 Err(ReadbackError::Retry(hints))
             }
-            Shown::Missing => Err(ReadbackError::Unsupported(format!("the dump shows no {name}"))),
+            Shown::Missing => Err(ReadbackError::Failed(format!("the dump shows no {name}"))),
         }
     }
 
@@ -199,7 +266,7 @@ impl Readbacks {
         path: &str,
         ty: ElementaryType,
         length: &str,
-        characters: &[String],
+        characters: &[PlaceOfCharacter],
         dump: &Dump<'_>,
     ) -> Result<Value, ReadbackError> {
         let shown = self.shown(path, length, dump)?;
@@ -208,46 +275,45 @@ impl Readbacks {
             .parse::<usize>()
             .ok()
             .filter(|&length| length <= MAX_CHARACTERS);
-        let length = length.ok_or_else(|| {
-            ReadbackError::Unsupported(format!("the length of {path} is shown as `{shown}`"))
-        })?;
+        let length = length
+            .ok_or_else(|| ReadbackError::Failed(format!("the length of {path} is shown as `{shown}`")))?;
         if length > characters.len() {
             let mut hints = self.hints.clone();
             hints.lengths.insert(path.to_owned(), length);
             return Err(ReadbackError::Retry(hints));
         }
         let mut units = Vec::with_capacity(length);
-        for name in &characters[..length] {
-            let place = self.shown(path, name, dump)?.trim().parse::<usize>().ok();
-            let letter = place.and_then(|place| visible(ty).nth(place.checked_sub(1)?));
-            let unseen = || ReadbackError::Unsupported(format!("{path} holds a character that is not seen"));
-            units.push(u16::from(letter.ok_or_else(unseen)?));
+        for character in &characters[..length] {
+            let plain = self.place(path, &character.plain, dump)?;
+            let escaped = self.place(path, &character.escaped, dump)?;
+            let unit = match (plain, escaped) {
+                (Some(place), _) => characters::plain(ty).nth(place).map(u16::from),
+                (None, Some(place)) => characters::escaped(ty).nth(place).map(u16::from),
+                (None, None) => None,
+            };
+            let unseen = || ReadbackError::Failed(format!("{path} holds a character that is not seen"));
+            units.push(unit.ok_or_else(unseen)?);
         }
         Ok(Value::text(ty, units))
     }
-}
 
-/// Returns a literal of all visible characters, in order, in which FIND gives the position of a character.
-fn alphabet(ty: ElementaryType) -> String {
-    let quote = if ty == ElementaryType::Wstring { '"' } else { '\'' };
-    let inside: String = visible(ty).map(char::from).collect();
-    format!("{quote}{inside}{quote}")
-}
-
-/// Returns the characters that can be read back in a text of a type. Characters with a meaning of their own in a literal are
-/// not among them, since compilers may read them differently.
-fn visible(ty: ElementaryType) -> impl Iterator<Item = u8> {
-    let quote = if ty == ElementaryType::Wstring {
-        b'"'
-    } else {
-        b'\''
-    };
-    (b' '..=b'~').filter(move |&character| character != b'$' && character != quote)
+    /// Returns the position, from 0, that a probe variable shows; `None` where FIND found nothing.
+    fn place(&self, path: &str, name: &str, dump: &Dump<'_>) -> Result<Option<usize>, ReadbackError> {
+        let shown = self.shown(path, name, dump)?.trim();
+        match shown.parse::<usize>() {
+            Ok(place) => Ok(place.checked_sub(1)),
+            Err(_) => Err(ReadbackError::Failed(format!(
+                "the place of a character of {path} is shown as `{shown}`"
+            ))),
+        }
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::characters::{escaped, plain};
     use super::*;
+    use std::fmt::Write;
     use stickler_types::DialectName;
 
     const SOURCE: &str = "TYPE COLOR : (RED, GREEN); END_TYPE PROGRAM main END_PROGRAM";
@@ -264,6 +330,7 @@ mod tests {
         match readbacks.value(asked, &Dump::read(dump)) {
             Ok(value) => value.to_string(),
             Err(ReadbackError::Unsupported(reason)) => reason,
+            Err(ReadbackError::Failed(reason)) => format!("failed: {reason}"),
             Err(ReadbackError::Retry(_)) => "again".to_owned(),
         }
     }
@@ -275,8 +342,11 @@ mod tests {
         assert_eq!(readbacks.probes(), []);
         assert_eq!(seen(&readbacks, &observe[0], "x: 5\nc: 1\n"), "INT#5");
         assert_eq!(seen(&readbacks, &observe[1], "x: 5\nc: 1\n"), "COLOR#GREEN");
-        assert_eq!(seen(&readbacks, &observe[1], "c: 2\n"), "it shows `2` as COLOR");
-        assert_eq!(seen(&readbacks, &observe[0], ""), "the dump shows no x");
+        assert_eq!(
+            seen(&readbacks, &observe[1], "c: 2\n"),
+            "failed: it shows `2` as COLOR"
+        );
+        assert_eq!(seen(&readbacks, &observe[0], ""), "failed: the dump shows no x");
     }
 
     #[test]
@@ -308,33 +378,79 @@ mod tests {
         );
     }
 
+    /// Returns what the dump shows of a text of these characters, for a compiler that does or does not know escapes.
+    fn dumped(readbacks: &Readbacks, text: &[u8], knows_escapes: bool) -> String {
+        let ty = ElementaryType::String;
+        let literal = escaped_literal(ty);
+        let others: Vec<u8> = match knows_escapes {
+            true => escaped(ty).collect(),
+            false => literal.trim_matches('\'').bytes().collect(),
+        };
+        let find = |all: Vec<u8>, at: usize| {
+            let sought = text.get(at);
+            sought
+                .and_then(|sought| all.iter().position(|other| other == sought))
+                .map_or(0, |at| at + 1)
+        };
+        let mut dump = String::new();
+        let mut at = 0;
+        for probe in readbacks.probes() {
+            let shown = match &probe.expression {
+                length if length.starts_with("LEN") => text.len(),
+                first if first.starts_with("FIND(stickler_probe_0,") => find(plain(ty).collect(), at),
+                second if second.starts_with("FIND(stickler_probe_1,") => {
+                    at += 1;
+                    find(others.clone(), at - 1)
+                }
+                _ => continue,
+            };
+            writeln!(dump, "{}: {shown}", probe.name).unwrap();
+        }
+        dump
+    }
+
     #[test]
     fn a_text_is_spelled_from_the_places_of_its_characters() {
         let observe = [observation("s", "STRING")];
         let readbacks = Readbacks::of(&request(&observe), RunHints::default());
-        assert_eq!(readbacks.probes().len(), 1 + INITIAL_CHARACTERS);
-        let place = |character: u8| {
-            1 + visible(ElementaryType::String)
-                .position(|other| other == character)
-                .unwrap()
-        };
-        let dump = format!(
-            "stickler_probe_0: 2\nstickler_probe_1: {}\nstickler_probe_2: {}\n",
-            place(b'a'),
-            place(b'~')
-        );
-        assert_eq!(seen(&readbacks, &observe[0], &dump), "STRING#'a~'");
-        let dump = "stickler_probe_0: 1\nstickler_probe_1: 0\n";
+        let names: BTreeSet<&str> = readbacks.probes().iter().map(|probe| &*probe.name).collect();
+        // Two alphabets, the character that is sought, the length, and two places a character.
+        assert_eq!(names.len(), 4 + 2 * INITIAL_CHARACTERS);
+        for knows_escapes in [true, false] {
+            let dump = dumped(&readbacks, b"a~$41 \"", knows_escapes);
+            assert_eq!(seen(&readbacks, &observe[0], &dump), "STRING#'a~$$41 \"'");
+        }
+        let dump = dumped(&readbacks, b"\n'", true);
+        assert_eq!(seen(&readbacks, &observe[0], &dump), "STRING#'$0A$''");
+        let dump = dumped(&readbacks, b"\xE9", true);
         assert_eq!(
-            seen(&readbacks, &observe[0], dump),
-            "s holds a character that is not seen"
+            seen(&readbacks, &observe[0], &dump),
+            "failed: s holds a character that is not seen"
         );
-        let Err(ReadbackError::Retry(hints)) =
-            readbacks.value(&observe[0], &Dump::read("stickler_probe_0: 40\n"))
-        else {
+        let dump = dumped(&readbacks, &[b'x'; 40], true);
+        let Err(ReadbackError::Retry(hints)) = readbacks.value(&observe[0], &Dump::read(&dump)) else {
             panic!("no second look")
         };
-        assert_eq!(Readbacks::of(&request(&observe), hints).probes().len(), 41);
+        let long = Readbacks::of(&request(&observe), hints);
+        let dump = dumped(&long, &[b'x'; 40], true);
+        assert_eq!(
+            seen(&long, &observe[0], &dump),
+            format!("STRING#'{}'", "x".repeat(40))
+        );
+    }
+
+    #[test]
+    fn nothing_is_asked_of_calls_that_do_not_work() {
+        let observe = [observation("s", "STRING"), observation("w", "WSTRING")];
+        let hints = RunHints::without(BTreeMap::from([(ElementaryType::Wstring, "no".to_owned())]));
+        let readbacks = Readbacks::of(&request(&observe), hints);
+        assert_eq!(seen(&readbacks, &observe[1], ""), "no");
+        assert!(
+            !readbacks
+                .probes()
+                .iter()
+                .any(|probe| probe.expression.contains("(w"))
+        );
     }
 
     #[test]

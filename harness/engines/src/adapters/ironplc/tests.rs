@@ -27,6 +27,8 @@ case $(cat "$2") in
 *'please: divide'*) echo 'V4001 - runtime error: divide by zero (task 0, instance 0)' >&2; exit 1 ;;
 *'please: trap'*) echo 'V4002 - runtime error: negative exponent' >&2; exit 1 ;;
 *'please: overflow'*) echo 'V9001 - stack' >&2; exit 3 ;;
+*'please: break over copies'*'stickler_probe_0'*) echo 'V9014 - width' >&2; exit 3 ;;
+*'please: stumble over copies'*'stickler_probe_0'*) echo 'V4001 - runtime error: divide by zero' >&2; exit 1 ;;
 esac
 "#;
 
@@ -60,6 +62,7 @@ pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
         },
         compiler: folder.path().join("ironplcc"),
         machine: folder.path().join("ironplcvm"),
+        texts: Texts::default(),
     };
     (ironplc, folder)
 }
@@ -137,6 +140,45 @@ fn where_copies_are_not_accepted_the_program_alone_is_judged() {
         asked("reject", &[("a[1]", "DINT")]),
         Outcome::Rejected { .. }
     ));
+}
+
+#[test]
+fn what_only_the_copies_do_is_an_error_and_no_crash_or_fault() {
+    for what in ["break over copies", "stumble over copies"] {
+        let Outcome::Error { message } = asked(what, &[("a[1]", "DINT")]) else {
+            panic!("no error: {what}")
+        };
+        assert!(message.starts_with("its values cannot be read: "), "{message}");
+        assert!(matches!(asked(what, &[("x", "INT")]), Outcome::Executed { .. }));
+    }
+    assert!(matches!(
+        asked("overflow", &[("a[1]", "DINT")]),
+        Outcome::Crashed { .. }
+    ));
+    assert!(matches!(
+        asked("divide", &[("a[1]", "DINT")]),
+        Outcome::Faulted { .. }
+    ));
+}
+
+#[test]
+fn a_value_that_cannot_be_read_is_an_error() {
+    let Outcome::Error { message } = asked("run", &[("x", "BOOL")]) else {
+        panic!("no error")
+    };
+    assert_eq!(message, "it shows `5` as BOOL");
+}
+
+#[test]
+fn texts_are_not_read_where_the_calls_that_read_them_do_not_work() {
+    // The stand-in shows no length.
+    let Outcome::Unsupported { reason } = asked("run", &[("s", "STRING"), ("x", "INT")]) else {
+        panic!("supported")
+    };
+    assert!(
+        reason.starts_with("values of STRING are not shown, and LEN, MID and FIND"),
+        "{reason}"
+    );
 }
 
 #[test]

@@ -1,0 +1,69 @@
+//! Whether the calls that read texts back work in a version of IronPLC, found out before they are relied on.
+
+use super::IronplcSession;
+use super::readback::RunHints;
+use crate::{Observation, Outcome, RunRequest};
+use std::collections::BTreeMap;
+use std::sync::{Mutex, PoisonError};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// What is known of the texts of each dialect and type: nothing to say where they can be read, otherwise the reason.
+#[derive(Default)]
+pub(super) struct Texts {
+    known: Mutex<BTreeMap<(DialectName, ElementaryType), Option<String>>>,
+}
+
+impl Texts {
+    /// Returns the types of text among the observed values which cannot be read, each with the reason.
+    pub(super) fn unreadable(
+        &self,
+        session: &IronplcSession<'_>,
+        request: &RunRequest<'_>,
+    ) -> BTreeMap<ElementaryType, String> {
+        let types = [ElementaryType::String, ElementaryType::Wstring].into_iter();
+        let observed = |ty: &ElementaryType| {
+            let mut observed = request.observe.iter();
+            observed.any(|asked| ElementaryType::from_name(&asked.type_name) == Some(*ty))
+        };
+        types
+            .filter(observed)
+            .filter_map(|ty| Some((ty, self.reason(session, request.dialect, ty)?)))
+            .collect()
+    }
+
+    fn reason(
+        &self,
+        session: &IronplcSession<'_>,
+        dialect: DialectName,
+        ty: ElementaryType,
+    ) -> Option<String> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        known
+            .entry((dialect, ty))
+            .or_insert_with(|| tried(session, dialect, ty))
+            .clone()
+    }
+}
+
+/// The text by which reading is tried; it is the same in both types.
+const TRIED: &str = "a~1";
+
+/// Reads a short text. Returns the reason why that does not work; `None` where it does.
+fn tried(session: &IronplcSession<'_>, dialect: DialectName, ty: ElementaryType) -> Option<String> {
+    let quote = if ty == ElementaryType::Wstring { '"' } else { '\'' };
+    let source = format!(
+        "PROGRAM main\nVAR\n  tried : {ty};\nEND_VAR\n  tried := {quote}{TRIED}{quote};\nEND_PROGRAM\n"
+    );
+    let observe = [Observation::last("tried", ty.name())];
+    let request = RunRequest::once(dialect, &source, &observe);
+    let outcome = session
+        .run_with(&request, RunHints::default())
+        .unwrap_or_else(|outcome| outcome);
+    let expected = Value::text(ty, TRIED.encode_utf16().collect());
+    match &outcome {
+        Outcome::Executed { values } if values.iter().all(|(_, value)| *value == expected) => None,
+        _ => Some(format!(
+            "values of {ty} are not shown, and LEN, MID and FIND do not read `{TRIED}` back: {outcome}"
+        )),
+    }
+}
