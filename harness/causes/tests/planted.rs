@@ -29,6 +29,7 @@ impl Defective {
             dialects: vec![DialectName::IronplcEd2, DialectName::IronplcEd3],
             abilities: vec![Ability::Execute],
             grade: Grade::Code,
+            lacks: Vec::new(),
         };
         Defective {
             identity: Some(identity),
