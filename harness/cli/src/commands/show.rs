@@ -7,7 +7,7 @@ use crate::named_case::NamedCase;
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{Fact, Plan, expected_facts};
-use stickler_suite::Case;
+use stickler_suite::{Case, Sources};
 use stickler_types::wrap;
 
 const BOLD: Style = Style::new().bold();
@@ -23,7 +23,7 @@ pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
-        write_group(group, out)?;
+        write_group(group, &named.suite.sources, out)?;
         write_end(group, &named.plan, out)?;
     }
     Ok(case_folder::exit_of(&named.suite))
@@ -51,7 +51,7 @@ fn same(one: &Case, other: &Case) -> bool {
     }
 }
 
-fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
+fn write_group(group: &[&Case], sources: &Sources, out: &mut dyn Write) -> io::Result<()> {
     let Some(case) = group.first() else { return Ok(()) };
     let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
@@ -59,6 +59,14 @@ fn write_group(group: &[&Case], out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "{}\n", wrap(summary))?;
     }
     writeln!(out, "{DIM}basis{DIM:#}     {}", case.basis)?;
+    if let Some((source, section)) = sources.of(&case.basis) {
+        writeln!(
+            out,
+            "{DIM}source{DIM:#}    {}, {}",
+            source.kind.as_str(),
+            source.address_of(section)
+        )?;
+    }
     writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
     writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
     if !case.tags.is_empty() {
