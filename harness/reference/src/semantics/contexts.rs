@@ -1,4 +1,4 @@
-//! Decides whether a value may stand where a type is expected: the one place that does.
+//! Decides whether a value may stand where a type is expected, and where a literal without a type may.
 
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind, TypeTable};
