@@ -149,6 +149,10 @@ pub(super) fn main_program(source: &str) -> Option<MainProgram> {
     let mut words = words(source);
     let mut first = None;
     while let Some(word) = words.next() {
+        if word.is("CONFIGURATION") {
+            // A program within it is an instance, and no declaration.
+            words.find(|word| word.is("END_CONFIGURATION"));
+        }
         if !word.is("PROGRAM") {
             continue;
         }
@@ -176,6 +180,48 @@ fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram
         inside: name.end()..end.at,
         returns,
     })
+}
+
+/// The place of a program in the configuration that a source text brings; the names are as they are declared.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) struct OwnConfiguration {
+    /// The name of the configuration.
+    pub(super) name: String,
+    /// The name of the resource in which the program is.
+    pub(super) resource: String,
+    /// The name of the instance of the program.
+    pub(super) instance: String,
+}
+
+/// Finds the configuration in which a program has an instance; `None` where there is none.
+pub(super) fn own_configuration(source: &str, program: &str) -> Option<OwnConfiguration> {
+    let mut words = words(source).skip_while(|word| !word.is("CONFIGURATION")).skip(1);
+    let name = words.next()?.text.to_owned();
+    let mut resource = None;
+    while let Some(word) = words.next() {
+        if word.is("RESOURCE") {
+            resource = Some(words.next()?.text.to_owned());
+        } else if word.is("PROGRAM") {
+            let mut instance = words.next()?;
+            if instance.is("RETAIN") || instance.is("NON_RETAIN") {
+                instance = words.next()?;
+            }
+            let mut ty = words.next()?;
+            if ty.is("WITH") {
+                // The task stands between.
+                ty = words.nth(1)?;
+            }
+            if ty.is(program) {
+                let (resource, instance) = (resource?, instance.text.to_owned());
+                return Some(OwnConfiguration {
+                    name,
+                    resource,
+                    instance,
+                });
+            }
+        }
+    }
+    None
 }
 
 /// Returns the names of the values of an enumeration that is declared as `NAME : (A, B, C)`, in order; `None` where it is not
@@ -245,6 +291,29 @@ mod tests {
         ] {
             assert_eq!(main_program(none), None, "{none}");
         }
+    }
+
+    #[test]
+    fn a_configuration_tells_where_the_instance_of_a_program_is() {
+        let configuration = "CONFIGURATION Plant VAR_GLOBAL g : INT; END_VAR RESOURCE Station ON PLC\n\
+                             TASK t(INTERVAL := T#1s); PROGRAM RETAIN a WITH t : other; PROGRAM b : Main;\n\
+                             END_RESOURCE END_CONFIGURATION ";
+        let program = "PROGRAM main ; END_PROGRAM ";
+        let found = OwnConfiguration {
+            name: "Plant".to_owned(),
+            resource: "Station".to_owned(),
+            instance: "b".to_owned(),
+        };
+        for source in [
+            [configuration, program].concat(),
+            [program, configuration].concat(),
+        ] {
+            assert_eq!(main_program(&source).unwrap().name, "main");
+            assert_eq!(own_configuration(&source, "main"), Some(found.clone()));
+            assert_eq!(own_configuration(&source, "OTHER").unwrap().instance, "a");
+            assert_eq!(own_configuration(&source, "t"), None);
+        }
+        assert_eq!(own_configuration(program, "main"), None);
     }
 
     #[test]

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 use stickler_engines::{
-    Ability, Compiler, DependencyPaths, FoundDependency, NoReproduction, Observation, Reproduction,
+    Ability, Compiler, DependencyPaths, FoundDependency, NoReproduction, Observation, Outcome, Reproduction,
     RunRequest,
 };
 use stickler_types::DialectName;
@@ -123,5 +123,44 @@ fn who_speaks_another_dialect_is_no_help() {
             compiler.reproduce(&request, Ability::Check),
             Err(NoReproduction::Unsupported(reason))
         );
+    }
+}
+
+/// The program has its globals from its own configuration, for an adapter as for a person.
+#[test]
+fn a_configuration_of_the_program_is_used() {
+    let source = "PROGRAM main\nVAR_EXTERNAL\n    shared : INT;\nEND_VAR\nVAR\n    seen : INT;\nEND_VAR\n    \
+                  shared := shared + 2;\n    seen := shared;\nEND_PROGRAM\nCONFIGURATION Plant\n    \
+                  VAR_GLOBAL\n        shared : INT := 40;\n    END_VAR\n    RESOURCE Station ON PLC\n        \
+                  TASK Cyclic(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM instance WITH Cyclic : main;\n    \
+                  END_RESOURCE\nEND_CONFIGURATION\n";
+    let observe = observe(&[("seen", "INT", None), ("seen", "INT", Some(1))]);
+    // RuSTy documents no configurations.
+    for compiler in [Compiler::Ironplc, Compiler::Matiec, Compiler::Strucpp] {
+        let search = compiler.seek(compiler.name(), compiler.name(), &DependencyPaths::default());
+        let Some(located) = here(compiler) else { continue };
+        let request = RunRequest {
+            scans: 2,
+            ..RunRequest::once(dialect(compiler), source, &observe)
+        };
+        let engine = search.engine.unwrap();
+        let Outcome::Executed { values } = engine.session().unwrap().run(&request) else {
+            panic!("{} does not execute it", compiler.name())
+        };
+        let values: Vec<String> = values
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}"))
+            .collect();
+        assert_eq!(
+            values,
+            ["seen = INT#44", "seen@1 = INT#42"],
+            "{}",
+            compiler.name()
+        );
+        let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
+        let printed = run(&reproduction, &located);
+        for value in ["42", "44"] {
+            assert!(printed.contains(value), "{printed}\n{reproduction:#?}");
+        }
     }
 }

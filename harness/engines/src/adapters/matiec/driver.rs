@@ -6,6 +6,7 @@
 use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::probe_variable::ProbeVariables;
+use crate::adapters::source::{OwnConfiguration, own_configuration};
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -22,16 +23,24 @@ pub(super) struct Subject<'r, 'c> {
 /// # Errors
 /// A fragment that says what cannot be observed or set.
 pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, String> {
-    let mut text = "#include \"stickler.h\"\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n\
-                    #include \"POUS.c\"\n"
-        .to_owned();
-    write_memory(&mut text, subjects);
+    let own = match subjects {
+        [only] => own_configuration(only.request.source, &only.program),
+        _ => None,
+    };
+    let mut text = format!("#include \"stickler.h\"\n{}", translated(own.as_ref()));
+    if own.is_none() {
+        write_memory(&mut text, subjects);
+    }
     text.push_str(PRINTERS);
     let mut driven = Vec::with_capacity(subjects.len());
     for (number, subject) in subjects.iter().enumerate() {
         let kinds = printed::kinds(&subject.request, has)?;
-        write_look(&mut text, number, subject, &kinds);
-        write_run(&mut text, number, subject)?;
+        let instance = match &own {
+            Some(own) => configured(own),
+            None => format!("memory.program.p{number}"),
+        };
+        write_look(&mut text, number, (subject, &instance), &kinds);
+        write_run(&mut text, number, (subject, &instance), own.is_some())?;
         driven.push(DrivenProgram {
             request: subject.request,
             kinds,
@@ -61,9 +70,41 @@ fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
     text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
 }
 
-/// Returns the C expression for the instance of a program among others.
-fn instance(number: usize) -> String {
-    format!("memory.program.p{number}")
+/// Returns the declarations behind the headers, and the translated text with the parts of its own configuration.
+pub(super) fn translated(own: Option<&OwnConfiguration>) -> String {
+    let files = match own {
+        None => "#include \"POUS.h\"\n#include \"POUS.c\"\n".to_owned(),
+        // The file of the resource includes those of the program organization units.
+        Some(own) => format!("#include \"{}.c\"\n#include \"{}.c\"\n", own.name, own.resource),
+    };
+    format!("TIME __CURRENT_TIME;\nBOOL __DEBUG;\n{files}")
+}
+
+/// Returns the C expression for the instance of a program in its own configuration.
+pub(super) fn configured(own: &OwnConfiguration) -> String {
+    format!(
+        "{}__{}",
+        own.resource.to_ascii_uppercase(),
+        own.instance.to_ascii_uppercase()
+    )
+}
+
+/// Returns the statements that initialise the instance of a program and make the scan of a number, which is an expression. With
+/// a configuration of its own, all that this has is initialised and runs.
+pub(super) fn calls(program: &str, instance: &str, is_configured: bool, scan: &str) -> [String; 2] {
+    match is_configured {
+        true => [
+            "config_init__();".to_owned(),
+            format!("config_run__({scan} - 1);"),
+        ],
+        false => {
+            let program = program.to_ascii_uppercase();
+            [
+                format!("{program}_init__(&{instance}, 0);"),
+                format!("{program}_body__(&{instance});"),
+            ]
+        }
+    }
 }
 
 /// Returns the C expression for a variable of the instance of a program.
@@ -71,22 +112,26 @@ pub(super) fn place(instance: &str, variable: &str) -> String {
     format!("{instance}.{}.value", variable.to_ascii_uppercase())
 }
 
-/// Writes the function that runs a program.
-fn write_run(text: &mut String, number: usize, subject: &Subject<'_, '_>) -> Result<(), String> {
-    let program = subject.program.to_ascii_uppercase();
+/// Writes the function that runs a program, given with the expression for its instance.
+fn write_run(
+    text: &mut String,
+    number: usize,
+    (subject, instance): (&Subject<'_, '_>, &str),
+    is_configured: bool,
+) -> Result<(), String> {
+    let [initialise, run] = calls(&subject.program, instance, is_configured, "scan");
     let _ = write!(
         text,
-        "static int run_{number}(void) {{\n    {program}_init__(&memory.program.p{number}, 0);\n    \
+        "static int run_{number}(void) {{\n    {initialise}\n    \
          for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
         subject.request.scans
     );
-    for (scan, statement) in before(&instance(number), &subject.request)? {
+    for (scan, statement) in before(instance, &subject.request)? {
         let _ = writeln!(text, "        if (scan == {scan}UL) {{ {statement} }}");
     }
     let _ = write!(
         text,
-        "        {program}_body__(&memory.program.p{number});\n        look_{number}(scan);\n    }}\n    \
-         look_{number}(0);\n    return 0;\n}}\n"
+        "        {run}\n        look_{number}(scan);\n    }}\n    look_{number}(0);\n    return 0;\n}}\n"
     );
     Ok(())
 }
@@ -115,10 +160,15 @@ static void print_text(int number, STRING value) {
 ";
 
 /// Writes the function that prints the values observed after a scan; 0 stands for the end.
-fn write_look(text: &mut String, number: usize, subject: &Subject<'_, '_>, kinds: &[Kind<'_>]) {
+fn write_look(
+    text: &mut String,
+    number: usize,
+    (subject, instance): (&Subject<'_, '_>, &str),
+    kinds: &[Kind<'_>],
+) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(&instance(number), subject.probes.variable(asked));
+        let variable = place(instance, subject.probes.variable(asked));
         let call = match kind {
             Kind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
             Kind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
@@ -311,6 +361,31 @@ mod tests {
         ] {
             assert!(driver.text.contains(line), "{line}\n{}", driver.text);
         }
+    }
+
+    #[test]
+    fn a_configuration_of_the_program_is_initialised_and_run() {
+        let source = "PROGRAM main ; END_PROGRAM CONFIGURATION Plant RESOURCE Station ON PLC PROGRAM i : main; END_RESOURCE \
+                      END_CONFIGURATION";
+        let observe = [observation("x", "INT")];
+        let request = RunRequest {
+            source,
+            ..request(&observe)
+        };
+        let driver = alone(&request).unwrap();
+        for line in [
+            "#include \"Plant.c\"\n#include \"Station.c\"\n",
+            "config_init__();",
+            "config_run__(scan - 1);",
+            "print_bits(0, &STATION__I.X.value, sizeof STATION__I.X.value);",
+        ] {
+            assert!(driver.text.contains(line), "{line}\n{}", driver.text);
+        }
+        assert!(
+            !driver.text.contains("POUS") && !driver.text.contains("memory"),
+            "{}",
+            driver.text
+        );
     }
 
     #[test]

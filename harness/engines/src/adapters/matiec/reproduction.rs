@@ -1,16 +1,16 @@
 //! Writes what a person needs to run a program with `iec2c` and a C compiler alone.
 
-use super::driver::{before, has, is_time, place};
+use super::driver::{before, calls, configured, has, is_time, place, translated};
 use super::{COMPILER, HEADER, LIBRARY, added_configuration};
 use crate::adapters::builder::{CC, Language};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::readable::{self, Expression, Main};
-use crate::adapters::source::{MainProgram, main_program};
+use crate::adapters::source::{MainProgram, main_program, own_configuration};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 
-/// The C expression for the instance of the program.
+/// The C expression for the instance of a program without a configuration of its own.
 const INSTANCE: &str = "program";
 
 /// Returns the reproduction of a request.
@@ -67,24 +67,37 @@ fn text(
     probes: &ProbeVariables,
 ) -> Result<String, NoReproduction> {
     let kinds = printed::kinds(request, has)?;
-    let program = main.name.to_ascii_uppercase();
+    let own = own_configuration(request.source, &main.name);
+    let (instance, declaration) = match &own {
+        Some(own) => (configured(own), String::new()),
+        None => {
+            let class = main.name.to_ascii_uppercase();
+            (INSTANCE.to_owned(), format!("static {class} {INSTANCE};\n"))
+        }
+    };
+    let [initialise, scan] = calls(&main.name, &instance, own.is_some(), "++tick");
+    let counter = if own.is_some() {
+        "static unsigned long tick;\n"
+    } else {
+        ""
+    };
     let observed = request.observe.iter().zip(&kinds);
     let main = Main {
         scans: request.scans,
-        start: vec![format!("{program}_init__(&{INSTANCE}, 0);")],
-        before: before(INSTANCE, request)?,
-        scan: format!("{program}_body__(&{INSTANCE});"),
+        start: vec![initialise],
+        before: before(&instance, request)?,
+        scan,
         after: observed
             .map(|(asked, kind)| {
-                let variable = place(INSTANCE, probes.variable(asked));
+                let variable = place(&instance, probes.variable(asked));
                 (asked.after, print(asked, kind, variable))
             })
             .collect(),
     }
     .text();
     Ok(format!(
-        "{HEADER}#include <time.h>\n\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\n\
-         static {program} {INSTANCE};\n\n{}{main}",
+        "{HEADER}#include <time.h>\n\n{}\n{declaration}{counter}\n{}{main}",
+        translated(own.as_ref()),
         readable::functions(&main)
     ))
 }

@@ -7,6 +7,7 @@ use crate::RunRequest;
 use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::probe_variable::ProbeVariables;
+use crate::adapters::source::own_configuration;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Fault, Value};
 
@@ -116,11 +117,8 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, Strin
 
 /// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
 fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
-    let class = class(&subject.program);
-    let _ = write!(
-        text,
-        "static {class} program;\nstatic void look(unsigned long scan) {{\n"
-    );
+    text.push_str(&instance(subject.request.source, &subject.program));
+    text.push_str("static void look(unsigned long scan) {\n");
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
         let variable = place(subject.probes.variable(asked));
         let printer = match kind {
@@ -148,9 +146,18 @@ fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
     );
 }
 
-/// Returns the C++ name of the class of a program.
-pub(super) fn class(program: &str) -> String {
-    format!("strucpp::Program_{}", program.to_ascii_uppercase())
+/// Returns the declaration of `program`, the main program of a source text: an instance of its class, or where the text brings a
+/// configuration, the one that this has, with the global variables that it takes from there.
+pub(super) fn instance(source: &str, program: &str) -> String {
+    let class = format!("strucpp::Program_{}", program.to_ascii_uppercase());
+    match own_configuration(source, program) {
+        None => format!("static {class} program;\n"),
+        Some(own) => format!(
+            "static strucpp::Configuration_{} configuration;\nstatic {class} &program = configuration.{};\n",
+            own.name.to_ascii_uppercase(),
+            own.instance.to_ascii_uppercase()
+        ),
+    }
 }
 
 /// Returns the C++ expression for the value of a variable of the program.
@@ -194,6 +201,15 @@ mod tests {
     use super::*;
     use crate::{ClockSetting, Observation};
     use stickler_types::DialectName;
+
+    #[test]
+    fn a_configuration_of_the_program_is_used() {
+        let source = "PROGRAM main ; END_PROGRAM CONFIGURATION c RESOURCE r ON PLC PROGRAM i : main; END_RESOURCE END_CONFIGURATION";
+        assert_eq!(
+            instance(source, "main"),
+            "static strucpp::Configuration_C configuration;\nstatic strucpp::Program_MAIN &program = configuration.I;\n"
+        );
+    }
 
     #[test]
     fn values_are_read_as_the_driver_prints_them() {

@@ -1,6 +1,6 @@
 //! Writes what a person needs to run a program with the command line of STruC++ and a C++ compiler alone.
 
-use super::driver::{before, class, kinds, place};
+use super::driver::{before, instance, kinds, place};
 use super::{COMPILER, DIALECT, NODE};
 use crate::adapters::builder::{CXX, Language};
 use crate::adapters::printed::Kind;
@@ -84,8 +84,8 @@ fn text(
     }
     .text();
     Ok(format!(
-        "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\nstatic {} program;\n\n{}{text}",
-        class(&main.name),
+        "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\n{}\n{}{text}",
+        instance(request.source, &main.name),
         readable::functions(&text)
     ))
 }
