@@ -13,7 +13,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{
-    Ability, Compiler, Description, NoReproduction, Reproduction, RunRequest, shell_quote,
+    Ability, Compiler, Description, Engine, NoReproduction, Outcome, Reproduction, RunRequest, shell_quote,
 };
 use subject::Subject;
 
@@ -31,19 +31,28 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
     let compiler = KnownCompiler::named(&arguments.engine, &configuration)?;
     let subjects = Subject::all(arguments)?;
     let (subject, reproduction) = first_shown(&subjects, &compiler, &arguments.engine)?;
+    let folder = &arguments.folder;
+    make_empty(folder)?;
+    let here = Here::find(&arguments.engine, &configuration);
+    let outcome = here.as_ref().and_then(|here| here.outcome(subject));
+    let reproduction = match outcome {
+        Some(outcome) => compiler.reproduce(&subject.request(), subject.ability(Some(&outcome)))?,
+        None => reproduction,
+    };
     if let [_, _, ..] = subjects[..] {
         output::note(format!("this is the case in {}", subject.dialect()));
     }
-    let folder = &arguments.folder;
-    make_empty(folder)?;
     let unwritten = || format!("cannot write to {}", folder.display());
     let names = reproduction.write(folder).with_context(unwritten)?;
-    let printed = printed(arguments, &configuration, &reproduction);
+    let printed = here.as_ref().and_then(|here| here.printed(&reproduction));
     let page = Page {
         subject,
         engine: &arguments.engine,
         program: &names[0],
-        printed: printed.as_ref().map(Printed::borrowed),
+        printed: here
+            .as_ref()
+            .zip(printed.as_deref())
+            .map(|(here, text)| (here.version(), text)),
     };
     fs::write(folder.join(README), page.text()).with_context(unwritten)?;
     writeln!(
@@ -106,7 +115,7 @@ fn first_shown<'s>(
 ) -> anyhow::Result<(&'s Subject, Reproduction)> {
     let mut reason = None;
     for subject in subjects {
-        match compiler.reproduce(&subject.request(), subject.ability()) {
+        match compiler.reproduce(&subject.request(), subject.ability(None)) {
             Ok(reproduction) => return Ok((subject, reproduction)),
             Err(error) => reason = reason.or(Some(error)),
         }
@@ -126,51 +135,47 @@ fn make_empty(folder: &Path) -> anyhow::Result<()> {
     }
 }
 
-/// The output of a script.
-struct Printed {
-    version: String,
-    text: String,
+/// A compiler that is here.
+struct Here {
+    engine: Box<dyn Engine>,
+    /// The variables of scripts that name its programs and folders.
+    variables: Vec<(String, PathBuf)>,
 }
 
-impl Printed {
-    fn borrowed(&self) -> (&str, &str) {
-        (&self.version, &self.text)
+impl Here {
+    /// Finds the compiler; says on stderr why not where it is not here.
+    fn find(name: &str, configuration: &Configuration) -> Option<Here> {
+        let search = engines::seek(name, name, configuration)?;
+        let located = search.located.into_iter();
+        let mut variables: Vec<_> = located.map(|found| (found.shell_variable, found.path)).collect();
+        variables.extend(
+            configuration
+                .folder()
+                .map(|here| (HERE.to_owned(), here.to_owned())),
+        );
+        match search.engine {
+            Ok(engine) => Some(Here { engine, variables }),
+            Err(error) => {
+                output::note(format!("the files are not tried: {error}"));
+                None
+            }
+        }
     }
-}
 
-/// Runs the script of a reproduction; says why not on stderr where the compiler is not here.
-fn printed(
-    arguments: &ReproduceArguments,
-    configuration: &Configuration,
-    reproduction: &Reproduction,
-) -> Option<Printed> {
-    let name = &arguments.engine;
-    let search = engines::seek(name, name, configuration)?;
-    let engine = match search.engine {
-        Ok(engine) => engine,
-        Err(error) => {
-            output::note(format!("the files are not tried: {error}"));
-            return None;
-        }
-    };
-    let mut variables: Vec<(String, PathBuf)> = search
-        .located
-        .into_iter()
-        .map(|found| (found.shell_variable, found.path))
-        .collect();
-    variables.extend(
-        configuration
-            .folder()
-            .map(|here| (HERE.to_owned(), here.to_owned())),
-    );
-    match reproduction.run(&variables) {
-        Ok(text) => Some(Printed {
-            version: engine.identity().version.clone(),
-            text,
-        }),
-        Err(reason) => {
-            output::note(format!("run.sh: {reason}"));
-            None
-        }
+    fn version(&self) -> &str {
+        &self.engine.identity().version
+    }
+
+    /// Returns what the engine does with a program, which decides what of it is worth showing.
+    fn outcome(&self, subject: &Subject) -> Option<Outcome> {
+        Some(self.engine.session().ok()?.run(&subject.request()))
+    }
+
+    /// Runs the script of a reproduction; says on stderr why not where it does not end.
+    fn printed(&self, reproduction: &Reproduction) -> Option<String> {
+        let printed = reproduction.run(&self.variables);
+        printed
+            .map_err(|reason| output::note(format!("run.sh: {reason}")))
+            .ok()
     }
 }

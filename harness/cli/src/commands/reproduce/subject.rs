@@ -5,7 +5,7 @@ use crate::named_case::NamedCase;
 use crate::source_file;
 use anyhow::{Context, bail};
 use std::path::Path;
-use stickler_engines::{Ability, Observation, RunRequest};
+use stickler_engines::{Ability, Observation, Outcome, RunRequest};
 use stickler_reference::decoding::decode;
 use stickler_run::{Fact, expected_facts, shown_by};
 use stickler_suite::{Case, Sources};
@@ -94,12 +94,21 @@ impl Subject {
         }
     }
 
-    /// Returns the ability that shows what matters of the program.
-    pub(super) fn ability(&self) -> Ability {
-        match self {
+    /// Returns the ability that shows what matters of the program; `outcome` is what the engine does, where it is here. A
+    /// rejection shows in a check, and what becomes of an accepted program only when it is executed.
+    pub(super) fn ability(&self, outcome: Option<&Outcome>) -> Ability {
+        let usual = match self {
             Subject::Case { case, .. } => shown_by(case),
             Subject::File { observe, .. } if observe.is_empty() => Ability::Check,
             Subject::File { .. } => Ability::Execute,
+        };
+        match (usual, outcome) {
+            (Ability::Render, _) => Ability::Render,
+            (_, Some(Outcome::Rejected { .. })) => Ability::Check,
+            (_, Some(Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Faulted { .. })) => {
+                Ability::Execute
+            }
+            (usual, _) => usual,
         }
     }
 

@@ -31,7 +31,8 @@ pub(in crate::adapters) fn reproduce(
         (Ability::Render, _) => Err(super::no_rendering().into()),
         (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
         (Ability::Check, _) | (_, None) => {
-            Ok(compilation(request.source.to_owned(), &[PROGRAM], &["--check"]).accepted())
+            // Some mistakes are only found when the object file is made.
+            Ok(compilation(request.source.to_owned(), &[PROGRAM], &OBJECT).accepted())
         }
     }
 }
@@ -234,7 +235,7 @@ mod tests {
         assert_eq!(checked.files[0].text, source);
         assert_eq!(
             checked.commands[0],
-            "\"$PLC\" program.st -i \"$RUSTY_INCLUDE/*.st\" --check"
+            "\"$PLC\" program.st -i \"$RUSTY_INCLUDE/*.st\" -c -O none -o program.o"
         );
     }
 }
