@@ -11,9 +11,9 @@ use stickler_types::ElementaryType;
 pub(crate) struct ProbeVariable {
     /// The name of the variable, which no program has: see [`ProbeVariable::name`].
     pub(crate) name: String,
-    /// The type of the variable, as it is declared.
+    /// The type of the variable, as it is declared, with an initial value where the variable keeps one.
     pub(super) type_name: String,
-    /// The expression whose value the variable takes.
+    /// The expression whose value the variable takes; empty where it keeps its initial value.
     pub(crate) expression: String,
 }
 
@@ -82,7 +82,7 @@ pub(super) fn with_probes(source: &str, main: &MainProgram, probes: &[ProbeVaria
     }
     text.push_str(" END_VAR");
     text.push_str(&source[main.inside.clone()]);
-    for probe in probes {
+    for probe in probes.iter().filter(|probe| !probe.expression.is_empty()) {
         let _ = write!(text, "{} := {}; ", probe.name, probe.expression);
     }
     text.push_str(&source[main.inside.end..]);

@@ -173,6 +173,13 @@ fn ironplc_behaves() {
     };
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
+    let source = "PROGRAM main\nVAR\n    letters : STRING := '$$x';\n    dollar : STRING;\n    wide : WSTRING := \"a~b\";\n\
+                  END_VAR\n    dollar := MID(letters, 1, 1);\nEND_PROGRAM\n";
+    let observe = [("dollar", "STRING", None), ("wide", "WSTRING", None)];
+    assert_eq!(
+        values(ask(engine.as_ref(), source, &observe, 1)),
+        ["dollar = STRING#'$$'", "wide = WSTRING#\"a~b\""]
+    );
     let rendered = engine.session().unwrap().render(
         DialectName::IronplcEd2,
         "PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM",

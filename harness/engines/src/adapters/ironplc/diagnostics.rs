@@ -36,8 +36,8 @@ fn has_no_file(line: &str) -> bool {
         .is_some_and(|(_, place)| place.starts_with(':'))
 }
 
-/// Tells whether the lines below the place 1:1 mark an empty range: one mark under the beginning of a word that is longer.
-/// A mistake in the first word of a program has as many marks as the word has characters.
+/// Tells whether the lines below the place 1:1 mark an empty range: one mark under the beginning of a word or comment, which is
+/// longer. A mistake in the first word of a program has as many marks as the word has characters.
 fn marks_nothing<'l>(mut below: impl Iterator<Item = &'l str>) -> bool {
     let source = below.find_map(|line| line.strip_prefix("1 │ "));
     let marks = below.next().and_then(|line| line.split_once("│ "));
@@ -46,10 +46,16 @@ fn marks_nothing<'l>(mut below: impl Iterator<Item = &'l str>) -> bool {
     };
     let of_a_word = |character: char| character.is_alphanumeric() || character == '_';
     let word = source.chars().take_while(|&character| of_a_word(character));
-    word.count() != 1
-        && !source.starts_with(|first: char| !of_a_word(first) && !first.is_whitespace())
-        && marks.starts_with('^')
-        && !marks.starts_with("^^")
+    let is_one_character = match word.count() {
+        0 => {
+            !["(*", "/*", "//", "{", " ", "\t"]
+                .iter()
+                .any(|begin| source.starts_with(begin))
+                && !source.is_empty()
+        }
+        length => length == 1,
+    };
+    !is_one_character && marks.starts_with('^') && !marks.starts_with("^^")
 }
 
 /// Parses a heading such as `error[P4035]: message`.

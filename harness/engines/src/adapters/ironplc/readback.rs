@@ -129,6 +129,7 @@ impl Readbacks {
         };
         match ty {
             _ if ty.is_text() => self.text(&asked.name, ty),
+            _ if ty.is_character() => Readback::Unreadable(format!("values of {ty} are not shown")),
             ElementaryType::Ldate | ElementaryType::Ltod | ElementaryType::Ldt => {
                 Readback::Unreadable(format!("of a value of {ty} only one half is shown"))
             }
@@ -139,8 +140,8 @@ impl Readbacks {
 
     /// Reads a text back by its length and, of each character, the position in a text that holds all characters.
     ///
-    /// FIND gets variables, never literals or results: version 0.239 does not compare wide texts otherwise. No variable has an
-    /// initial value, so that nothing depends on one.
+    /// FIND gets variables, never literals or results: version 0.239 does not compare wide texts otherwise. The characters are
+    /// initial values, since that version assigns no wide literal.
     fn text(&mut self, name: &str, ty: ElementaryType) -> Readback {
         if let Some(reason) = self.hints.unreadable.get(&ty) {
             return Readback::Unreadable(reason.clone());
@@ -180,7 +181,7 @@ impl Readbacks {
         let literals = [plain_literal(ty), escaped_literal(ty)];
         let [plain, escaped] = literals.map(|literal| {
             let length = literal.len();
-            self.probe(literal, &format!("{ty}[{length}]"))
+            self.probe(String::new(), &format!("{ty}[{length}] := {literal}"))
         });
         let one = format!("{plain}_sought");
         let alphabets = Alphabets { plain, escaped, one };
@@ -459,6 +460,7 @@ mod tests {
             observation("d", "LDATE"),
             observation("u", ""),
             observation("v", "SHAPE"),
+            observation("c", "CHAR"),
         ];
         let readbacks = Readbacks::of(&request(&observe), RunHints::default());
         assert_eq!(
@@ -472,6 +474,10 @@ mod tests {
         assert_eq!(
             seen(&readbacks, &observe[2], "v: 1\n"),
             "values of SHAPE are not shown"
+        );
+        assert_eq!(
+            seen(&readbacks, &observe[3], "c: 1\n"),
+            "values of CHAR are not shown"
         );
     }
 }

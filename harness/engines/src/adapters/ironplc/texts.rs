@@ -52,7 +52,7 @@ const TRIED: &str = "a~1";
 fn tried(session: &IronplcSession<'_>, dialect: DialectName, ty: ElementaryType) -> Option<String> {
     let quote = if ty == ElementaryType::Wstring { '"' } else { '\'' };
     let source = format!(
-        "PROGRAM main\nVAR\n  tried : {ty};\nEND_VAR\n  tried := {quote}{TRIED}{quote};\nEND_PROGRAM\n"
+        "PROGRAM main\nVAR\n  tried : {ty} := {quote}{TRIED}{quote};\n  ran : BOOL;\nEND_VAR\n  ran := TRUE;\nEND_PROGRAM\n"
     );
     let observe = [Observation::last("tried", ty.name())];
     let request = RunRequest::once(dialect, &source, &observe);
