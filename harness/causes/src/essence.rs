@@ -20,8 +20,9 @@ pub(crate) struct Essence {
     pub(crate) features: BTreeSet<String>,
     /// Whether a program with more features of the same class shows the same defect: it contains what already fails alone.
     pub(crate) is_contained: bool,
-    /// The class of a valid program that is rejected for the same reason, for one that is rejected for the wrong reason.
-    pub(crate) hidden_class: Option<String>,
+    /// The class and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
+    /// wrong reason.
+    pub(crate) hidden: Option<(String, BTreeSet<String>)>,
 }
 
 impl Essence {
@@ -32,11 +33,7 @@ impl Essence {
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
-            Symptom::OtherCode { code, told } => (
-                format!("{code} as {told} {}", sign.at),
-                program.of_rejection(),
-                true,
-            ),
+            Symptom::OtherCode { code, told } => (format!("{code} as {told}"), program.of_mistake(), false),
             Symptom::Value | Symptom::Missing => {
                 let (features, converts) = program.of_value();
                 (sign.symptom.word(), features, !converts)
@@ -51,8 +48,10 @@ impl Essence {
                 false,
             ),
         };
-        let hidden_class = match &sign.symptom {
-            Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => Some(rejected(told, &sign.at)),
+        let hidden = match &sign.symptom {
+            Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => {
+                Some((rejected(told, &sign.at), program.of_rejection()))
+            }
             _ => None,
         };
         let by_chance = if smallest.flaky.is_some() {
@@ -64,15 +63,19 @@ impl Essence {
             class: format!("{by_chance}{}", class.trim_end()),
             features,
             is_contained,
-            hidden_class: hidden_class.map(|class| format!("{by_chance}{}", class.trim_end())),
+            hidden: hidden.map(|(class, features)| (format!("{by_chance}{}", class.trim_end()), features)),
         }
     }
 
     /// Returns whether a cause with this essence explains one with the essence `other`.
     pub(crate) fn explains(&self, other: &Essence) -> bool {
-        let same_class = self.class == other.class || other.hidden_class.as_ref() == Some(&self.class);
-        let contains = self.is_contained && self.features.is_subset(&other.features);
-        same_class && (self.features == other.features || contains)
+        let needs_no_more = |class: &str, features: &BTreeSet<String>| {
+            let contains = self.is_contained && self.features.is_subset(features);
+            self.class == class && (self.features == *features || contains)
+        };
+        let hidden = other.hidden.as_ref();
+        needs_no_more(&other.class, &other.features)
+            || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
     }
 }
 

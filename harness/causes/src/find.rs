@@ -247,7 +247,8 @@ impl Member {
     /// Returns the cause of a group, by its smallest program.
     fn new(group: &Group, smallest: &Smallest, sources: &Sources) -> Member {
         let essence = Essence::of(smallest);
-        let types = types_of(&smallest.program).join(", ");
+        let mut types = types_of(&smallest.program);
+        types.sort_unstable();
         let cause = Cause {
             engine: group.shown.engine.clone(),
             symptom: essence.class.clone(),
@@ -255,7 +256,7 @@ impl Member {
             title: title(smallest),
             shown: witness(&group.shown, smallest),
             second: None,
-            types: vec![types],
+            types: vec![types.join(", ")],
             reduction: smallest.reduction,
             flaky: smallest.flaky,
             cases: group.cases.clone(),
@@ -292,13 +293,9 @@ impl Member {
 fn merged(mut members: Vec<Member>) -> Vec<Member> {
     // What needs least comes first, since it can only be contained in what comes later; what may be hidden comes last.
     members.sort_by_key(|member| {
-        let Essence {
-            features,
-            hidden_class,
-            ..
-        } = &member.essence;
+        let Essence { features, hidden, .. } = &member.essence;
         (
-            hidden_class.is_some(),
+            hidden.is_some(),
             features.len(),
             std::cmp::Reverse(member.cause.number()),
         )

@@ -7,7 +7,9 @@ use crate::summary::{code, inline, linked};
 use crate::text::visible;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use stickler_run::{Cause, EngineHeader, Fact, Grade, PROGRAM, Reduced, SourceHeader, Witness};
+use stickler_run::{
+    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, Reduced, SourceHeader, Witness,
+};
 use stickler_types::{counted, grouped};
 
 /// The maximum number of lines in the table of cases; the others are counted.
@@ -69,7 +71,7 @@ pub(super) fn to_differences(folder: &str, number: usize) -> String {
 pub(super) fn list(causes: &[&Cause]) -> String {
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for (cause, number) in causes.iter().zip(1..) {
-        let (cases, title) = (cause.number(), inline(&cause.title));
+        let (cases, title) = (cause.number(), titled(cause));
         let _ = writeln!(
             text,
             "| {cases} | [{title}]({}) | {} |",
@@ -78,6 +80,16 @@ pub(super) fn list(causes: &[&Cause]) -> String {
         );
     }
     text
+}
+
+/// Returns the title of a cause, whose pieces of programs stand in backquotes.
+fn titled(cause: &Cause) -> String {
+    let pieces = cause.title.split('`').enumerate();
+    let shown = pieces.map(|(at, piece)| match at % 2 {
+        0 => inline(piece),
+        _ => code(piece),
+    });
+    shown.collect()
 }
 
 /// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
@@ -94,7 +106,7 @@ pub(super) fn file(number: usize, cause: &Cause) -> String {
 /// Returns the page of a cause.
 pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, overview: &Overview) -> String {
     let shown = &cause.shown;
-    let mut text = format!("# {}: {}\n\n", called(name, about), inline(&cause.title));
+    let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
     reproduction(&mut text, about, shown);
     let expected = format!("Expected, by {}:", cited(shown, overview));
     block(&mut text, &expected, "", &visible(&Fact::text(&shown.expected)));
@@ -108,11 +120,8 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
     }
     if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
         let strict = about.map_or(Grade::Code, |about| about.strict);
-        let _ = write!(
-            text,
-            "Lines are those of `{PROGRAM}`. {}\n\n",
-            not_compared(strict)
-        );
+        let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(strict));
+        let _ = write!(text, "{}\n\n", lines.trim_end());
     }
     second(&mut text, cause);
     cases(&mut text, cause);
@@ -233,7 +242,7 @@ fn cases(text: &mut String, cause: &Cause) {
     }
     claims.remove(cause.shown.basis.as_str());
     match claims.is_empty() {
-        true => text.push_str(":\n\n"),
+        true => text.push_str(":\n"),
         false => text
             .push_str(". It hides whether the compiler meets other claims, whose cases fail for it too:\n\n"),
     }
@@ -241,7 +250,9 @@ fn cases(text: &mut String, cause: &Cause) {
         let _ = writeln!(text, "- {}: {cases}", inline(claim));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
-    for some in cause.cases.iter().take(MAX_LISTED) {
+    let mut listed: Vec<&ExplainedCases> = cause.cases.iter().collect();
+    listed.sort_by_key(|some| std::cmp::Reverse(some.cases));
+    for some in listed.iter().take(MAX_LISTED) {
         let _ = writeln!(
             text,
             "| {} | {} | {} |",
@@ -250,7 +261,7 @@ fn cases(text: &mut String, cause: &Cause) {
             inline(&some.dialect)
         );
     }
-    let rest: u64 = cause.cases.iter().skip(MAX_LISTED).map(|some| some.cases).sum();
+    let rest: u64 = listed.iter().skip(MAX_LISTED).map(|some| some.cases).sum();
     if rest > 0 {
         let _ = writeln!(text, "| {rest} | others | |");
     }

@@ -191,7 +191,7 @@ fn a_cause_has_a_page_that_stands_for_itself() {
     assert_eq!(
         page,
         "\
-# reference 0.1.0: \\`into := from\\` gives 128
+# reference 0.1.0: `` into := from `` gives 128
 
 Save this as `program.st`:
 
