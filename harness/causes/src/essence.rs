@@ -119,7 +119,12 @@ impl<'p> Program<'p> {
     /// Returns the tokens of the line that matters; of the whole program where no line is known.
     fn of_line(&self) -> Vec<Token<'p>> {
         let on_line = |token: &&Token<'p>| self.line.is_none_or(|line| token.line == line);
-        self.tokens.iter().filter(on_line).copied().collect()
+        let found: Vec<Token<'p>> = self.tokens.iter().filter(on_line).copied().collect();
+        // Some compilers name the line behind the mistake, or one of a file of their own.
+        match found.iter().any(|token| token.kind != TokenKind::Sign) {
+            true => found,
+            false => self.tokens.clone(),
+        }
     }
 
     /// Returns the features of a mistake that is accepted: the operators of its line, or the kinds of its operands.

@@ -61,9 +61,10 @@ pub(crate) fn reduce(
     let mut error = None;
     let mut questions = 0;
     let start = unreduced.program.clone();
+    let begins_empty = has_empty_statement(&start);
     let found = {
         let mut interesting = |program: &str| {
-            if error.is_some() || !is_whole(program) {
+            if error.is_some() || !is_whole(program) || (has_empty_statement(program) && !begins_empty) {
                 return Interestingness::Invalid;
             }
             let Some(smaller) = with_program(case, sign, program) else {
@@ -214,9 +215,17 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     facts
 }
 
+/// Returns whether a program has a statement that is a semicolon alone, which not every compiler accepts.
+fn has_empty_statement(program: &str) -> bool {
+    let before = [";", "END_VAR", "DO", "THEN", "ELSE", "REPEAT"];
+    let tokens = tokens(program);
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{is_whole, moved, without_marks};
+    use super::{has_empty_statement, is_whole, moved, without_marks};
     use stickler_run::Fact;
 
     #[test]
@@ -242,5 +251,11 @@ mod tests {
         assert!(!is_whole("PROGRAM p VAR x : INT; END_VAR END_PROGRAM"));
         assert!(!is_whole("PROGRAM p VAR END_VAR x := 1; END_PROGRAM"));
         assert!(!is_whole("PROGRAM p x := 1; END_PROGRAM"));
+        assert!(has_empty_statement(
+            "PROGRAM p VAR x : INT; END_VAR ; END_PROGRAM"
+        ));
+        assert!(!has_empty_statement(
+            "PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM"
+        ));
     }
 }

@@ -4,6 +4,9 @@ use crate::shape::{Types, shape, token_at};
 use crate::tokens::tokens;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 
+/// The number of words that are kept of a message.
+const MAX_WORDS: usize = 8;
+
 /// The properties by which two failing programs of the same shape are told apart.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Sign {
@@ -81,14 +84,19 @@ impl Sign {
     }
 }
 
-/// Returns the kind of token at the place of the diagnostic with this code.
+/// Returns the kind of token at the place of the diagnostic with this code; the first words of its message where it has no
+/// column.
 fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
-    let diagnostics = got.iter().filter_map(Fact::diagnostic);
-    let mut places = diagnostics.filter(|told| told.code.as_deref() == Some(code));
-    match places.next().map(|told| (told.line, told.column)) {
-        Some((Some(line), Some(column))) => token_at(program, line, column),
-        _ => String::new(),
+    let mut diagnostics = got.iter().filter_map(Fact::diagnostic);
+    let Some(told) = diagnostics.find(|told| told.code.as_deref() == Some(code)) else {
+        return String::new();
+    };
+    if let (Some(line), Some(column)) = (told.line, told.column) {
+        return token_at(program, line, column);
     }
+    let words = told.message.split_whitespace();
+    let plain = words.filter(|word| word.bytes().all(|byte| byte.is_ascii_lowercase()));
+    plain.take(MAX_WORDS).collect::<Vec<_>>().join(" ")
 }
 
 /// Returns how the first lines differ in which a rendered text is not the expected one.

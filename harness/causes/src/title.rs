@@ -19,7 +19,11 @@ pub(crate) fn title(smallest: &Smallest) -> String {
     let (expected, got) = (&deviation.expected[..], &deviation.got[..]);
     let line = |number: Option<u32>| {
         let line = number.and_then(|number| program.lines().nth(number.checked_sub(1)? as usize));
-        described(program, line.unwrap_or_else(|| last_statement(program)))
+        let is_told = |line: &&str| !line.trim_matches([' ', '\t', ';']).is_empty();
+        described(
+            program,
+            line.filter(is_told).unwrap_or_else(|| last_statement(program)),
+        )
     };
     let first = |facts: &[Fact]| {
         facts
