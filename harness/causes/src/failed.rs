@@ -4,7 +4,7 @@ use crate::shape::types_of;
 use crate::sign::Sign;
 use std::collections::BTreeMap;
 use stickler_engines::Reference;
-use stickler_run::{CaseEvent, Event, ExplainedCases, Grade, Verdict};
+use stickler_run::{CaseEvent, Event, ExplainedCases, Grade};
 
 /// The maximum number of groups; cases of further kinds are not explained.
 const MAX_GROUPS: usize = 4000;
@@ -52,12 +52,12 @@ impl FailedCases {
     }
 
     fn take_case(&mut self, case: &CaseEvent) {
-        // Only a case that did not come out as expected has a program; an unsupported case contradicts no document.
+        // Only a case that did not come out as expected has a program.
         let (Some(program), Some(&strict)) = (&case.program, self.strict.get(&case.engine)) else {
             return;
         };
         let verdict = case.actual_verdict();
-        if verdict == Verdict::Unsupported {
+        if !verdict.is_discrepancy() {
             return;
         }
         let sign = Sign::of(program, verdict, (&case.expected, &case.got), strict);

@@ -4,7 +4,7 @@ use crate::sign::Sign;
 use std::sync::Arc;
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, Fact, Grade, Symptom, Verdict, ask, ask_stored, judge};
+use stickler_run::{AnswerStore, Answers, Fact, Grade, Symptom, ask, ask_stored, judge};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
@@ -49,7 +49,7 @@ impl Questioner<'_> {
 
     fn judged(&self, case: &Case, answers: &Answers) -> Option<Deviation> {
         let judged = judge(case, answers, self.strict);
-        if matches!(judged.verdict, Verdict::Pass | Verdict::Unsupported) {
+        if !judged.verdict.is_discrepancy() {
             return None;
         }
         let facts = (&judged.expected[..], &judged.got[..]);

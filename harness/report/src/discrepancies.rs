@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use stickler_run::{CaseEvent, Cause, EngineHeader, Event, Grade, Symptom, Verdict};
+use stickler_run::{CaseEvent, Cause, EngineHeader, Event, Grade, Symptom};
 
 /// The name of the pages' folder in a folder of reports.
 pub(crate) const NAME: &str = "discrepancies";
@@ -81,8 +81,8 @@ impl Discrepancies {
     /// Adds one event.
     pub(crate) fn take(&mut self, event: &Event) {
         match event {
-            // Only a case that did not come out as expected has a program; an unsupported case contradicts no document.
-            Event::Case(case) if case.program.is_some() && case.actual_verdict() != Verdict::Unsupported => {
+            // Only a case that did not come out as expected has a program.
+            Event::Case(case) if case.program.is_some() && case.actual_verdict().is_discrepancy() => {
                 self.take_case(case);
             }
             Event::Header(header) => {

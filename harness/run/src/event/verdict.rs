@@ -74,6 +74,16 @@ impl Verdict {
             Verdict::Pass | Verdict::Differs | Verdict::Xfail | Verdict::Unsupported
         )
     }
+
+    /// Returns whether the engine did something else than the case expects. An engine that does not support a case did nothing,
+    /// and what came of an error is not known.
+    #[must_use]
+    pub const fn is_discrepancy(self) -> bool {
+        matches!(
+            self,
+            Verdict::Fail | Verdict::Differs | Verdict::Xfail | Verdict::Crash | Verdict::Timeout
+        )
+    }
 }
 
 impl fmt::Display for Verdict {
@@ -85,6 +95,15 @@ impl fmt::Display for Verdict {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_answer_that_could_not_be_read_is_no_discrepancy() {
+        let discrepancies = Verdict::ALL
+            .into_iter()
+            .filter(|verdict| verdict.is_discrepancy());
+        let words: Vec<&str> = discrepancies.map(Verdict::as_str).collect();
+        assert_eq!(words, ["fail", "differs", "xfail", "crash", "timeout"]);
+    }
 
     #[test]
     fn verdicts_have_one_spelling() {
