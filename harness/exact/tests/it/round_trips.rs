@@ -129,8 +129,15 @@ fn by_literals(text: &str, ty: ElementaryType) -> Value {
                 _ => parsed(&with_point),
             }
         }
+        Family::Date => moment(ty, literal::date(text)),
+        Family::TimeOfDay => moment(ty, literal::time_of_day(text)),
         _ => parsed(text),
     }
+}
+
+/// Returns the date or time of day that a literal stands for, and 0 where there is none.
+fn moment(ty: ElementaryType, nanoseconds: Result<i64, literal::LiteralError>) -> Value {
+    Value::plain(ty, nanoseconds.map_or(0, i64::cast_unsigned))
 }
 
 #[test]

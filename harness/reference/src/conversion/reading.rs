@@ -163,7 +163,13 @@ fn read_moment(text: &str, to: ElementaryType) -> u64 {
         Some(_) => return 0,
         None => text,
     };
-    plain(behind_prefix, to)
+    let nanoseconds = match to.family() {
+        Family::Duration => literal::duration(behind_prefix),
+        Family::Date => literal::date(behind_prefix),
+        Family::TimeOfDay => literal::time_of_day(behind_prefix),
+        _ => literal::date_and_time(behind_prefix),
+    };
+    nanoseconds.map_or(0, i64::cast_unsigned)
 }
 
 /// Reads the text behind a type's prefix with the one reader of typed literals.
