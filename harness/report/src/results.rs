@@ -5,7 +5,7 @@
 
 mod passed;
 
-use crate::claims::{Claims, Standing};
+use crate::claims::Standing;
 use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
@@ -71,7 +71,7 @@ impl Results {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        self.write(header, footer, &overview.claims, groups)
+        self.write(header, footer, overview, groups)
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
@@ -80,7 +80,7 @@ impl Results {
         &mut self,
         header: &Header,
         footer: &Footer,
-        claims: &Claims,
+        overview: &Overview,
         groups: &Groups,
     ) -> io::Result<()> {
         let out = &mut self.file;
@@ -96,7 +96,7 @@ impl Results {
         key(out, "defined", &header.defined)?;
         key(out, "sources", &header.sources)?;
         let mut list = List::default();
-        for claim in claims.iter() {
+        for claim in overview.claims.iter() {
             list.push(&ClaimResult {
                 engine: claim.engine,
                 source: claim.source,
@@ -105,6 +105,11 @@ impl Results {
             })?;
         }
         list.write(out, "claims")?;
+        let mut causes = List::default();
+        for cause in &overview.causes {
+            causes.push(cause)?;
+        }
+        causes.write(out, "causes")?;
         self.cases.write(out, "cases")?;
         self.passed.list(groups)?.write(out, "passed")?;
         self.passed.observations(groups)?.write(out, "observations")?;

@@ -12,12 +12,14 @@ use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, DefinedHeader, Totals};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
 const MAX_BYTES: usize = 900_000;
 
+/// The maximum number of causes that are shown.
+const MAX_SHOWN_CAUSES: usize = 100;
 /// The maximum number of failures that are shown.
 const MAX_SHOWN_FAILURES: usize = 100;
 /// The maximum number of lines that are shown of each text.
@@ -179,6 +181,7 @@ fn failures(overview: &Overview, page: &mut Page) {
     page.add(&format!(
         "\n## Not as expected\n\nA page for each cause is in `{NAME}/`, beside this file.\n"
     ));
+    causes(overview, page);
     let shown = overview.failures.iter().take(MAX_SHOWN_FAILURES);
     let tried = shown.len() as u64;
     page.left_out = 0;
@@ -190,6 +193,34 @@ fn failures(overview: &Overview, page: &mut Page) {
             page.text,
             "\n... and {rest} more; `events.jsonl` and `junit.xml` have them all.\n"
         );
+    }
+}
+
+/// Adds the causes that explain most of the cases that are not as expected, where causes were searched for.
+fn causes(overview: &Overview, page: &mut Page) {
+    let found = overview.causes.iter().filter(|cause| cause.unexpected() > 0);
+    let found: Vec<&Cause> = found.collect();
+    if found.is_empty() {
+        return;
+    }
+    page.add("\n| cases | cause | engine | claim |\n|--:|---|---|---|\n");
+    for cause in found.iter().take(MAX_SHOWN_CAUSES) {
+        page.add(&format!(
+            "| {} | {} | {} | {} |\n",
+            cause.unexpected(),
+            inline(&cause.title),
+            inline(&cause.engine),
+            inline(&cause.shown.basis)
+        ));
+    }
+    let rest = &found[found.len().min(MAX_SHOWN_CAUSES)..];
+    if !rest.is_empty() {
+        let cases: u64 = rest.iter().map(|cause| cause.unexpected()).sum();
+        page.add(&format!(
+            "\n{} more, of {}.\n",
+            counted(rest.len() as u64, "cause", "causes"),
+            counted(cases, "case", "cases")
+        ));
     }
 }
 
@@ -372,6 +403,21 @@ mod tests {
         let at = |part: &str| text.find(part).unwrap_or_else(|| panic!("no {part:?} in {text}"));
         assert!(at("## Cases") < at("## Where no document decides"));
         assert!(at("## Where no document decides") < at("## Not as expected"));
+    }
+
+    #[test]
+    fn the_causes_that_are_not_expected_stand_before_the_cases() {
+        let mut run = sample::run();
+        let causes = [("`a` gives 1", Verdict::Fail), ("known", Verdict::Xfail)];
+        let footer = run.len() - 1;
+        for (title, verdict) in causes {
+            run.insert(footer, Event::Cause(sample::cause(title, 7, verdict)));
+        }
+        let text = page(&run);
+        let row = "| 7 | \\`a\\` gives 1 | reference | ironplc-type-conversions: Integer widening |\n";
+        assert!(text.contains(row), "{text}");
+        assert!(!text.contains("known"), "{text}");
+        assert!(text.find(row) < text.find("### fail:"), "{text}");
     }
 
     #[test]
