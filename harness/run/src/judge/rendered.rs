@@ -6,7 +6,7 @@ use crate::{Fact, Rendering};
 use stickler_engines::Outcome;
 use stickler_suite::ExpectedText;
 
-/// Compares the bodies in the rendered text with the expected lines, but for blanks, which are the renderer's own, and requires that rendering again
+/// Compares the bodies in the rendered text with the expected lines, and requires that rendering again
 /// changes nothing and that the rendered program does what the program did.
 pub(super) fn compare(
     expected: &ExpectedText,
@@ -22,9 +22,9 @@ pub(super) fn compare(
     let wanted = expected
         .lines
         .iter()
-        .map(|line| without_blanks(line))
+        .map(|line| line.trim())
         .filter(|line| !line.is_empty());
-    findings.require(wanted.eq(bodies.iter().map(|line| without_blanks(line))));
+    findings.require(wanted.eq(bodies.iter().copied()));
     lines(bodies.into_iter())
         .into_iter()
         .for_each(|fact| findings.add(fact));
@@ -62,29 +62,6 @@ fn compare_again(text: &str, again: &Outcome, findings: &mut Findings) {
             findings.add(not_rendered(refusal, true));
         }
     }
-}
-
-/// Returns a line without the blanks that separate no two words, and with one where several did; a text in quotes stays as it is.
-fn without_blanks(line: &str) -> String {
-    let is_of_a_word = |character: char| character.is_alphanumeric() || matches!(character, '_' | '#');
-    let mut kept = String::with_capacity(line.len());
-    let mut quote = None;
-    let mut blank = false;
-    for character in line.trim().chars() {
-        if quote.is_none() && character.is_whitespace() {
-            blank = true;
-            continue;
-        }
-        if std::mem::take(&mut blank) && kept.ends_with(is_of_a_word) && is_of_a_word(character) {
-            kept.push(' ');
-        }
-        kept.push(character);
-        quote = match quote {
-            None => Some(character).filter(|character| matches!(character, '\'' | '"')),
-            Some(open) => Some(open).filter(|open| *open != character),
-        };
-    }
-    kept
 }
 
 /// Returns the lines as a fact; `None` where there is no line.

@@ -55,34 +55,6 @@ fn the_bodies_are_compared_line_by_line_and_trimmed() {
 }
 
 #[test]
-fn blanks_are_the_renderers_own_unless_they_part_words_or_stand_in_a_text() {
-    let verdict = |wanted: &str, rendered: &str| {
-        let expectation = Expectation {
-            rendered: Some(ExpectedText {
-                lines: vec![wanted.into()],
-                line: 8,
-            }),
-            ..Expectation::default()
-        };
-        let text = text(&TEXT.replace("r := w.3;", rendered));
-        let answers = Answers {
-            run: executed(&[]),
-            rendering: Some(Rendering {
-                first: text.clone(),
-                again: Some(text),
-                rerun: Some(executed(&[])),
-            }),
-        };
-        judge(&expecting(expectation), &answers, Grade::Code).verdict
-    };
-    assert_eq!(verdict("r := a + f(1, 2);", "r:=a+f( 1,2 ) ;"), Verdict::Pass);
-    assert_eq!(verdict("r := NOT  a;", "r := NOT a;"), Verdict::Pass);
-    assert_eq!(verdict("r := NOT a;", "r := NOTa;"), Verdict::Fail);
-    assert_eq!(verdict("s := 'a b';", "s := 'a  b';"), Verdict::Fail);
-    assert_eq!(verdict("s := ' a';", "s := 'a';"), Verdict::Fail);
-}
-
-#[test]
 fn rendering_again_must_change_nothing_not_even_outside_the_bodies() {
     let other = TEXT.replace("    VAR", "  VAR");
     let judgement = judged(executed(&[]), text(TEXT), text(&other), executed(&[]));
