@@ -1,26 +1,32 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{Case, SourceKind, Sources};
+use stickler_suite::{SourceKind, Sources};
+use stickler_types::DialectName;
 
-/// Returns whether the source of a case's expectation binds an engine.
+/// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
 ///
 /// The reference is bound by every source, and every engine by a standard. A rule of Stickler binds others only where
 /// `strict_rules` says so. Any other source binds the compilers that it names. An engine for which Stickler has no adapter is
 /// bound by the sources that speak for the dialects it lists, since its author declared that it follows them; so is every engine
 /// by what `stickler.toml` states about a dialect of its own.
 #[must_use]
-pub fn binds(case: &Case, engine: &Identity, sources: &Sources, strict_rules: bool) -> bool {
+pub fn binds(
+    (basis, dialect): (&str, DialectName),
+    engine: &Identity,
+    sources: &Sources,
+    strict_rules: bool,
+) -> bool {
     if engine.name == Reference::NAME {
         return true;
     }
-    let Some((source, _)) = sources.of(&case.basis) else {
+    let Some((source, _)) = sources.of(basis) else {
         return true;
     };
     match source.kind {
         SourceKind::Standard => true,
         SourceKind::Rule => strict_rules,
         _ if Compiler::from_name(&engine.name).is_some() => source.engines.contains(&engine.name),
-        _ => source.speaks_for(case.dialect) || source.speaks_for(case.dialect.base().name()),
+        _ => source.speaks_for(dialect) || source.speaks_for(dialect.base().name()),
     }
 }

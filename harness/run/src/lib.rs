@@ -37,7 +37,7 @@ pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
 pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};
-pub use judge::{Judgement, expected_facts, judge, rendered_bodies};
+pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
 pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, Summary};
 pub use schedule::{run, run_with};

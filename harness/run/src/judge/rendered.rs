@@ -64,6 +64,47 @@ fn compare_again(text: &str, again: &Outcome, findings: &mut Findings) {
     }
 }
 
+/// Returns whether what came differs from what was expected, and only in the blanks between the words and signs of rendered
+/// lines.
+#[must_use]
+pub fn differ_in_blanks_only(expected: &[Fact], got: &[Fact]) -> bool {
+    let alike = |(expected, got): (&Fact, &Fact)| match (expected, got) {
+        (Fact::Rendered { lines: expected }, Fact::Rendered { lines: got }) => {
+            let words = |lines: &[String]| -> Vec<String> {
+                let words = lines.iter().map(|line| without_blanks(line));
+                words.filter(|line| !line.is_empty()).collect()
+            };
+            words(expected) == words(got)
+        }
+        _ => expected == got,
+    };
+    expected != got && expected.len() == got.len() && expected.iter().zip(got).all(alike)
+}
+
+/// Returns a line without the blanks that separate no two words, and with one where several did; a text in quotes stays as it
+/// is.
+fn without_blanks(line: &str) -> String {
+    let is_of_a_word = |character: char| character.is_alphanumeric() || matches!(character, '_' | '#');
+    let mut kept = String::with_capacity(line.len());
+    let mut quote = None;
+    let mut blank = false;
+    for character in line.trim().chars() {
+        if quote.is_none() && character.is_whitespace() {
+            blank = true;
+            continue;
+        }
+        if std::mem::take(&mut blank) && kept.ends_with(is_of_a_word) && is_of_a_word(character) {
+            kept.push(' ');
+        }
+        kept.push(character);
+        quote = match quote {
+            None => Some(character).filter(|character| matches!(character, '\'' | '"')),
+            Some(open) => Some(open).filter(|open| *open != character),
+        };
+    }
+    kept
+}
+
 /// Returns the lines as a fact; `None` where there is no line.
 pub(super) fn lines<'l>(lines: impl Iterator<Item = &'l str>) -> Option<Fact> {
     let lines: Vec<String> = lines.map(str::to_owned).collect();

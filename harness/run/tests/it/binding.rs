@@ -2,9 +2,10 @@
 
 use crate::fixtures::{Puppet, executed, expecting, suite, timeless_run, values};
 use std::path::Path;
+use std::time::Duration;
 use stickler_engines::{Engine, Outcome};
-use stickler_run::{Baseline, EngineRun, Event, Plan, Verdict, bless};
-use stickler_suite::{Case, Sources, Suite};
+use stickler_run::{Answers, Baseline, CaseJudge, EngineRun, Event, Plan, Rendering, Verdict, bless};
+use stickler_suite::{Case, Expectation, ExpectedText, Sources, Suite};
 use stickler_types::DialectName;
 
 const RULE: &str = "rule: not-stated";
@@ -79,6 +80,55 @@ fn rules_bind_where_the_plan_says_so() {
     };
     assert_eq!(verdict(&plan, RULE, &wrong("ironplc")), Verdict::Fail);
     assert_eq!(verdict(&plan, IRONPLC, &wrong("strucpp")), Verdict::Differs);
+}
+
+#[test]
+fn blanks_of_a_rendered_line_are_a_rule_whatever_the_source() {
+    use Verdict::{Differs, Fail, Pass};
+    let verdict = |engine: &str, wanted: &str, rendered: &str| {
+        let expectation = Expectation {
+            rendered: Some(ExpectedText {
+                lines: vec![wanted.into()],
+                line: 8,
+            }),
+            ..Expectation::default()
+        };
+        let case = Case {
+            basis: IRONPLC.into(),
+            dialect: DialectName::IronplcEd3,
+            ..expecting(expectation)
+        };
+        let text = Outcome::Rendered {
+            text: format!("PROGRAM main\n{rendered}\nEND_PROGRAM\n"),
+        };
+        let answers = Answers {
+            run: executed(&[]),
+            rendering: Some(Rendering {
+                first: text.clone(),
+                again: Some(text),
+                rerun: Some(executed(&[])),
+            }),
+        };
+        let (plan, sources, puppet) = (Plan::default(), sources(), wrong(engine));
+        let judge = CaseJudge {
+            plan: &plan,
+            sources: &sources,
+            engine: puppet.identity(),
+            baseline: None,
+        };
+        judge.event(&case, &answers, Duration::ZERO).verdict
+    };
+    for (wanted, rendered, came) in [
+        ("r := a + f(1, 2);", "r := a + f(1, 2);", Pass),
+        ("r := a + f(1, 2);", "r:=a+f( 1,2 ) ;", Differs),
+        ("r := NOT  a;", "r := NOT a;", Differs),
+        ("r := NOT a;", "r := NOTa;", Fail),
+        ("s := 'a b';", "s := 'a  b';", Fail),
+        ("s := ' a';", "s := 'a';", Fail),
+    ] {
+        assert_eq!(verdict("ironplc", wanted, rendered), came, "{rendered}");
+    }
+    assert_eq!(verdict("reference", "r := a + b;", "r := a+b;"), Fail);
 }
 
 #[test]
