@@ -100,6 +100,17 @@ fn divides_by_zero(engine: &dyn Engine) {
     );
 }
 
+/// Checks that variables of an alias and of a subrange type are read.
+fn reads_derived_types(engine: &dyn Engine) {
+    let source = "TYPE LENGTH : INT; PERCENT : INT (0..100); END_TYPE\n\
+                  PROGRAM main\nVAR\n    l : LENGTH;\n    p : PERCENT;\nEND_VAR\n    l := -5;\n    p := 6;\nEND_PROGRAM\n";
+    let observe = [("l", "INT", None), ("p", "INT", None)];
+    assert_eq!(
+        values(ask(engine, source, &observe, 1)),
+        ["l = INT#-5", "p = INT#6"]
+    );
+}
+
 /// Programs with every kind of outcome, some of which declare the same names.
 const COMPANY: [&str; 12] = [
     "TYPE COLOR : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR c : COLOR; n : INT; END_VAR\n    c := GREEN;\n    \
@@ -225,6 +236,7 @@ fn matiec_behaves() {
     };
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
+    reads_derived_types(engine.as_ref());
 }
 
 #[test]
@@ -234,6 +246,7 @@ fn rusty_behaves() {
     };
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
+    reads_derived_types(engine.as_ref());
 }
 
 #[test]
@@ -250,6 +263,7 @@ fn strucpp_behaves() {
     };
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
+    reads_derived_types(engine.as_ref());
 }
 
 #[test]

@@ -1,7 +1,8 @@
 //! Writes the C++ program that runs a translated program and prints its observed values.
 //!
 //! Basis: strucpp: the C++ that it writes, and its run-time headers: a class for each program, its variables in upper case,
-//! each with `get`; durations and times of day are nanoseconds, dates days, both together nanoseconds.
+//! each with `get` but those of an alias or a subrange type; durations and times of day are nanoseconds, dates days, both together
+//! nanoseconds.
 
 use crate::RunRequest;
 use crate::adapters::driver::{self, DrivenProgram, Driver};
@@ -38,6 +39,12 @@ pub(super) const HEADER: &str = "\
 #include <string>
 ";
 
+/// The C++ functions that read a variable: a class with `get`, or where its type is an alias or a subrange, a plain value.
+pub(super) const VALUE_OF: &str = "\
+template<class T> static auto value_of(const T &variable, int) -> decltype(variable.get()) { return variable.get(); }
+template<class T> static T value_of(const T &variable, long) { return variable; }
+";
+
 /// The C++ functions that print values, one for each printed form.
 const PRINTERS: &str = "\
 template<class T> static void print_bits(int number, T value) {
@@ -69,7 +76,7 @@ pub(super) struct Subject<'r> {
 /// # Errors
 /// A fragment that says what cannot be observed or set.
 pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String> {
-    let mut text = format!("#include \"stickler.hpp\"\n{PRINTERS}");
+    let mut text = format!("#include \"stickler.hpp\"\n{VALUE_OF}{PRINTERS}");
     let mut driven = Vec::with_capacity(subjects.len());
     for (number, subject) in subjects.iter().enumerate() {
         let kinds = kinds(&subject.request)?;
@@ -162,7 +169,7 @@ pub(super) fn instance(source: &str, program: &str) -> String {
 
 /// Returns the C++ expression for the value of a variable of the program.
 pub(super) fn place(variable: &str) -> String {
-    format!("program.{}.get()", variable.to_ascii_uppercase())
+    format!("value_of(program.{}, 0)", variable.to_ascii_uppercase())
 }
 
 /// Returns the statements before scans, which advance the clock, each with the number of its scan.
@@ -253,8 +260,8 @@ mod tests {
         let driver = driver(&[&subject]).unwrap();
         for line in [
             "static strucpp::Program_MAIN program;",
-            "if (scan == 0UL) print_text(3, program.S.get());",
-            "if (scan == 0UL) print_bits(6, program.STICKLER_PROBE_0.get());",
+            "if (scan == 0UL) print_text(3, value_of(program.S, 0));",
+            "if (scan == 0UL) print_bits(6, value_of(program.STICKLER_PROBE_0, 0));",
             "if (scan == 2UL) strucpp::__CURRENT_TIME_NS = 5LL;",
         ] {
             assert!(driver.text.contains(line), "{line}\n{}", driver.text);

@@ -1,6 +1,6 @@
 //! Writes what a person needs to run a program with the command line of STruC++ and a C++ compiler alone.
 
-use super::driver::{before, instance, kinds, place};
+use super::driver::{VALUE_OF, before, instance, kinds, place};
 use super::{COMPILER, DIALECT, NODE};
 use crate::adapters::builder::{CXX, Language};
 use crate::adapters::printed::Kind;
@@ -84,7 +84,7 @@ fn text(
     }
     .text();
     Ok(format!(
-        "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\n{}\n{}{text}",
+        "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\n{}\n{VALUE_OF}{}{text}",
         instance(request.source, &main.name),
         readable::functions(&text)
     ))
@@ -145,15 +145,15 @@ mod tests {
         for line in [
             "static strucpp::Program_MAIN program;",
             "for (unsigned scan = 1; scan <= 2; scan++) {",
-            "printf(\"i = %d\\n\", (int)program.I.get());",
-            "printf(\"u = %u\\n\", (unsigned)program.U.get());",
-            "printf(\"w = 16#%04X\\n\", (unsigned)program.W.get());",
-            "printf(\"r = %.17g\\n\", (double)program.R.get());",
-            "printf(\"t = %lld ns\\n\", (long long)program.T.get());",
-            "print_date(\"d\", \"%Y-%m-%d\", program.D.get() * 86400LL, 0);",
-            "print_date(\"o\", \"%H:%M:%S\", program.O.get() / 1000000000, program.O.get() % 1000000000);",
-            "at < program.S.get().length(); at++) print_character((unsigned char)program.S.get()[at]);",
-            "printf(\"l[1] = 16#%02X\\n\", (unsigned)program.STICKLER_PROBE_0.get());",
+            "printf(\"i = %d\\n\", (int)value_of(program.I, 0));",
+            "printf(\"u = %u\\n\", (unsigned)value_of(program.U, 0));",
+            "printf(\"w = 16#%04X\\n\", (unsigned)value_of(program.W, 0));",
+            "printf(\"r = %.17g\\n\", (double)value_of(program.R, 0));",
+            "printf(\"t = %lld ns\\n\", (long long)value_of(program.T, 0));",
+            "print_date(\"d\", \"%Y-%m-%d\", value_of(program.D, 0) * 86400LL, 0);",
+            "print_date(\"o\", \"%H:%M:%S\", value_of(program.O, 0) / 1000000000, value_of(program.O, 0) % 1000000000);",
+            "at < value_of(program.S, 0).length(); at++) print_character((unsigned char)value_of(program.S, 0)[at]);",
+            "printf(\"l[1] = 16#%02X\\n\", (unsigned)value_of(program.STICKLER_PROBE_0, 0));",
             "static void print_character(",
             "static void print_date(",
         ] {
