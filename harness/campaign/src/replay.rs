@@ -83,7 +83,7 @@ fn again(
 fn not_rejected_so(outcome: &Outcome, code: &str, line: u32) -> Option<String> {
     let must = format!("expected {code} on line {line} and nothing else");
     match outcome {
-        Outcome::Unsupported { .. } => None,
+        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => None,
         Outcome::Rejected { diagnostics } => match &diagnostics[..] {
             // A foreign engine may have neither our codes nor lines; what it does not tell contradicts nothing.
             [one]

@@ -4,8 +4,9 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
+use crate::operations::operations;
 use crate::reduction::Smallest;
-use crate::shape::{function, number, own_functions, text};
+use crate::shape::{number, own_functions, text};
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Symptom};
@@ -33,6 +34,10 @@ impl Essence {
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
+            Symptom::NotImplemented(words) => {
+                let class = format!("not implemented {words}");
+                (class, program.of_rejection(), true)
+            }
             Symptom::OtherCode { code, told } => (format!("{code} as {told}"), program.of_mistake(), false),
             Symptom::Value | Symptom::Missing => {
                 let (features, converts) = program.of_value();
@@ -221,58 +226,6 @@ fn place_of(tokens: &[Token<'_>], line: Option<u32>) -> &'static str {
         };
     }
     place
-}
-
-/// Returns the operators, functions and statements among these tokens; an assignment and a field are none.
-fn operations(tokens: &[Token<'_>], own: &BTreeSet<String>) -> BTreeSet<String> {
-    let mut found = BTreeSet::new();
-    for (at, token) in tokens.iter().enumerate() {
-        let next = tokens.get(at + 1);
-        let upper = token.text.to_ascii_uppercase();
-        let operation = match token.kind {
-            TokenKind::Sign => sign(
-                token,
-                at.checked_sub(1).and_then(|before| tokens.get(before)),
-                next,
-            ),
-            TokenKind::Word => match upper.as_str() {
-                "MOD" => Some("arithmetic"),
-                "AND" | "OR" | "XOR" | "NOT" => Some("bitwise operator"),
-                "IF" | "ELSIF" | "CASE" | "FOR" | "WHILE" | "UNTIL" => Some("condition"),
-                _ if next.is_some_and(|next| next.text == "(") => {
-                    let is_own = own.contains(&upper);
-                    found.insert(if is_own {
-                        "call".to_owned()
-                    } else {
-                        function(&upper)
-                    });
-                    None
-                }
-                _ => None,
-            },
-            _ => None,
-        };
-        found.extend(operation.map(str::to_owned));
-    }
-    found
-}
-
-/// Returns the operation of a sign, by the tokens around it.
-fn sign(token: &Token<'_>, before: Option<&Token<'_>>, next: Option<&Token<'_>>) -> Option<&'static str> {
-    let is_operand = |token: &Token<'_>| token.kind != TokenKind::Sign || matches!(token.text, ")" | "]");
-    match token.text {
-        "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
-        "*" | "/" => Some("arithmetic"),
-        "**" => Some("power"),
-        "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),
-        "&" => Some("bitwise operator"),
-        "=>" => Some("output argument"),
-        "[" => Some("subscript or list"),
-        "." => next
-            .is_some_and(|next| matches!(next.kind, TokenKind::Number | TokenKind::Partial))
-            .then_some("bit access"),
-        _ => None,
-    }
 }
 
 /// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.

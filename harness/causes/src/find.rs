@@ -11,7 +11,8 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction};
 use stickler_run::{
-    AnswerStore, CaseEvent, Cause, Fact, Plan, Reduced, RunError, Symptom, Verdict, Witness, shown_by,
+    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Plan, Reduced, RunError, Symptom, Verdict, Witness,
+    shown_by,
 };
 use stickler_suite::{Case, SourceKind, Sources, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
@@ -156,11 +157,16 @@ struct Asking<'r> {
 impl Asking<'_> {
     /// Reduces the programs of these cases, each with at most so many questions.
     fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<Smallest>, RunError> {
-        let strict = self.search.plan.strict(self.engine.identity());
+        let judge = CaseJudge {
+            plan: self.search.plan,
+            sources: &self.search.suite.sources,
+            engine: self.engine.identity(),
+            baseline: None,
+        };
         let open = || {
             Ok::<_, RunError>(Questioner {
                 session: EngineSession::new(self.engine),
-                strict,
+                judge,
                 store: self.store,
             })
         };

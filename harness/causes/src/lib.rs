@@ -17,6 +17,7 @@
 mod essence;
 mod failed;
 mod find;
+mod operations;
 mod question;
 mod reduction;
 mod shape;

@@ -4,17 +4,18 @@ use crate::sign::Sign;
 use std::sync::Arc;
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, Fact, Grade, Symptom, ask, ask_stored, judge};
+use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, ask, ask_stored};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
 
-/// An engine with the strictness by which it is judged.
+/// An engine with the judge of its cases.
 pub(crate) struct Questioner<'e> {
     pub(crate) session: EngineSession<'e>,
-    pub(crate) strict: Grade,
+    /// The judge of the run, so that a smaller program is judged like a case.
+    pub(crate) judge: CaseJudge<'e>,
     /// The answers of earlier runs.
     pub(crate) store: Option<&'e dyn AnswerStore>,
 }
@@ -48,13 +49,14 @@ impl Questioner<'_> {
     }
 
     fn judged(&self, case: &Case, answers: &Answers) -> Option<Deviation> {
-        let judged = judge(case, answers, self.strict);
+        let judged = self.judge.judgement(case, answers);
         if !judged.verdict.is_discrepancy() {
             return None;
         }
         let facts = (&judged.expected[..], &judged.got[..]);
+        let strict = self.judge.plan.needed(self.judge.engine, case);
         Some(Deviation {
-            sign: Sign::of(&case.source, judged.verdict, facts, self.strict),
+            sign: Sign::of(&case.source, judged.verdict, facts, strict),
             expected: judged.expected,
             got: judged.got,
         })
@@ -124,7 +126,10 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
 
 /// Returns what must happen with a program that is accepted: where values count, those that the whole program must have too.
 fn accepted(whole: &Expectation, symptom: &Symptom, values: &[NamedValue]) -> Option<Expectation> {
-    if matches!(symptom, Symptom::Rejected(_) | Symptom::Crash(_)) {
+    if matches!(
+        symptom,
+        Symptom::Rejected(_) | Symptom::NotImplemented(_) | Symptom::Crash(_)
+    ) {
         return Some(Expectation::default());
     }
     let is_kept = |expected: &&stickler_suite::ExpectedValue| {

@@ -1,5 +1,6 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
+use crate::operations::operations_of;
 use crate::shape::{Types, shape, token_at};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 
@@ -10,8 +11,8 @@ const MAX_WORDS: usize = 8;
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Sign {
     pub(crate) symptom: Symptom,
-    /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; how
-    /// the first differing lines differ, for a rendered text.
+    /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; the
+    /// operations of a program of which something is not implemented; how the first differing lines differ, for a rendered text.
     pub(crate) at: String,
 }
 
@@ -27,6 +28,8 @@ impl Sign {
             {
                 token_of(program, reason, facts.1)
             }
+            // The document speaks of all these together.
+            Symptom::NotImplemented(_) => operations_of(program),
             Symptom::Text => difference(facts),
             _ => String::new(),
         };

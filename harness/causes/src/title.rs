@@ -40,6 +40,7 @@ pub(crate) fn title(smallest: &Smallest) -> String {
             format!("{} is accepted, not rejected{}", line(wanted.line), with(code))
         }
         Symptom::Rejected(_) => format!("{} is rejected: {}", line(told.line), said(&told)),
+        Symptom::NotImplemented(_) => format!("{} is {}", line(None), clipped(&Fact::text(got))),
         Symptom::OtherCode { code, .. } => {
             format!(
                 "{} is rejected, but not with {code}: {}",

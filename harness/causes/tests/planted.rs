@@ -1,5 +1,6 @@
 //! Finds the defects that are planted in an engine, each of which many cases of several tables and dialects show.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
@@ -19,6 +20,8 @@ struct Defective {
     asked: AtomicU64,
     /// Every so many programs are rejected, whatever they are; 0 stands for none.
     rejects_every: u64,
+    /// The operator that it does not implement.
+    lacks: Option<&'static str>,
 }
 
 impl Defective {
@@ -64,6 +67,14 @@ impl Session for Compiling<'_> {
         };
         if self.0.rejects_every > 0 && number.is_multiple_of(self.0.rejects_every) {
             return rejected(1, "the dice said no");
+        }
+        if self
+            .0
+            .lacks
+            .is_some_and(|operator| request.source.contains(operator))
+        {
+            let reason = "no such operator yet".to_owned();
+            return Outcome::NotImplemented { reason };
         }
         let lines = || request.source.lines().zip(1..);
         if let Some((_, line)) = lines().find(|(line, _)| line.contains("E300") || line.contains("E250")) {
@@ -184,22 +195,23 @@ fn suite() -> Suite {
     suite
 }
 
-fn causes(engine: &Defective, jobs: usize, limits: Limits) -> Vec<Cause> {
-    let (suite, plan) = (
-        suite(),
-        Plan {
-            jobs,
-            ..Plan::default()
-        },
-    );
+fn causes(engine: &dyn Engine, jobs: usize, limits: Limits) -> Vec<Cause> {
+    causes_of(&suite(), engine, jobs, limits)
+}
+
+fn causes_of(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: Limits) -> Vec<Cause> {
+    let plan = Plan {
+        jobs,
+        ..Plan::default()
+    };
     let cancel = Cancellation::new();
     let mut failed = FailedCases::default();
     let engines: [&dyn Engine; 1] = [engine];
     let mut sink = |event: Event| failed.take(&event);
-    run(&plan, &suite, &engines, &mut sink, &cancel).expect("a run");
+    run(&plan, suite, &engines, &mut sink, &cancel).expect("a run");
     let search = Search {
         plan: &plan,
-        suite: &suite,
+        suite,
         engines: &engines,
         stores: &[],
         limits,
@@ -294,4 +306,41 @@ fn what_comes_by_chance_is_told_as_such() {
         .expect("a cause");
     let repeats = chance.flaky.expect("it does not come each time");
     assert!(repeats.seen < repeats.of, "{repeats:?}");
+}
+
+#[test]
+fn a_construct_that_a_document_promises_and_that_is_not_implemented_is_a_cause_with_the_smallest_program() {
+    let mut engine = Defective {
+        lacks: Some(" MOD "),
+        ..Defective::new(0)
+    };
+    // Of a compiler with an adapter, Stickler's own sources say which of them speak for it.
+    engine.identity.as_mut().expect("made by new").name = "ironplc".to_owned();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let mut suite = Suite::load_files(&folder, &[], |_, _| false);
+    for (id, basis) in [
+        ("language/mod::promised", "ironplc-standard-functions: mod"),
+        ("language/mod::not-promised", "iec-61131-3: Table 29"),
+    ] {
+        let program = assigning("INT", "7", "INT").replace("data;", "data MOD 4;");
+        let cases = case(id, &program, "into = INT#3").into_iter();
+        suite.cases.extend(cases.map(|case| Case {
+            basis: basis.into(),
+            ..case
+        }));
+    }
+    let found = causes_of(&suite, &engine, 1, Limits::default());
+    assert_eq!(found.len(), 1, "{found:?}");
+    let cause = &found[0];
+    assert_eq!(cause.number(), 2);
+    assert!(
+        cause
+            .cases
+            .iter()
+            .all(|some| some.probe == "language/mod::promised")
+    );
+    let promised = "(into : INT) is not implemented, though promised by ironplc-standard-functions: mod: no such operator yet";
+    assert!(cause.title.ends_with(promised), "{}", cause.title);
+    assert_eq!(cause.reduction, Reduced::Smallest);
+    assert!(!cause.shown.program.contains("other"), "{}", cause.shown.program);
 }

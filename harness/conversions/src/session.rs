@@ -145,7 +145,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
     let (kind, detail) = match outcome {
         Outcome::Executed { values } => return in_order(values, program),
         Outcome::Accepted => (Unsupported, "it accepts programs and executes none".to_owned()),
-        Outcome::Unsupported { reason } => (Unsupported, reason),
+        Outcome::Unsupported { reason } | Outcome::NotImplemented { reason } => (Unsupported, reason),
         Outcome::Rejected { diagnostics } => (Rejected, first_message(&diagnostics)),
         Outcome::Faulted { fault, .. } if fault == Fault::StepLimit => {
             (TooManySteps, fault.as_str().to_owned())

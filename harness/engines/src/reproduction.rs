@@ -60,7 +60,7 @@ impl From<String> for NoReproduction {
 impl From<Outcome> for NoReproduction {
     fn from(outcome: Outcome) -> NoReproduction {
         NoReproduction::Unsupported(match outcome {
-            Outcome::Unsupported { reason } => reason,
+            Outcome::Unsupported { reason } | Outcome::NotImplemented { reason } => reason,
             other => other.to_string(),
         })
     }

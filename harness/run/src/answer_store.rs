@@ -110,6 +110,8 @@ enum StoredOutcome {
     Faulted(String, Option<u32>, Vec<(String, String)>),
     Rendered(String),
     Unsupported(String),
+    #[serde(rename = "not-implemented")]
+    NotImplemented(String),
 }
 
 impl StoredAnswers {
@@ -174,6 +176,7 @@ impl StoredOutcome {
             }
             Outcome::Rendered { text } => StoredOutcome::Rendered(text.clone()),
             Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason.clone()),
+            Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason.clone()),
             Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => return None,
         })
     }
@@ -193,6 +196,7 @@ impl StoredOutcome {
             },
             StoredOutcome::Rendered(text) => Outcome::Rendered { text },
             StoredOutcome::Unsupported(reason) => Outcome::Unsupported { reason },
+            StoredOutcome::NotImplemented(reason) => Outcome::NotImplemented { reason },
         })
     }
 }
@@ -244,6 +248,9 @@ mod tests {
             },
             Outcome::Unsupported {
                 reason: "no clock".to_owned(),
+            },
+            Outcome::NotImplemented {
+                reason: "no CASE yet".to_owned(),
             },
         ];
         for run in outcomes {

@@ -1,7 +1,7 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{SourceKind, Sources};
+use stickler_suite::{Acceptance, Case, SourceKind, Sources};
 use stickler_types::DialectName;
 
 /// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
@@ -29,4 +29,22 @@ pub fn binds(
         _ if Compiler::from_name(&engine.name).is_some() => source.engines.contains(&engine.name),
         _ => source.speaks_for(dialect) || source.speaks_for(dialect.base().name()),
     }
+}
+
+/// Returns whether a document promises an engine that it accepts the program of a case, so that it fails the case where it does not
+/// implement a construct of the program.
+///
+/// Only a document promises: the standard asks of no compiler to have every construct, a measurement tells what a compiler does,
+/// and rules are Stickler's own, that of cases which assert nothing among them. What `stickler.toml` states about a dialect of its
+/// own counts as a document. Nothing is promised where the program must be rejected or its acceptance is open, and of a rendered
+/// text no document promises that its program runs.
+#[must_use]
+pub fn promises(case: &Case, engine: &Identity, sources: &Sources) -> bool {
+    let expectation = &*case.expectation;
+    if expectation.accepted != Acceptance::Required || expectation.rendered.is_some() {
+        return false;
+    }
+    let source = sources.of(&case.basis);
+    source.is_none_or(|(source, _)| source.kind == SourceKind::Document)
+        && binds((&case.basis, case.dialect), engine, sources, false)
 }

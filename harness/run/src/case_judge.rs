@@ -2,7 +2,7 @@
 
 use crate::event::CaseEvent;
 use crate::judge::{differ_in_blanks_only, judge};
-use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds};
+use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::{Case, Sources};
@@ -61,24 +61,29 @@ impl CaseJudge<'_> {
     }
 
     /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
-    /// failure.
-    fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
-        let judgement = judge(case, answers, self.plan.needed(self.engine, case));
-        let binds = || {
-            let basis = match differ_in_blanks_only(&judgement.expected, &judgement.got) {
-                true => RENDERING,
-                false => &case.basis,
-            };
-            let claim = (basis, case.dialect);
-            binds(claim, self.engine, self.sources, self.plan.strict_rules)
-        };
-        match judgement.verdict {
-            Verdict::Fail if !binds() => Judgement {
-                verdict: Verdict::Differs,
-                ..judgement
-            },
-            _ => judgement,
+    /// failure; a construct that is not implemented is one where a document promises it.
+    #[must_use]
+    pub fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
+        let mut judgement = judge(case, answers, self.plan.needed(self.engine, case));
+        if judgement.verdict == Verdict::Fail && !self.binds(case, &judgement) {
+            judgement.verdict = Verdict::Differs;
+        } else if let [Fact::NotImplemented { promised_by, .. }] = &mut judgement.got[..]
+            && promises(case, self.engine, self.sources)
+        {
+            *promised_by = Some(case.basis.to_string());
+            judgement.verdict = Verdict::Fail;
         }
+        judgement
+    }
+
+    /// Returns whether the basis of what was missed binds the engine.
+    fn binds(&self, case: &Case, missed: &Judgement) -> bool {
+        let basis = match differ_in_blanks_only(&missed.expected, &missed.got) {
+            true => RENDERING,
+            false => &case.basis,
+        };
+        let claim = (basis, case.dialect);
+        binds(claim, self.engine, self.sources, self.plan.strict_rules)
     }
 }
 

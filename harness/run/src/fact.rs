@@ -83,6 +83,14 @@ pub enum Fact {
         /// The engine's reason, as a fragment.
         reason: String,
     },
+    /// The compiler states that it does not implement a construct of the program.
+    NotImplemented {
+        /// The compiler's message, as a fragment.
+        reason: String,
+        /// The basis of the case, where it is a document that promises the construct of this compiler.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        promised_by: Option<String>,
+    },
     /// The engine crashed.
     Crashed {
         /// The signal, exit code or message that is known of the crash, as a fragment.
@@ -154,6 +162,7 @@ impl Fact {
             }
             | Fact::RenderedOtherwise { text, .. }
             | Fact::Unsupported { reason: text }
+            | Fact::NotImplemented { reason: text, .. }
             | Fact::Crashed { reason: text }
             | Fact::Error { message: text } => text,
             _ => return,
@@ -202,6 +211,13 @@ impl fmt::Display for Fact {
             }
             Fact::RenderedMeansOther => f.write_str("the rendered program does something else"),
             Fact::Unsupported { reason } => write!(f, "unsupported: {}", OneLine(reason)),
+            Fact::NotImplemented { reason, promised_by } => {
+                f.write_str("not implemented")?;
+                if let Some(basis) = promised_by {
+                    write!(f, ", though promised by {}", OneLine(basis))?;
+                }
+                write!(f, ": {}", OneLine(reason))
+            }
             Fact::Crashed { reason } => write!(f, "crashed: {}", OneLine(reason)),
             Fact::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
             Fact::Error { message } => write!(f, "error: {}", OneLine(message)),
@@ -329,6 +345,20 @@ mod tests {
                 "the rendered program does something else",
             ),
             (Fact::Unsupported { reason: reason() }, "unsupported: a b"),
+            (
+                Fact::NotImplemented {
+                    reason: reason(),
+                    promised_by: None,
+                },
+                "not implemented: a b",
+            ),
+            (
+                Fact::NotImplemented {
+                    reason: reason(),
+                    promised_by: Some("docs: Arrays".to_owned()),
+                },
+                "not implemented, though promised by docs: Arrays: a b",
+            ),
             (Fact::Crashed { reason: reason() }, "crashed: a b"),
             (Fact::TimedOut { after_ms: 1500 }, "no answer within 1.5 s"),
             (

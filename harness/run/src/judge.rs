@@ -89,6 +89,11 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
             let reason = reason.clone();
             (Verdict::Unsupported, Fact::Unsupported { reason })
         }
+        Outcome::NotImplemented { reason } => {
+            let reason = reason.clone();
+            let promised_by = None;
+            (Verdict::Unsupported, Fact::NotImplemented { reason, promised_by })
+        }
         Outcome::Crashed { reason } => {
             let reason = reason.clone();
             (Verdict::Crash, Fact::Crashed { reason })

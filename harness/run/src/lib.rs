@@ -28,7 +28,7 @@ pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
 };
-pub use binding::binds;
+pub use binding::{binds, promises};
 pub use case_judge::CaseJudge;
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};

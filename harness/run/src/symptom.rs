@@ -20,6 +20,8 @@ pub enum Symptom {
     /// The engine rejects a program that must be accepted; holds its code or normalized message, or nothing where it gave
     /// neither.
     Rejected(String),
+    /// The engine does not implement a construct that a document promises; holds its normalized message.
+    NotImplemented(String),
     /// The engine accepts a program that must be rejected; holds the expected code, or nothing where any will do.
     NotRejected(String),
     /// The engine rejects the program for another reason.
@@ -70,6 +72,9 @@ impl Symptom {
             Verdict::Error => return Symptom::Error(error(got)),
             _ => {}
         }
+        if let Some(words) = not_implemented(got) {
+            return Symptom::NotImplemented(words);
+        }
         let is_missing = |fact: &Fact| matches!(fact, Fact::MissingValue { .. });
         match (rejects(expected), rejects(got)) {
             (true, true) => rejection(&diagnostics(expected), &diagnostics(got), strict),
@@ -105,6 +110,7 @@ impl Symptom {
             Symptom::Hang => ("hang", ""),
             Symptom::Error(_) => ("error", ""),
             Symptom::Rejected(reason) => ("rejected", reason),
+            Symptom::NotImplemented(_) => ("not-implemented", ""),
             Symptom::NotRejected(code) => ("not-rejected", code),
             Symptom::OtherCode { code, .. } => ("not", code),
             Symptom::NoPlace(code) => ("no-place-of", code),
@@ -141,6 +147,9 @@ impl fmt::Display for Symptom {
             Symptom::Hang => f.write_str("it gives no answer"),
             Symptom::Error(words) => write!(f, "its answer makes no sense{}", in_brackets(words)),
             Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", in_brackets(reason)),
+            Symptom::NotImplemented(words) => {
+                write!(f, "it does not implement what is promised{}", in_brackets(words))
+            }
             Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", in_brackets(code)),
             Symptom::OtherCode { code, told } => {
                 write!(
@@ -204,6 +213,14 @@ fn crash(got: &[Fact]) -> String {
         _ => None,
     });
     reason.unwrap_or_default()
+}
+
+/// Returns the normalized message of a construct that is not implemented; `None` where that is not what the engine said.
+fn not_implemented(got: &[Fact]) -> Option<String> {
+    got.iter().find_map(|fact| match fact {
+        Fact::NotImplemented { reason, .. } => Some(normalize_message(reason)),
+        _ => None,
+    })
 }
 
 /// Returns the normalized description of an invalid answer.

@@ -42,6 +42,11 @@ pub enum Outcome {
         /// The reason, as a fragment.
         reason: String,
     },
+    /// The compiler reports that it does not implement a construct of the program.
+    NotImplemented {
+        /// The compiler's own message, as a fragment.
+        reason: String,
+    },
     /// The engine died, or panicked.
     Crashed {
         /// The known circumstances, as a fragment.
@@ -88,6 +93,7 @@ impl fmt::Display for Outcome {
             }
             Outcome::Rendered { .. } => f.write_str("rendered"),
             Outcome::Unsupported { reason } => write!(f, "unsupported: {reason}"),
+            Outcome::NotImplemented { reason } => write!(f, "not implemented: {reason}"),
             Outcome::Crashed { reason } => write!(f, "crashed: {reason}"),
             Outcome::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
             Outcome::Error { message } => write!(f, "error: {message}"),

@@ -64,7 +64,7 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
         ..
     } = question;
     match outcome {
-        Outcome::Unsupported { .. } => Agreement::Unsupported,
+        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => Agreement::Unsupported,
         Outcome::Accepted => Agreement::Agrees,
         Outcome::Executed { values } if binds => values_agree(expected, values),
         Outcome::Rejected { diagnostics } if binds => rejected(diagnostics),

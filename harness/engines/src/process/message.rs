@@ -94,7 +94,10 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
         (Reply::Rejected(reply), _) => Ok(Outcome::Rejected {
             diagnostics: reply.diagnostics,
         }),
-        (Reply::Unsupported(reply), _) => Ok(Outcome::Unsupported { reason: reply.reason }),
+        (Reply::Unsupported(reply), _) => Ok(match reply.not_implemented {
+            true => Outcome::NotImplemented { reason: reply.reason },
+            false => Outcome::Unsupported { reason: reply.reason },
+        }),
         (Reply::Error(reply), _) => Ok(Outcome::Error {
             message: reply.message,
         }),
@@ -179,6 +182,20 @@ mod tests {
         for (line, part) in replies {
             let reason = outcome(line, 3, Verb::Run, &[observation("a")]).unwrap_err();
             assert!(reason.contains(part), "{reason}");
+        }
+    }
+
+    #[test]
+    fn only_the_key_tells_that_a_construct_is_not_implemented() {
+        let of = |key: &str| {
+            let line = format!(r#"{{"type":"unsupported","id":3,"reason":"no"{key}}}"#);
+            outcome(line.as_bytes(), 3, Verb::Run, &[])
+        };
+        let reason = || "no".to_owned();
+        let not_implemented = Outcome::NotImplemented { reason: reason() };
+        assert_eq!(of(r#","not_implemented":true"#), Ok(not_implemented));
+        for key in ["", r#","not_implemented":false"#] {
+            assert_eq!(of(key), Ok(Outcome::Unsupported { reason: reason() }));
         }
     }
 

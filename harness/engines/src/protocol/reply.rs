@@ -111,6 +111,10 @@ pub struct UnsupportedReply {
     pub id: u64,
     /// The reason, as a fragment.
     pub reason: String,
+    /// Whether it is the compiler that reports a construct of the program as not implemented. Such an answer fails a case where
+    /// a document of the compiler promises the construct.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub not_implemented: bool,
 }
 
 /// A request that the engine did not understand.
@@ -130,6 +134,14 @@ impl Reply {
         Reply::Error(ErrorReply {
             id,
             message: message.into(),
+        })
+    }
+
+    fn unsupported(id: u64, reason: String, not_implemented: bool) -> Reply {
+        Reply::Unsupported(UnsupportedReply {
+            id,
+            reason,
+            not_implemented,
         })
     }
 
@@ -181,7 +193,8 @@ impl Reply {
                 values: literals(values),
             }),
             Outcome::Rendered { text } => Reply::Rendered(RenderedReply { id, text }),
-            Outcome::Unsupported { reason } => Reply::Unsupported(UnsupportedReply { id, reason }),
+            Outcome::Unsupported { reason } => Reply::unsupported(id, reason, false),
+            Outcome::NotImplemented { reason } => Reply::unsupported(id, reason, true),
             Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
             Outcome::TimedOut { .. } => Reply::error(Some(id), outcome.to_string()),
             Outcome::Error { message } => Reply::error(Some(id), message),

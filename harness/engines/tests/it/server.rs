@@ -55,8 +55,10 @@ impl Session for Perch {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        Outcome::Unsupported {
-            reason: format!("{dialect} {source}"),
+        let reason = format!("{dialect} {source}");
+        match source {
+            "later" => Outcome::NotImplemented { reason },
+            _ => Outcome::Unsupported { reason },
         }
     }
 
@@ -124,6 +126,13 @@ fn requests_are_answered_in_order_until_bye_and_need_no_hello() {
     let replies = talk(&[check(9), check(3), json!({"type":"bye"}), check(4)]);
     let expected = |id: u64| json!({"type":"unsupported","id":id,"reason":"matiec x"});
     assert_eq!(replies, [expected(9), expected(3)]);
+}
+
+#[test]
+fn a_construct_that_is_not_implemented_is_unsupported_with_a_key_of_its_own() {
+    let check = json!({"type":"check","id":1,"dialect":"matiec","source":"later"});
+    let expected = json!({"type":"unsupported","id":1,"reason":"matiec later","not_implemented":true});
+    assert_eq!(talk(&[check]), [expected]);
 }
 
 #[test]

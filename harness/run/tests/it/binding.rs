@@ -4,8 +4,11 @@ use crate::fixtures::{Puppet, executed, expecting, suite, timeless_run, values};
 use std::path::Path;
 use std::time::Duration;
 use stickler_engines::{Engine, Outcome};
-use stickler_run::{Answers, Baseline, CaseJudge, EngineRun, Event, Plan, Rendering, Verdict, bless};
-use stickler_suite::{Case, Expectation, ExpectedText, Sources, Suite};
+use stickler_run::{
+    Answers, Baseline, Blessing, CaseEvent, CaseJudge, ChangeKind, EngineRun, Event, Fact, Plan, Rendering,
+    Verdict, bless,
+};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedText, Sources, Suite};
 use stickler_types::DialectName;
 
 const RULE: &str = "rule: not-stated";
@@ -35,14 +38,26 @@ fn wrong(name: &str) -> Puppet {
 }
 
 fn verdict(plan: &Plan, basis: &str, engine: &Puppet) -> Verdict {
-    let (_, events) = timeless_run(plan, &citing(basis), &[engine], &[]);
+    judged(plan, &citing(basis), engine).verdict
+}
+
+/// Returns the event of the only case of a suite.
+fn judged(plan: &Plan, suite: &Suite, engine: &Puppet) -> CaseEvent {
+    let (_, events) = timeless_run(plan, suite, &[engine], &[]);
     let cases = events.into_iter().filter_map(|event| match event {
-        Event::Case(case) => Some(case.verdict),
+        Event::Case(case) => Some(case),
         Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
     });
-    let verdicts: Vec<Verdict> = cases.collect();
-    assert_eq!(verdicts.len(), 1);
-    verdicts[0]
+    let mut cases: Vec<CaseEvent> = cases.collect();
+    assert_eq!(cases.len(), 1);
+    cases.remove(0)
+}
+
+/// Returns an engine of this name that answers every program by a message that it is not implemented.
+fn unfinished(name: &str) -> Puppet {
+    Puppet::new(name, |_| Outcome::NotImplemented {
+        reason: "P9999: not yet".to_owned(),
+    })
 }
 
 #[test]
@@ -142,6 +157,61 @@ fn a_crash_is_a_crash_whatever_the_source_and_a_met_rule_is_a_pass() {
 }
 
 #[test]
+fn what_is_not_implemented_fails_where_a_document_of_the_compiler_promises_it() {
+    use Verdict::{Fail, Unsupported};
+    for (engine, basis, expected) in [
+        ("ironplc", IRONPLC, Fail),
+        ("ironplc", STANDARD, Unsupported),
+        ("ironplc", RULE, Unsupported),
+        ("matiec", "matiec: implicit conversion", Unsupported),
+        ("strucpp", IRONPLC, Unsupported),
+        // Its author lists the dialect.
+        ("described", IRONPLC, Fail),
+    ] {
+        let strict = Plan {
+            strict_rules: true,
+            ..Plan::default()
+        };
+        for plan in [Plan::default(), strict] {
+            let case = judged(&plan, &citing(basis), &unfinished(engine));
+            assert_eq!(case.verdict, expected, "{engine}: {basis}");
+            let words = match expected {
+                Fail => format!("not implemented, though promised by {basis}: P9999: not yet"),
+                _ => "not implemented: P9999: not yet".to_owned(),
+            };
+            assert_eq!(Fact::text(&case.got), words);
+        }
+    }
+}
+
+#[test]
+fn nothing_is_promised_of_a_program_that_need_not_be_accepted_or_is_only_rendered() {
+    let unfinished = unfinished("ironplc");
+    let open = Expectation {
+        accepted: Acceptance::Observed,
+        clean_lines: vec![3],
+        ..Expectation::default()
+    };
+    let rejected = Expectation {
+        accepted: Acceptance::Rejected,
+        ..Expectation::default()
+    };
+    let rendered = Expectation {
+        rendered: Some(ExpectedText {
+            lines: vec!["a := b;".into()],
+            line: 1,
+        }),
+        ..Expectation::default()
+    };
+    for expectation in [open, rejected, rendered] {
+        let mut suite = citing(IRONPLC);
+        suite.cases[0].expectation = expectation.into();
+        let verdict = judged(&Plan::default(), &suite, &unfinished).verdict;
+        assert_eq!(verdict, Verdict::Unsupported);
+    }
+}
+
+#[test]
 fn a_difference_neither_fails_the_run_nor_counts_as_a_pass() {
     let engine = wrong("strucpp");
     let (summary, _) = timeless_run(&Plan::default(), &citing(RULE), &[&engine], &[]);
@@ -149,17 +219,18 @@ fn a_difference_neither_fails_the_run_nor_counts_as_a_pass() {
     assert_eq!(summary.totals.unexpected(), 0);
 }
 
-#[test]
-fn an_older_baseline_that_expects_a_failure_is_read_and_blessing_it_says_what_changed() {
-    let text = "[[expected]]\ncase = \"area/file\"\nverdict = \"fail\"\nreason = \"why\"\n";
-    let baseline = Baseline::read(text, "b/strucpp.toml", "strucpp").unwrap();
+/// Runs a case with this basis on an engine with an older baseline, which expects the verdict `word` of it. Returns the verdict
+/// that comes, and what blessing changes.
+fn blessed(word: &str, basis: &str, engine: &Puppet) -> (Verdict, Blessing) {
+    let text = format!("[[expected]]\ncase = \"area/file\"\nverdict = \"{word}\"\nreason = \"why\"\n");
+    let name = &engine.identity().name;
+    let baseline = Baseline::read(&text, &format!("b/{name}.toml"), name).unwrap();
     let plan = Plan {
         baselines: vec![baseline.clone()],
         ..Plan::default()
     };
-    let (suite, engine) = (citing(RULE), wrong("strucpp"));
-    assert_eq!(verdict(&plan, RULE, &engine), Verdict::Differs);
-    let (_, events) = timeless_run(&plan, &suite, &[&engine as &dyn Engine], &[]);
+    let suite = citing(basis);
+    let (_, events) = timeless_run(&plan, &suite, &[engine as &dyn Engine], &[]);
     let mut run = None;
     for event in &events {
         match event {
@@ -168,13 +239,34 @@ fn an_older_baseline_that_expects_a_failure_is_read_and_blessing_it_says_what_ch
             Event::Cause(_) | Event::Footer(_) => {}
         }
     }
-    let day = plan.today;
-    let blessing = bless(text, &baseline, &run.unwrap(), &suite, day);
-    let whys: Vec<&str> = blessing
-        .changes
-        .iter()
-        .map(|change| change.why.as_str())
-        .collect();
-    assert_eq!(whys, ["1 now differs"]);
+    let came = judged(&plan, &suite, engine).verdict;
+    let blessing = bless(&text, &baseline, &run.unwrap(), &suite, plan.today);
+    (came, blessing)
+}
+
+fn changes(blessing: &Blessing) -> Vec<(ChangeKind, &str)> {
+    let changes = blessing.changes.iter();
+    changes.map(|change| (change.kind, change.why.as_str())).collect()
+}
+
+#[test]
+fn an_older_baseline_that_expects_a_failure_is_read_and_blessing_it_says_what_changed() {
+    let (came, blessing) = blessed("fail", RULE, &wrong("strucpp"));
+    assert_eq!(came, Verdict::Differs);
+    assert_eq!(changes(&blessing), [(ChangeKind::Removed, "1 now differs")]);
     assert_eq!(blessing.entries, 0);
+}
+
+#[test]
+fn an_older_baseline_that_expects_a_promised_construct_to_be_unsupported_is_blessed_as_a_failure() {
+    let (came, blessing) = blessed("unsupported", IRONPLC, &unfinished("ironplc"));
+    assert_eq!(came, Verdict::Fail);
+    assert_eq!(
+        changes(&blessing),
+        [(ChangeKind::Removed, "1 now fail"), (ChangeKind::Added, "1 case")]
+    );
+    assert_eq!(blessing.entries, 1);
+    let (came, blessing) = blessed("unsupported", STANDARD, &unfinished("ironplc"));
+    assert_eq!(came, Verdict::Unsupported);
+    assert_eq!(changes(&blessing), []);
 }

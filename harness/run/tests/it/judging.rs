@@ -289,6 +289,11 @@ fn crash_timeout_unsupported_and_nonsense_have_verdicts_of_their_own() {
             Verdict::Unsupported,
             "unsupported: why",
         ),
+        (
+            Outcome::NotImplemented { reason: text() },
+            Verdict::Unsupported,
+            "not implemented: why",
+        ),
         (Outcome::Error { message: text() }, Verdict::Error, "error: why"),
         (
             Outcome::Rendered { text: text() },

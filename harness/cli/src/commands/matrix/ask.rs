@@ -60,7 +60,7 @@ fn answer(outcome: &Outcome) -> Answer {
     match outcome {
         Outcome::Accepted => Answer::Accepts,
         Outcome::Rejected { .. } => Answer::Rejects,
-        Outcome::Unsupported { .. } => Answer::Unsupported,
+        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => Answer::Unsupported,
         Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => Answer::Fails,
         Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => Answer::Fails,
     }
@@ -81,6 +81,8 @@ mod tests {
         assert_eq!(answer(&Outcome::Rejected { diagnostics }), Answer::Rejects);
         let unsupported = Outcome::Unsupported { reason: reason() };
         assert_eq!(answer(&unsupported), Answer::Unsupported);
+        let not_implemented = Outcome::NotImplemented { reason: reason() };
+        assert_eq!(answer(&not_implemented), Answer::Unsupported);
         assert_eq!(answer(&Outcome::Crashed { reason: reason() }), Answer::Fails);
         assert_eq!(answer(&Outcome::TimedOut { after_ms: 1 }), Answer::Fails);
     }

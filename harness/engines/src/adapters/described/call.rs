@@ -122,6 +122,9 @@ impl Call<'_> {
             Meaning::Accepted => Ok(()),
             Meaning::Crashed | Meaning::Faulted(_) => Err(ended.crashed()),
             Meaning::Unsupported => Err(unsupported(&locate::first_error(ended))),
+            Meaning::NotImplemented => Err(Outcome::NotImplemented {
+                reason: locate::first_error(ended),
+            }),
             Meaning::Rejected => Err(self.rejected(ended)),
             Meaning::Diagnosed if self.diagnostics(ended).is_empty() => Ok(()),
             Meaning::Diagnosed => Err(self.rejected(ended)),
@@ -162,7 +165,8 @@ impl Call<'_> {
     }
 
     /// Returns a rejection where a diagnostic is about the program; otherwise [`Outcome::Crashed`] where the compiler reports a
-    /// failure of its own, and [`Outcome::Unsupported`] where it reports that it does not support the program.
+    /// failure of its own, [`Outcome::NotImplemented`] where it reports that it does not implement a construct, and [`Outcome::Unsupported`] where it
+    /// reports that it does not support the program.
     fn about_the_program(&self, diagnostics: Vec<Diagnostic>) -> Outcome {
         let meaning = |diagnostic: &Diagnostic| {
             let meaning = self.description().codes.get(diagnostic.code.as_ref()?)?;
@@ -174,17 +178,22 @@ impl Call<'_> {
                 .find(|diagnostic| meaning(diagnostic) == Some(meant));
             found.map(described)
         };
-        let own = [CodeMeaning::Crashed, CodeMeaning::Unsupported];
+        let own = [
+            CodeMeaning::Crashed,
+            CodeMeaning::NotImplemented,
+            CodeMeaning::Unsupported,
+        ];
         if diagnostics
             .iter()
             .all(|diagnostic| meaning(diagnostic).is_some_and(|meant| own.contains(meant)))
         {
-            return match of_itself(&CodeMeaning::Crashed) {
-                Some(reason) => Outcome::Crashed { reason },
-                None => Outcome::Unsupported {
-                    reason: of_itself(&CodeMeaning::Unsupported).unwrap_or_default(),
-                },
-            };
+            if let Some(reason) = of_itself(&CodeMeaning::Crashed) {
+                return Outcome::Crashed { reason };
+            }
+            if let Some(reason) = of_itself(&CodeMeaning::NotImplemented) {
+                return Outcome::NotImplemented { reason };
+            }
+            return unsupported(&of_itself(&CodeMeaning::Unsupported).unwrap_or_default());
         }
         let translated = |diagnostic: Diagnostic| match meaning(&diagnostic) {
             Some(CodeMeaning::Code(code)) => Diagnostic {

@@ -229,6 +229,8 @@ pub(super) enum Meaning {
     Diagnosed,
     /// The compiler cannot do what was asked.
     Unsupported,
+    /// The compiler does not implement a construct of the program.
+    NotImplemented,
     /// The compiler failed.
     Crashed,
     /// The program stopped at this fault.
@@ -244,12 +246,13 @@ impl FromStr for Meaning {
             "rejected" => Ok(Meaning::Rejected),
             "diagnosed" => Ok(Meaning::Diagnosed),
             "unsupported" => Ok(Meaning::Unsupported),
+            "not-implemented" => Ok(Meaning::NotImplemented),
             "crashed" => Ok(Meaning::Crashed),
             fault => fault.parse().map(Meaning::Faulted).map_err(|_| {
                 let faults = Fault::ALL.map(|fault| format!("`{fault}`")).join(", ");
                 format!(
-                    "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `crashed` or a fault ({faults}), \
-                     not `{text}`"
+                    "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
+                     a fault ({faults}), not `{text}`"
                 )
             }),
         }
@@ -263,6 +266,8 @@ pub(super) enum CodeMeaning {
     Code(Code),
     /// The compiler cannot do what was asked.
     Unsupported,
+    /// The compiler does not implement a construct of the program.
+    NotImplemented,
     /// The compiler failed.
     Crashed,
 }
@@ -273,11 +278,12 @@ impl FromStr for CodeMeaning {
     fn from_str(text: &str) -> Result<CodeMeaning, String> {
         match text {
             "unsupported" => Ok(CodeMeaning::Unsupported),
+            "not-implemented" => Ok(CodeMeaning::NotImplemented),
             "crashed" => Ok(CodeMeaning::Crashed),
             code => code.parse().map(CodeMeaning::Code).map_err(|_| {
                 format!(
-                    "`{text}` is no code of Stickler's; `stickler explain` lists them, and there are `unsupported` and \
-                     `crashed`"
+                    "`{text}` is no code of Stickler's; `stickler explain` lists them, and there are `unsupported`, \
+                     `not-implemented` and `crashed`"
                 )
             }),
         }

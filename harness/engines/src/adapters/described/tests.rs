@@ -92,10 +92,10 @@ file = "input.scl"
 append = "(* {program} *)"
 diagnostic = '^(?<line>\d+): (?<code>E\d+) (?<message>.*)$'
 value = '^(?<name>\S+) = (?<value>.*)$'
-exit = { 0 = "diagnosed", 4 = "unsupported" }
+exit = { 0 = "diagnosed", 4 = "unsupported", 5 = "not-implemented" }
 run_exit = { 0 = "accepted", 9 = "subscript-range" }
 faults = { "divided by nothing" = "division-by-zero" }
-codes = { E037 = "P4035" }
+codes = { E037 = "P4035", E9 = "not-implemented" }
 environment = { LANGUAGE_OF_TEST = "plain" }
 limits = { seconds = 30, run_seconds = 30, cpu_seconds = 30, memory_mib = 1000, output_mib = 1 }
 [dialects]
@@ -125,6 +125,8 @@ esac
 case $(cat input.scl) in
 *'please: reject'*) echo '3: E037 does not fit'; echo '2: E1 nor does this' ;;
 *'please: pass'*) echo 'error: no licence' >&2; exit 4 ;;
+*'please: wait'*) echo 'error: no pointers yet' >&2; exit 5 ;;
+*'please: be unfinished'*) echo '2: E9 no CASE yet' ;;
 *'(* main *)'*) ;;
 *) exit 7 ;;
 esac
@@ -188,6 +190,13 @@ fn its_faults_rejections_and_crashes_are_told_apart() {
     );
     let reason = "error: no licence".to_owned();
     assert_eq!(please(&engine, "pass"), Outcome::Unsupported { reason });
+    for (what, reason) in [
+        ("wait", "error: no pointers yet"),
+        ("be unfinished", "E9: no CASE yet"),
+    ] {
+        let reason = reason.to_owned();
+        assert_eq!(please(&engine, what), Outcome::NotImplemented { reason });
+    }
 }
 
 #[test]

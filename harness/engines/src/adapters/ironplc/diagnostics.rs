@@ -20,6 +20,11 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
             && !(place == BEGINNING && (has_no_file(line) || marks_nothing(lines.clone())))
         {
             (last.line, last.column) = (Some(place.0), Some(place.1));
+        } else if let (Some(label), Some(last)) = (label(line), diagnostics.last_mut())
+            && matches!(about(last), About::NotImplemented)
+        {
+            // The heading is the same for everything that is not implemented; the label tells what it is.
+            last.message = format!("{}: {label}", last.message);
         }
     }
     diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
@@ -56,6 +61,16 @@ fn marks_nothing<'l>(mut below: impl Iterator<Item = &'l str>) -> bool {
         length => length == 1,
     };
     !is_one_character && marks.starts_with('^') && !marks.starts_with("^^")
+}
+
+/// Returns the words behind the marks of a line such as `  │  ^^^ Not implemented at codegen/src/compile.rs#L7`.
+fn label(line: &str) -> Option<&str> {
+    let marks = line.trim_start().strip_prefix("│ ")?;
+    let (before, label) = marks.split_once("^ ")?;
+    let is_marks = before
+        .chars()
+        .all(|character| matches!(character, ' ' | '^' | '│' | '╰' | '─'));
+    Some(label.trim()).filter(|label| is_marks && !label.is_empty())
 }
 
 /// Parses a heading such as `error[P4035]: message`.
@@ -95,7 +110,7 @@ fn about(diagnostic: &Diagnostic) -> About {
 }
 
 /// Returns the outcome of these diagnostics: a rejection where one is about the program; otherwise [`Outcome::Crashed`] where
-/// the compiler reports a failure of its own, and [`Outcome::Unsupported`] where it reports that something is not implemented.
+/// the compiler reports a failure of its own, and [`Outcome::NotImplemented`] where it reports that something is not implemented.
 pub(super) fn outcome(diagnostics: Vec<Diagnostic>) -> Outcome {
     let first = |kind: fn(&About) -> bool| {
         let found = diagnostics.iter().find(|diagnostic| kind(&about(diagnostic)));
@@ -108,7 +123,7 @@ pub(super) fn outcome(diagnostics: Vec<Diagnostic>) -> Outcome {
         return Outcome::Crashed { reason };
     }
     let reason = first(|_| true).unwrap_or_default();
-    Outcome::Unsupported { reason }
+    Outcome::NotImplemented { reason }
 }
 
 fn described(diagnostic: &Diagnostic) -> String {
@@ -189,6 +204,25 @@ mod tests {
     }
 
     #[test]
+    fn what_is_not_implemented_is_told_with_its_label_and_no_other_diagnostic_is() {
+        let shown = |code: &str| {
+            let text = format!(
+                "error[{code}]: Capability is not implemented (yet!)\n  ┌─ program.st:5:7\n  │\n5 │   x := y^ z;\n  │        ^^^ no pointers at a.rs#L7\n  │\n  = Learn more: x\n"
+            );
+            match outcome(read(&text)) {
+                Outcome::NotImplemented { reason } => reason,
+                Outcome::Rejected { diagnostics } => diagnostics[0].message.clone(),
+                other => other.to_string(),
+            }
+        };
+        assert_eq!(
+            shown("P9999"),
+            "P9999: Capability is not implemented (yet!): no pointers at a.rs#L7"
+        );
+        assert_eq!(shown("P4035"), "Capability is not implemented (yet!)");
+    }
+
+    #[test]
     fn what_is_no_diagnostic_is_none() {
         for text in [
             "",
@@ -216,6 +250,6 @@ mod tests {
         let reason = "P9998: words".to_owned();
         assert_eq!(outcome_of(&["P9999", "P9998"]), Outcome::Crashed { reason });
         let reason = "P9999: words".to_owned();
-        assert_eq!(outcome_of(&["P9999"]), Outcome::Unsupported { reason });
+        assert_eq!(outcome_of(&["P9999"]), Outcome::NotImplemented { reason });
     }
 }

@@ -99,7 +99,10 @@ fn a_rejection_is_no_crash_and_a_crash_no_rejection() {
         (diagnostics[0].code.as_deref(), diagnostics[0].line),
         (Some("P4035"), Some(3))
     );
-    assert!(matches!(asked("be unfinished", &[]), Outcome::Unsupported { .. }));
+    assert!(matches!(
+        asked("be unfinished", &[]),
+        Outcome::NotImplemented { .. }
+    ));
     for what in ["panic", "die", "overflow"] {
         assert!(matches!(asked(what, &[]), Outcome::Crashed { .. }), "{what}");
     }

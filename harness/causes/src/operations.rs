@@ -1,0 +1,64 @@
+//! The operations of a program: its operators, functions and statements, by the kind of work that they are in a compiler.
+
+use crate::shape::{function, own_functions};
+use crate::tokens::{Token, TokenKind, tokens};
+use std::collections::BTreeSet;
+
+/// Returns the operators, functions and statements of a program, joined by commas.
+pub(crate) fn operations_of(program: &str) -> String {
+    let tokens = tokens(program);
+    let found = operations(&tokens, &own_functions(&tokens));
+    found.into_iter().collect::<Vec<_>>().join(", ")
+}
+
+/// Returns the operators, functions and statements among these tokens; an assignment and a field are none.
+pub(crate) fn operations(tokens: &[Token<'_>], own: &BTreeSet<String>) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    for (at, token) in tokens.iter().enumerate() {
+        let next = tokens.get(at + 1);
+        let upper = token.text.to_ascii_uppercase();
+        let operation = match token.kind {
+            TokenKind::Sign => sign(
+                token,
+                at.checked_sub(1).and_then(|before| tokens.get(before)),
+                next,
+            ),
+            TokenKind::Word => match upper.as_str() {
+                "MOD" => Some("arithmetic"),
+                "AND" | "OR" | "XOR" | "NOT" => Some("bitwise operator"),
+                "IF" | "ELSIF" | "CASE" | "FOR" | "WHILE" | "UNTIL" => Some("condition"),
+                _ if next.is_some_and(|next| next.text == "(") => {
+                    let is_own = own.contains(&upper);
+                    found.insert(if is_own {
+                        "call".to_owned()
+                    } else {
+                        function(&upper)
+                    });
+                    None
+                }
+                _ => None,
+            },
+            _ => None,
+        };
+        found.extend(operation.map(str::to_owned));
+    }
+    found
+}
+
+/// Returns the operation of a sign, by the tokens around it.
+fn sign(token: &Token<'_>, before: Option<&Token<'_>>, next: Option<&Token<'_>>) -> Option<&'static str> {
+    let is_operand = |token: &Token<'_>| token.kind != TokenKind::Sign || matches!(token.text, ")" | "]");
+    match token.text {
+        "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
+        "*" | "/" => Some("arithmetic"),
+        "**" => Some("power"),
+        "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),
+        "&" => Some("bitwise operator"),
+        "=>" => Some("output argument"),
+        "[" => Some("subscript or list"),
+        "." => next
+            .is_some_and(|next| matches!(next.kind, TokenKind::Number | TokenKind::Partial))
+            .then_some("bit access"),
+        _ => None,
+    }
+}
