@@ -87,23 +87,23 @@ fn died(ended: &Ended, text: &str) -> Outcome {
     )
 }
 
-/// Removes from a crash what differs from run to run: the numbers of threads and addresses in memory.
+/// Removes from a crash what differs from run to run and from machine to machine: the numbers of threads, addresses in memory, and
+/// the folder in which Cargo kept the source of a library.
 pub(super) fn steady(outcome: Outcome) -> Outcome {
     let is_of_this_run = |word: &&str| {
         let inside = word.strip_prefix('(').and_then(|rest| rest.strip_suffix(')'));
         inside.is_some_and(|inside| inside.bytes().all(|byte| byte.is_ascii_digit()))
     };
-    let word = |word| {
-        if str::starts_with(word, "0x") {
-            "0x…"
-        } else {
-            word
-        }
+    let word = |word: &str| match word.split_once("/registry/src/") {
+        // The folder is named after the registry.
+        Some((_, path)) => path.split_once('/').map_or(path, |(_, path)| path).to_owned(),
+        None if word.starts_with("0x") => "0x…".to_owned(),
+        None => word.to_owned(),
     };
     match outcome {
         Outcome::Crashed { reason } => {
             let words = reason.split(' ').filter(|word| !is_of_this_run(word));
-            let words: Vec<&str> = words.map(word).collect();
+            let words: Vec<String> = words.map(word).collect();
             Outcome::Crashed {
                 reason: words.join(" "),
             }

@@ -276,6 +276,14 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
         panicked.ends_with("thread 'main' panicked at src/ast.rs:1295:18: | not implemented"),
         "{panicked}"
     );
+    let said = "thread 'main' panicked at /home/x/.cargo/registry/src/index.example-1949cf8c/inkwell-0.2.0/src/enums.rs:294:13:\n";
+    let Err(Outcome::Crashed { reason: panicked }) = reader.errors(&ended(101 << 8, said)) else {
+        panic!("no crash")
+    };
+    assert!(
+        panicked.ends_with("thread 'main' panicked at inkwell-0.2.0/src/enums.rs:294:13:"),
+        "{panicked}"
+    );
     assert_eq!(crate::adapters::rename::places_named(&reason), [7]);
     // It gives no more of a reason where it cannot write the initial values of a program.
     let found = reader
