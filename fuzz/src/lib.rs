@@ -11,7 +11,7 @@ pub use stickler_generate::oracles::FuzzTarget;
 /// Judges an input for libFuzzer, which takes a panic for a finding and keeps the input.
 ///
 /// # Panics
-/// Where the input breaks what the target holds it to.
+/// Panics if the input breaks a property of the target.
 #[inline(always)]
 pub fn hold(target: FuzzTarget, data: &[u8]) {
     if let Err(failure) = target.judge(data) {

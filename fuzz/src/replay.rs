@@ -48,7 +48,7 @@ pub fn replay(target: FuzzTarget) -> ExitCode {
 /// `complaints`; goes on whatever happens.
 ///
 /// # Errors
-/// Those of writing to either.
+/// Errors of writing to either stream.
 pub fn replay_all(
     target: FuzzTarget,
     named: &[impl AsRef<Path>],
@@ -152,7 +152,7 @@ fn read(file: &Path) -> io::Result<Vec<u8>> {
 mod tests {
     use super::*;
 
-    /// What a replay of these paths says on its output and of what it could not read.
+    /// Replays these paths; returns the summary, the output, and the complaints about what could not be read.
     fn said(paths: &[PathBuf]) -> (Summary, String, String) {
         let (mut output, mut complaints) = (Vec::new(), Vec::new());
         let summary = replay_all(FuzzTarget::Parse, paths, &mut output, &mut complaints)

@@ -57,9 +57,9 @@ pub struct Finding {
 /// An engine that was asked.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct EngineInfo {
-    /// Its name in the campaign.
+    /// The name of the engine in the campaign.
     pub name: String,
-    /// Its version, in its own words.
+    /// The version of the engine, in its own words.
     pub version: String,
     /// The value of `--engine` that stands for the engine.
     pub asked_for: String,
@@ -71,7 +71,7 @@ pub struct EngineInfo {
 pub enum Standing {
     /// The reduced program was run once more, and did the same.
     Confirmed,
-    /// When it was run once more, it did something else; or the engine was gone. It is kept as it was found.
+    /// A second run did something else, or the engine was gone. The finding is kept as it was found.
     Flaky,
 }
 

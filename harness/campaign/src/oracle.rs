@@ -32,7 +32,7 @@ pub trait Worker {
 /// The verdict on one input.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Verdict {
-    /// Its place in the row of the seed.
+    /// The place of the input in the row of the seed.
     pub place: u64,
     /// The reason for which the input was not judged, where it was not.
     pub passed_over: Option<&'static str>,

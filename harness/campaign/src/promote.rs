@@ -44,7 +44,7 @@ pub enum PromoteError {
 /// A case that was made of a finding.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Promoted {
-    /// Its file.
+    /// The file of the case.
     pub path: PathBuf,
     /// The basis in its header.
     pub basis: String,

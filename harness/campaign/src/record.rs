@@ -20,7 +20,7 @@ pub struct Record {
     pub stickler: String,
     /// The options of the campaign.
     pub asked: Request,
-    /// Which part, from 1.
+    /// The number of the part, from 1.
     pub part: u32,
     /// The number of parts.
     pub parts: u32,

@@ -162,8 +162,8 @@ impl<'c> Clock<'c> {
     }
 }
 
-/// How many batches a worker may be ahead of the oldest one that is not judged, so that verdicts do not pile up behind a
-/// slow one.
+/// The number of batches that a worker may be ahead of the oldest one that is not judged, so that verdicts do not pile up
+/// behind a slow one.
 const BATCHES_AHEAD: usize = 4;
 
 /// A campaign under way: gives out batches of places and mismatches to be reduced, and takes what comes of them.

@@ -1,7 +1,7 @@
 //! Bytes made fewer and simpler, for targets whose input is no program of the model.
 //!
-//! What is made from bytes takes its first, simplest choice where a byte is 0 and where bytes have run out; so fewer bytes and
-//! more zeros make for less.
+//! A value that is made from bytes takes its first, simplest choice where a byte is 0 and where bytes have run out; so fewer
+//! bytes and more zeros make for smaller values.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_generate::reduce::{

@@ -34,7 +34,7 @@ use stickler_workers::Shard;
 #[command(name = "stickler", version, disable_help_subcommand = true, term_width = 80)]
 #[command(after_help = top_level_help())]
 pub struct Arguments {
-    /// What to do; `run` where nothing is said.
+    /// The command; `run` where none is given.
     #[command(subcommand)]
     pub command: Option<Command>,
     /// Read FILE, which names engines and defines dialects [default: stickler.toml here or in a folder above]
@@ -113,7 +113,7 @@ pub enum Command {
     Import(ImportArguments),
 }
 
-/// Which cases a command works on.
+/// The cases that a command works on.
 #[derive(Args, Debug, Default)]
 pub struct SelectionArguments {
     /// Read the cases from DIR [default: conformance-cases here or in a folder above]
@@ -131,7 +131,7 @@ pub struct SelectionArguments {
 /// `stickler run`.
 #[derive(Args, Debug, Default)]
 pub struct RunArguments {
-    /// Which cases.
+    /// The selected cases.
     #[command(flatten)]
     pub selection: SelectionArguments,
     /// Run them on this engine: a name that `stickler engines` lists, or `cmd:COMMAND LINE` for a program that speaks the
@@ -185,7 +185,7 @@ pub struct RunArguments {
 /// `stickler list`.
 #[derive(Args, Debug)]
 pub struct ListArguments {
-    /// Which cases.
+    /// The selected cases.
     #[command(flatten)]
     pub selection: SelectionArguments,
     /// List claims instead: each section of each document, how many cases check it, and in which files
@@ -237,7 +237,7 @@ pub struct SourceArguments {
 /// `stickler check`.
 #[derive(Args, Debug)]
 pub struct CheckArguments {
-    /// What to check.
+    /// The program to check.
     #[command(flatten)]
     pub source: SourceArguments,
     /// Print the reply of the wire protocol instead: one JSON object
@@ -248,7 +248,7 @@ pub struct CheckArguments {
 /// `stickler eval`.
 #[derive(Args, Debug)]
 pub struct EvalArguments {
-    /// What to execute.
+    /// The program to execute.
     #[command(flatten)]
     pub source: SourceArguments,
     /// Run N scans

@@ -50,7 +50,7 @@ impl Caches {
 /// Writes the number of a run's results that come from the cache; nothing where it is 0.
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of writing to `out`.
 pub fn write_from_cache(out: &mut dyn Write, from_cache: u64, cases: u64) -> io::Result<()> {
     match from_cache {
         0 => Ok(()),

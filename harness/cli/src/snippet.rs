@@ -17,7 +17,7 @@ const MAX_EXCERPT_LINES: usize = 6;
 /// Writes the diagnostics of a text; `path` is the name to show for it.
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of writing to `out`.
 pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn Write) -> io::Result<()> {
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();

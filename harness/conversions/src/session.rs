@@ -90,7 +90,7 @@ impl<'e> FunctionSession<'e> {
     /// Opens a session.
     ///
     /// # Errors
-    /// Those of [`Engine::session`].
+    /// The engine cannot open a session: [`Engine::session`].
     pub fn open(engine: &'e dyn Engine) -> Result<FunctionSession<'e>, EngineError> {
         EngineSession::open(engine).map(FunctionSession)
     }

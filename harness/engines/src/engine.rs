@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use stickler_types::{Code, DialectName, Outcome, RunRequest};
 
-/// Something that can run programs: the reference, or a real compiler behind an adapter.
+/// An implementation that runs programs: the reference, or a real compiler behind an adapter.
 ///
 /// An engine is shared by all workers; what changes while it works lives in its sessions.
 pub trait Engine: Send + Sync {
@@ -123,7 +123,7 @@ impl Identity {
     }
 }
 
-/// Something that an engine can do.
+/// An ability of an engine.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]

@@ -93,7 +93,7 @@ impl ProcessEngine {
     /// Starts the process of a command line in a folder, from which a program with a path is sought.
     ///
     /// # Errors
-    /// As [`ProcessEngine::start`].
+    /// Fails as [`ProcessEngine::start`] does.
     pub fn start_in(
         folder: &Path,
         command_line: &str,

@@ -3,7 +3,7 @@
 //! [`export()`] writes pages of self-checking programs, which a person pastes into the editor, and a [`MANIFEST`] that says what
 //! stands where. An [`Export`] reads that back and [imports](Export::import) the [texts](CopiedText) that the person copies out of
 //! the editor: arrays of results, or lists of messages of pages that are only compiled. They are judged as a run of any engine is.
-//! What a compiler does with a single case can also be noted in [`ANSWERS`]; a [`Reason`] says why a case is on no page.
+//! The behaviour of a compiler in a single case can also be noted in [`ANSWERS`]; a [`Reason`] says why a case is on no page.
 #![forbid(unsafe_code)]
 
 mod answers;

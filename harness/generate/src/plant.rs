@@ -37,7 +37,7 @@ impl Planted {
     /// Returns the line of the error in the text of the program; `sound` is the text of the program without the error in the
     /// same style.
     ///
-    /// It is the line of the raw text; else the line of the planted declaration; else the first line that differs. Lines
+    /// The line of the raw text is taken; else the line of the planted declaration; else the first line that differs. Lines
     /// count from 1.
     #[must_use]
     pub fn line(&self, sound: &WrittenProgram, broken: &WrittenProgram) -> u32 {

@@ -29,7 +29,7 @@ struct Arguments {
     /// List the mutants that survive and are not explained.
     #[arg(long)]
     survivors: bool,
-    /// Where the results go.
+    /// The folder for the results.
     #[arg(long, value_name = "DIR", default_value = "target/mutants")]
     output: PathBuf,
     /// The folder of the cases.

@@ -38,7 +38,7 @@ pub enum Fate {
 /// Reads the results of several runs, in the order of names. Of a mutant that several have, the last one's counts.
 ///
 /// # Errors
-/// Where a folder has no results, or they cannot be read.
+/// The folder has no results, or they cannot be read.
 pub fn read_all(folders: &[PathBuf]) -> anyhow::Result<Vec<Outcome>> {
     let mut outcomes = BTreeMap::new();
     for folder in folders {
@@ -108,7 +108,7 @@ fn outcome(entry: Entry) -> Option<Outcome> {
 mod tests {
     use super::*;
 
-    /// As cargo-mutants 27.1 writes it, shortened.
+    /// The results as cargo-mutants 27.1 writes them, shortened.
     const TEXT: &str = r#"{"outcomes":[
         {"scenario":"Baseline","summary":"Success","log_path":"log/baseline.log"},
         {"scenario":{"Mutant":{"name":"a/b.rs:3:7: replace < with == in f","file":"a/b.rs","genre":"BinaryOperator"}},

@@ -62,7 +62,7 @@ impl Diagnostics {
         }
     }
 
-    /// Whether there is none.
+    /// Returns whether there are no diagnostics.
     pub(crate) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }

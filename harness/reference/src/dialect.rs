@@ -99,7 +99,7 @@ impl Dialect {
         }
     }
 
-    /// These rules, with what a definition states in place of what they say.
+    /// Returns these rules with the overrides of a definition.
     fn overridden(mut self, definition: &'static Definition) -> Dialect {
         for (flag, stated) in &definition.flags {
             let on = stated.value;
@@ -226,7 +226,7 @@ impl Dialect {
         }
     }
 
-    /// Whether the dialect has this elementary type.
+    /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
         self.third_edition_types || !ty.is_third_edition()

@@ -24,7 +24,7 @@ pub struct DiffLine {
 /// The text that a line of a comparison comes from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Side {
-    /// Both texts contain the line.
+    /// A line of both texts.
     Both,
     /// Only the expected text contains the line.
     Expected,

@@ -43,7 +43,7 @@ pub fn run(
 /// stores.
 ///
 /// # Errors
-/// As [`run`].
+/// Fails as [`run`] does.
 pub fn run_with(
     plan: &Plan,
     suite: &Suite,

@@ -18,7 +18,7 @@ const RECORD_MORE: [&str; 5] = [
 /// The dialects that differ in their documents; the three of IronPLC have one page on conversion functions.
 const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcEd3, DialectName::Plcnext];
 
-/// What the asserting probes of a table say of a call.
+/// The result on which the asserting probes of a table agree for a call.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Agreed {
     /// The result as a typed literal; an empty text where no probe asserts one.
@@ -160,8 +160,8 @@ impl Table {
     }
 }
 
-/// Whether the ForgeIEC page's table of names has the function: what it names, matiec has, and nothing that it names stops a
-/// program.
+/// Returns whether the ForgeIEC page's table of names has the function: what it names, matiec has, and nothing that it
+/// names stops a program.
 ///
 /// Basis: forgeiec-conversion-functions: The naming pattern; matiec conformance ("implements every conversion in the table");
 /// Range and precision ("silently truncate or wrap").

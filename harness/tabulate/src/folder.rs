@@ -32,7 +32,7 @@ impl CallTable {
         self.table.with_rows(&self.rows)
     }
 
-    /// Whether the file has other rows than it must have.
+    /// Returns whether the file has other rows than it must have.
     #[must_use]
     pub fn differs(&self) -> bool {
         self.wanted() != self.table.text

@@ -71,7 +71,7 @@ pub struct Table {
 pub struct Probe {
     /// The name, which stands in ids.
     pub name: String,
-    /// What it claims, or nothing where its marks alone say that.
+    /// The claim of the probe; `None` where its marks alone state it.
     pub claim: Option<Claim>,
     /// The dialects in which it claims that.
     pub dialects: Vec<DialectName>,
@@ -81,7 +81,7 @@ pub struct Probe {
     pub source: String,
 }
 
-/// What a probe claims of the result of a call.
+/// The claim of a probe about the result of a call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Claim {
     /// The result is that of the column `expected`: `expect = "{expected}"`.
@@ -142,13 +142,13 @@ impl Table {
         self.columns.iter().map(|name| cell::of_column(name)).collect()
     }
 
-    /// Whether the rows are calls of one function, so that this crate computes their cells.
+    /// Returns whether the rows are calls of one function, so that this crate computes their cells.
     #[must_use]
     pub fn is_of_calls(&self) -> bool {
         self.cells().is_some()
     }
 
-    /// Whether the rows have a cell of this name.
+    /// Returns whether the rows have a cell of this name.
     pub(crate) fn has_column(&self, name: &str) -> bool {
         self.column(name).is_some()
     }

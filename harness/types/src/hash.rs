@@ -2,7 +2,8 @@
 
 /// A 64-bit FNV-1a hash. It has no seed, so that it is the same on every machine and in every version.
 ///
-/// Its low bits alone are not mixed well; [`folded`](Fnv1a::folded) and the high half of [`finish`](Fnv1a::finish) are.
+/// The low bits alone of the hash are not mixed well; [`folded`](Fnv1a::folded) and the high half of
+/// [`finish`](Fnv1a::finish) are.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fnv1a(u64);
 

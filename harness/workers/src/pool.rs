@@ -13,7 +13,8 @@ use std::thread;
 /// megabytes are too few.
 const STACK_SIZE: usize = 16 << 20;
 
-/// How many tasks a thread has at most: the one under way and the next, so that it need not wait for the caller's thread.
+/// The greatest number of tasks of a thread: the one under way and the next, so that it need not wait for the caller's
+/// thread.
 const MAX_TASKS_PER_THREAD: usize = 2;
 
 /// A number of threads, started anew for each piece of work.
@@ -41,7 +42,7 @@ pub trait Supervisor<T, R> {
 #[error("a worker thread could not be started: {0}")]
 pub struct SpawnError(#[source] ThreadPoolBuildError);
 
-/// What a thread tells the supervisor.
+/// A message of a thread to the supervisor.
 enum Message<R, E> {
     Opened(Result<(), E>),
     Done(R),
@@ -137,7 +138,7 @@ impl WorkerPool {
     /// caller's thread, in the order in which tasks end.
     ///
     /// # Errors
-    /// As [`WorkerPool::run`].
+    /// Fails as [`WorkerPool::run`] does.
     pub fn for_each<W, T, R, E>(
         self,
         tasks: impl Iterator<Item = T>,
@@ -157,7 +158,7 @@ impl WorkerPool {
     /// begun.
     ///
     /// # Errors
-    /// As [`WorkerPool::run`], or of the errors of `work` the one that belongs to the earliest item.
+    /// Fails as [`WorkerPool::run`] does, or with the error of `work` that belongs to the earliest item.
     pub fn map<W, T, R, E>(
         self,
         items: impl ExactSizeIterator<Item = T>,

@@ -6,7 +6,7 @@ use stickler_types::Fnv1a;
 
 /// Part `index` of `count`, written `index/count`; `index` counts from 1.
 ///
-/// What belongs to a part depends on the part alone, so all parts together do exactly what one machine would: every case of
+/// The contents of a part depend on the part alone, so all parts together do exactly what one machine would: every case of
 /// a run and every place of a campaign is in exactly one part, and the parts are of about equal size.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Shard {

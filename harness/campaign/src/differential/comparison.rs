@@ -9,7 +9,7 @@ use stickler_types::{DialectName, Value};
 pub(crate) struct Question<'a> {
     /// The dialect of the program.
     pub(crate) dialect: DialectName,
-    /// Its text.
+    /// The text of the program.
     pub(crate) text: &'a str,
     /// The variables that are observed at the end of one scan, with the values that they must have.
     pub(crate) values: &'a [(String, Value)],

@@ -51,7 +51,7 @@ pub(crate) fn ask(session: &mut EngineSession<'_>, question: Question<'_>) -> Ou
 /// # Errors
 /// A fragment that says how the engine died over the smallest program that there is.
 pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Result<(), String> {
-    /// As small as a program can be that every dialect has.
+    /// A smallest program, which every dialect has.
     const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
     /// A machine that is short of memory may need a moment.
     const ATTEMPTS: usize = 3;

@@ -6,16 +6,16 @@ use std::sync::{Mutex, PoisonError};
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
 
-/// What is wrong with an engine.
+/// A planted defect of an engine.
 #[derive(Clone, Copy, Debug)]
 pub enum Defect {
-    /// It takes one word of the program for another.
+    /// Takes one word of the program for another.
     Mistakes(&'static str, &'static str),
-    /// It dies over programs with this word.
+    /// Dies over programs with this word.
     DiesOver(&'static str),
-    /// It dies over every so-manieth request, and over no program twice.
+    /// Dies over each request whose number is a multiple of this one, and over no program twice.
     DiesEvery(u64),
-    /// From the first program with this word on it dies over everything.
+    /// Dies over every request from the first program with this word on.
     DiesForEverOver(&'static str),
     /// Nothing.
     None,
@@ -27,7 +27,7 @@ pub struct Defective {
     identity: Identity,
     defect: Defect,
     requests: AtomicU64,
-    /// How many requests it answers before it dies over everything.
+    /// The number of requests that the engine answers before it dies over all others.
     life: AtomicU64,
     /// The programs over which it has died.
     fatal: Mutex<HashSet<String>>,
@@ -39,7 +39,7 @@ impl Defective {
         Defective::dying(defect, u64::MAX)
     }
 
-    /// The same, which after so many requests dies over everything.
+    /// Returns an engine with a defect that dies over every request after the first `life`.
     pub fn dying(defect: Defect, life: u64) -> Defective {
         let inner = Reference::default();
         let identity = Identity {
@@ -61,7 +61,7 @@ impl Defective {
         fatal.insert(source.to_owned())
     }
 
-    /// How often it was asked to run something.
+    /// Returns the number of requests to run a program.
     pub fn requests(&self) -> u64 {
         self.requests.load(Ordering::Relaxed)
     }

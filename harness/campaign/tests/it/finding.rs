@@ -1,4 +1,4 @@
-//! What a campaign finds in an engine with a known defect.
+//! Findings of a campaign over an engine with a known defect.
 
 use crate::engines::{Defect, Defective};
 use crate::reproducible::{campaign, whole};
@@ -9,7 +9,7 @@ use stickler_campaign::{CaseHead, Ended, EngineUnderTest, Finding, Store, load, 
 use stickler_engines::{Engine, Reference};
 use stickler_workers::Shard;
 
-/// What a campaign finds that is not probably the same as something simpler.
+/// Returns the findings of a campaign without those that probably repeat a simpler one.
 fn found(defect: Defect, count: u64) -> Vec<Finding> {
     let summary = whole(&Defective::new(defect), count);
     assert_eq!(summary.ended, Ended::Done);

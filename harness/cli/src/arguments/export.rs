@@ -43,17 +43,17 @@ pub struct ExportArguments {
 /// `stickler import`.
 #[derive(Args, Debug)]
 pub struct ImportArguments {
-    /// What was copied out of the editor: a text with the arrays of pages, or with the messages about pages that are only
-    /// compiled; `-` reads stdin
+    /// Texts that were copied out of the editor: the arrays of pages, or the messages about pages that are only compiled;
+    /// `-` reads stdin
     #[arg(value_name = "FILE", required = true)]
     pub files: Vec<PathBuf>,
     /// The folder that `stickler export` wrote [default: that of the first FILE, where it is one, or else this one]
     #[arg(long, value_name = "DIR")]
     pub export: Option<PathBuf>,
-    /// What the compiler is called in reports, and in the name of its baseline
+    /// The name of the compiler in reports, and in the file name of its baseline
     #[arg(long, value_name = "NAME", default_value = "imported")]
     pub engine_name: String,
-    /// Its version
+    /// The version of the compiler
     #[arg(long, value_name = "VERSION", default_value = "unknown")]
     pub engine_version: String,
     /// Expect what FILE says of it [default: reports/baselines/NAME.toml beside the folder of the cases, where there is one]

@@ -129,7 +129,7 @@ fn exit(summary: &Summary) -> Exit {
 /// Returns the reference and the named engines; none where none is named.
 ///
 /// # Errors
-/// Those of [`engines::by_names`].
+/// An engine that [`engines::by_names`] does not find.
 fn engines_of(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     if names.is_empty() {
         return Ok(Vec::new());

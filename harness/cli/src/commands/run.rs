@@ -107,7 +107,7 @@ fn asked_for(engines: &[NamedEngine]) -> BTreeMap<String, String> {
 /// Loads the baselines of the engines, unless the command line excludes them.
 ///
 /// # Errors
-/// Those of [`baselines::load`].
+/// A baseline that [`baselines::load`] cannot read.
 fn baselines(
     arguments: &RunArguments,
     folder: &CaseFolder,

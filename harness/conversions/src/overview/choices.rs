@@ -19,7 +19,7 @@ struct Topic {
 /// Writes the choices that matter for a signature: each with its dialects, or without them where all dialects choose the same.
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of writing to `out`.
 pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Write) -> io::Result<()> {
     let topics = topics(signature);
     let labels = topics.iter().map(|topic| topic.label.len()).max().unwrap_or(0);

@@ -59,7 +59,7 @@ struct CallResult<'a> {
 /// Writes the JSON object of a function, and a line feed.
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of writing to `out`.
 pub fn write(
     function: &str,
     results: &[SignatureResults],

@@ -49,7 +49,7 @@ impl Page<'_> {
     /// Writes the page.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let mut notes = Notes::default();
         for results in self.results {

@@ -85,7 +85,7 @@ impl Column {
 /// Writes a table in pieces; the `left` columns are repeated in every piece.
 ///
 /// # Errors
-/// Those of `out`.
+/// Errors of writing to `out`.
 pub fn write(left: &[Column], columns: &[Column], out: &mut dyn Write) -> io::Result<()> {
     let start: usize = left.iter().map(|column| column.width() + GAP).sum();
     for (index, piece) in pieces(start, columns).into_iter().enumerate() {

@@ -110,7 +110,7 @@ pub(crate) fn run<A: AsRef<OsStr>>(
 /// Runs a program as [`run`] does, after `prepare` has changed its command.
 ///
 /// # Errors
-/// As [`run`].
+/// Fails as [`run`] does.
 pub(crate) fn run_with<A: AsRef<OsStr>>(
     program: &Path,
     arguments: &[A],

@@ -73,7 +73,7 @@ fn style(choice: u8) -> Style {
 /// Judges the reference on a sound program and on the same program with an error, both written with positional arguments.
 ///
 /// # Errors
-/// As [`check`].
+/// Fails as [`check`] does.
 pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputOutcome, OracleFailure> {
     let without = write(sound, style);
     judge_sound_text(sound.dialect, &without.text)?;

@@ -74,7 +74,7 @@ impl<'a> Observer<'a> {
     }
 }
 
-/// Whether a scan is among those that are run.
+/// Returns whether a scan is among those that are run.
 pub(super) fn check_scan(name: &str, scan: u32, scans: u32) -> Result<(), RequestError> {
     if scan <= scans {
         Ok(())

@@ -103,7 +103,7 @@ fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
 }
 
 impl ConversionFunction {
-    /// Whether the function takes an argument of exactly this type.
+    /// Returns whether the function takes an argument of exactly this type.
     #[must_use]
     pub fn accepts(&self, argument: ElementaryType) -> bool {
         match self.parameter {
@@ -154,7 +154,7 @@ impl ConversionFunction {
 }
 
 /// The conversion function of one argument of this name, in any ASCII case; `None` where the dialect has none.
-/// Those of two arguments are found by [`super::concatenation()`].
+/// [`super::concatenation()`] finds the functions of two arguments.
 ///
 /// | name | takes | gives |
 /// |---|---|---|

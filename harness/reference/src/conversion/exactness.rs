@@ -317,7 +317,7 @@ fn durations_count_in_milliseconds() {
     assert_eq!(convert(Ulint, Time, u64::MAX), (-1_000_000_i64).cast_unsigned());
 }
 
-/// Whether a real number is the nearest to `nanoseconds / 1 000 000`: neither neighbour is nearer.
+/// Returns whether a real number is the nearest to `nanoseconds / 1 000 000`: neither neighbour is nearer.
 fn is_nearest(nanoseconds: i128, ty: ElementaryType, raw: u64) -> bool {
     let distance = |raw: u64| {
         let value = decode(raw, ty);

@@ -4,7 +4,7 @@ use super::{Conversion, ConversionRule};
 use crate::dialect::{Dialect, Widening};
 use stickler_types::{ElementaryType, MatrixWord};
 
-/// Whether a value of one elementary type may stand where another is expected, and what becomes of it: the
+/// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
 /// for equal types, or `None` where an explicit call is needed.
 #[must_use]

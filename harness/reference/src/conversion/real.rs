@@ -28,7 +28,7 @@ pub fn of_single(value: f32) -> u64 {
     value.to_bits().into()
 }
 
-/// Whether a raw form stands for something other than zero; only for reals is that not whether it is 0.
+/// Returns whether a raw form stands for something other than zero; only for reals is that not whether it is 0.
 #[inline]
 #[must_use]
 pub fn is_nonzero(raw: u64, ty: ElementaryType) -> bool {

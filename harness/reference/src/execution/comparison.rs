@@ -5,7 +5,7 @@ use crate::instruction::ComparisonOperator;
 use std::cmp::Ordering;
 use stickler_types::{ElementaryType, Family};
 
-/// Whether the operator holds for two raw forms of a type. A NaN is unequal to everything, itself included,
+/// Returns whether the operator holds for two raw forms of a type. A NaN is unequal to everything, itself included,
 /// and -0.0 equals 0.0. Basis: IEC 60559.
 #[inline]
 #[must_use]
@@ -27,7 +27,7 @@ pub fn order(ty: ElementaryType, left: u64, right: u64) -> Option<Ordering> {
     }
 }
 
-/// Whether an operator holds for operands of this order.
+/// Returns whether an operator holds for operands of this order.
 #[inline]
 #[must_use]
 pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {

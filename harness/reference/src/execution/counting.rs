@@ -25,7 +25,7 @@ impl LoopCounter {
         }
     }
 
-    /// Whether a control value has not passed the limit.
+    /// Returns whether a control value has not passed the limit.
     fn goes_on_with(self, control: i128) -> bool {
         if self.step < 0 {
             control >= self.limit
@@ -34,7 +34,7 @@ impl LoopCounter {
         }
     }
 
-    /// Whether the loop begins at all.
+    /// Returns whether the loop begins at all.
     pub fn begins(self) -> bool {
         self.goes_on_with(self.control)
     }

@@ -360,7 +360,7 @@ fn element(subscript: u64, (low, high): (i64, i64), unsigned: bool) -> Result<u6
     }
 }
 
-/// Whether a raw form lies in a subrange of its integer type.
+/// Returns whether a raw form lies in a subrange of its integer type.
 fn in_range(value: u64, low: i64, high: u64, unsigned: bool) -> bool {
     if unsigned {
         (low.cast_unsigned()..=high).contains(&value)

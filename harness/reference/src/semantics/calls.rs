@@ -26,7 +26,7 @@ pub(super) enum Callee {
     Concatenation(Concatenation),
     /// Nothing that can be called: the code and the reason.
     Nothing(Code, &'static str),
-    /// Something that is wrong for another reason.
+    /// An expression whose mistake is reported elsewhere.
     Silent,
 }
 

@@ -69,7 +69,7 @@ impl TypeRules<'_> {
         }
     }
 
-    /// Whether a value goes with others that have a type in common.
+    /// Returns whether a value goes with others that have a type in common.
     pub(super) fn goes_with(self, value: Inferred, common: TypeId) -> bool {
         fit(
             value,

@@ -59,7 +59,7 @@ pub(super) enum Constant {
 }
 
 impl Constant {
-    /// Whether the value is known.
+    /// Returns whether the value is known.
     pub(super) const fn is_known(&self) -> bool {
         matches!(self, Constant::Known(_))
     }

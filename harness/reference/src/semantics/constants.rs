@@ -202,7 +202,7 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// Whether what is no constant for this reason is perhaps a value that the running program computes.
+/// Returns whether what is no constant for this reason is perhaps a value that the running program computes.
 const fn is_computed(code: Code) -> bool {
     matches!(code, Code::VariableMustBeConst | Code::ConstantNotIntegerType)
 }

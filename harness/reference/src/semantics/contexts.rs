@@ -49,7 +49,7 @@ impl ValueContext {
         }
     }
 
-    /// Whether an untyped integer literal is a bit string here.
+    /// Returns whether an untyped integer literal is a bit string here.
     ///
     /// Basis: rule: literal-as-operand (an initializer always takes one; a parameter and the target of an assignment
     /// by dialect). An operand takes the other's type in every dialect.
@@ -73,7 +73,7 @@ pub(super) enum Fit {
     Silent,
 }
 
-/// Whether a value may stand where `target` is expected, `target` being a value's type.
+/// Returns whether a value may stand where `target` is expected, `target` being a value's type.
 ///
 /// For elementary types the rule is [`implicit`]. Enumerations, structures and
 /// arrays convert to nothing but themselves.
@@ -114,7 +114,7 @@ pub(super) fn fit(
     if fits { Fit::Yes } else { Fit::No }
 }
 
-/// Whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at
+/// Returns whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at
 /// when the literal is read.
 fn integer_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) -> bool {
     if ty.is_real() {

@@ -162,7 +162,7 @@ impl<'m> Lowering<'m> {
     }
 }
 
-/// Whether a prefix operator is defined for its operand. An untyped operand is looked at again once it has a
+/// Returns whether a prefix operator is defined for its operand. An untyped operand is looked at again once it has a
 /// type.
 pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
     match operand {
@@ -173,7 +173,7 @@ pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
     }
 }
 
-/// Whether a prefix operator is defined for a type.
+/// Returns whether a prefix operator is defined for a type.
 pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType) -> bool {
     match operator {
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),

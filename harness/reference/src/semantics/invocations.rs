@@ -179,7 +179,7 @@ impl<'m> Lowering<'m> {
         self.push_address(place.location);
     }
 
-    /// Whether an expression has the form of a variable, and is no enumerated value.
+    /// Returns whether an expression has the form of a variable, and is no enumerated value.
     fn is_variable(&self, id: ExpressionId) -> bool {
         match self.expression(id).kind {
             ExpressionKind::Name(name) => {

@@ -139,7 +139,7 @@ pub(super) fn read_literal(
     }
 }
 
-/// Whether the values of a type are written as whole numbers.
+/// Returns whether the values of a type are written as whole numbers.
 fn counts(ty: ElementaryType) -> bool {
     matches!(
         ty.family(),

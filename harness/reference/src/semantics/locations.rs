@@ -30,7 +30,7 @@ pub(super) struct VariablePlace {
     pub(super) ty: TypeId,
     /// The bit that is selected.
     pub(super) bit: Option<u8>,
-    /// Whether it belongs to a CONSTANT.
+    /// Whether the location belongs to a CONSTANT.
     pub(super) constant: bool,
 }
 
@@ -82,12 +82,12 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether values of a type are addresses of where they lie.
+    /// Returns whether values of a type are addresses of where they lie.
     pub(super) fn is_aggregate(&self, ty: TypeId) -> bool {
         matches!(self.cells(ty), CellKind::Many(_))
     }
 
-    /// Whether values of a type are texts.
+    /// Returns whether values of a type are texts.
     pub(super) fn is_text(&self, ty: TypeId) -> bool {
         self.cells(ty) == CellKind::Text
     }

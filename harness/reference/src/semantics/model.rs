@@ -111,7 +111,7 @@ pub(super) struct PouEntry<'u> {
 }
 
 impl PouEntry<'_> {
-    /// Whether the POU is a function, whose variables lie in a frame of its own.
+    /// Returns whether the POU is a function, whose variables lie in a frame of its own.
     pub(super) fn is_function(&self) -> bool {
         self.pou.kind == PouKind::Function
     }
@@ -126,13 +126,13 @@ pub(super) struct DeclaredVariable<'u> {
     pub(super) ty: TypeId,
     /// The section.
     pub(super) kind: VariableKind,
-    /// Whether it is a CONSTANT.
+    /// Whether the variable is a CONSTANT.
     pub(super) constant: bool,
     /// The location.
     pub(super) storage: Storage,
     /// The initial value.
     pub(super) initializer: Option<&'u Initializer<'u>>,
-    /// Whether it shares the initial value with a variable before it, whose errors are not reported twice.
+    /// Whether the variable shares the initial value with a variable before it, whose errors are not reported twice.
     pub(super) repeated: bool,
     /// The meaning of its name in a constant expression.
     pub(super) value: Constant,

@@ -18,9 +18,9 @@ use stickler_types::ElementaryType;
 enum ConstantType {
     /// An elementary type; a text takes so many code units.
     Elementary(ElementaryType, u32),
-    /// Something else.
+    /// A type whose constants have no elementary value.
     Other,
-    /// Something that is wrong.
+    /// A wrong type, which is reported elsewhere.
     Unknown,
 }
 

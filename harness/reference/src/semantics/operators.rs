@@ -42,7 +42,7 @@ pub(super) enum Action {
 /// The meaning of an operator for operands of certain types.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum OperatorSignature {
-    /// This operation.
+    /// An operation of the machine.
     Defined(TypedOperation),
     /// Both operands, or the base of a power, are untyped literals, and so is the result.
     Untyped(Inferred),

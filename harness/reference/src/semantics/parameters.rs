@@ -64,7 +64,7 @@ impl ParameterList {
     /// Returns the arguments of a call in the order of the parameters.
     ///
     /// # Errors
-    /// What is wrong with the arguments as a whole.
+    /// The mistake in the arguments as a whole.
     pub(super) fn ordered(
         &self,
         arguments: &[Argument<'_>],
@@ -144,7 +144,7 @@ impl ParameterList {
 /// Returns the one argument of a conversion function, by position or as `IN`.
 ///
 /// # Errors
-/// What is wrong with the arguments as a whole.
+/// The mistake in the arguments as a whole.
 pub(super) fn single_argument(
     arguments: &[Argument<'_>],
     call: Span,

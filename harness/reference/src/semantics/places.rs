@@ -243,7 +243,7 @@ impl<'m> Lowering<'m> {
         })
     }
 
-    /// Whether an expression has the form of a variable.
+    /// Returns whether an expression has the form of a variable.
     pub(super) fn names_a_place(&self, id: ExpressionId) -> bool {
         matches!(
             self.expression(id).kind,

@@ -36,7 +36,7 @@ impl Reporter {
         self.reported
     }
 
-    /// Whether nothing has been reported yet.
+    /// Returns whether nothing has been reported yet.
     pub(super) fn is_empty(&self) -> bool {
         self.diagnostics.is_empty()
     }

@@ -22,8 +22,8 @@ impl<'n> Candidate<'n> {
         }
     }
 
-    /// Whether so few changes can make one name of the other at all. A change takes at most one letter away and brings
-    /// at most one, which turns nearly all names away without looking at the order of their letters.
+    /// Returns whether so few changes can make one name of the other at all. A change takes at most one letter away and
+    /// brings at most one, which turns nearly all names away without looking at the order of their letters.
     pub(super) fn may_be_similar(self, other: Candidate<'_>, changes: usize) -> bool {
         (self.letters ^ other.letters).count_ones() as usize <= 2 * changes
             && self.name.len().abs_diff(other.name.len()) <= changes

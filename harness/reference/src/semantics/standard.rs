@@ -99,7 +99,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether a standard function is defined for a type.
+    /// Returns whether a standard function is defined for a type.
     fn takes(&self, function: StandardFunction, ty: TypeId) -> bool {
         let Some(elementary) = ty.elementary() else {
             let enumerated = matches!(self.model.types.kind(ty), TypeKind::Enumeration(_));
@@ -115,7 +115,7 @@ impl Lowering<'_> {
         }
     }
 
-    /// Whether a standard function is defined for what an argument is.
+    /// Returns whether a standard function is defined for what an argument is.
     fn takes_inferred(&self, function: StandardFunction, inferred: Inferred) -> bool {
         match inferred {
             Inferred::Known(ty) => self.takes(function, ty),

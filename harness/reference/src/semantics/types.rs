@@ -121,7 +121,7 @@ pub(super) struct TypeMember {
     pub(super) offset: u32,
     /// The section that it is declared in; a structure's elements count as VAR.
     pub(super) kind: VariableKind,
-    /// Whether it is a CONSTANT.
+    /// Whether the member is a CONSTANT.
     pub(super) constant: bool,
 }
 
@@ -147,7 +147,7 @@ impl TypeKind {
 pub(super) enum DefaultValue {
     /// All cells 0, all texts empty.
     Zero,
-    /// This raw form.
+    /// An initial value of this raw form.
     Constant(u64),
     /// The value that this routine makes, run on the variable as its instance.
     Routine(RoutineId),

@@ -92,7 +92,7 @@ impl<'u> Declarer<'u, '_> {
         }
     }
 
-    /// Whether a group has an initial value, if perhaps one that could not be read.
+    /// Returns whether a group has an initial value, if perhaps one that could not be read.
     pub(super) fn says_initial_value(&self, group: &VariableGroup<'u>) -> bool {
         let behind = self
             .model

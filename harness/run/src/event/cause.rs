@@ -14,7 +14,7 @@ const MAX_TYPES: usize = 24;
 pub struct Cause {
     /// The name of the engine.
     pub engine: String,
-    /// What the engine does, as a key: `accepted P4035`, `rejected P0002 ;`, `value`.
+    /// The behaviour of the engine, as a key: `accepted P4035`, `rejected P0002 ;`, `value`.
     pub symptom: String,
     /// The constructs that a program needs to show the cause, as a key: `conversion integer and real`. Together with the
     /// engine and the symptom it is unique in a run, and by it the causes of several parts of a run are merged.
@@ -29,9 +29,9 @@ pub struct Cause {
     /// The elementary types in programs that show the cause, each entry those of one program; not of every case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub types: Vec<String>,
-    /// How far the shown program was made smaller.
+    /// The extent to which the shown program was reduced.
     pub reduction: Reduced,
-    /// How often the engine deviated when it was given the shown program several times; `None` where it did so each time.
+    /// The number of runs in which the engine deviated on the shown program; `None` where it did so in each.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flaky: Option<Repeats>,
     /// The cases that fail for this cause, by probe, dialect, claim and verdict, in the order of the suite.
@@ -60,12 +60,12 @@ pub struct Witness {
     pub reproduction: Option<Reproduction>,
 }
 
-/// How far a program was made smaller.
+/// The extent to which a program was reduced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reduced {
-    /// It was not tried: the engine answered otherwise when it was asked again, the questions were spent, or nothing can be
-    /// made smaller.
+    /// No reduction was tried: the engine answered otherwise when it was asked again, the questions were spent, or nothing
+    /// can be left out.
     #[default]
     Not,
     /// The questions for it were spent before it was as small as it can be.
@@ -74,10 +74,10 @@ pub enum Reduced {
     Smallest,
 }
 
-/// How often something was seen in a number of runs.
+/// The number of runs in which a deviation was seen, of a number of runs.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 pub struct Repeats {
-    /// The number of runs in which it was seen.
+    /// The number of runs in which the deviation was seen.
     pub seen: u32,
     /// The number of all runs.
     pub of: u32,

@@ -1,4 +1,4 @@
-//! What lint says of the sources, which only a reader of all cases would notice.
+//! Lints the sources as a whole: mistakes that only a reader of all cases would notice.
 
 use std::collections::BTreeSet;
 

@@ -25,7 +25,7 @@ const STEPS: [(&str, [&str; 2]); 5] = [
 /// The steps of `expression-operand-widens`, after which 1 is added.
 const SUM_STEPS: [&str; 2] = ["{from}_TO_{narrow}", "{narrow}_TO_{wide}"];
 
-/// What is done to the input of a row, and which function takes the result.
+/// Preparations of the input of a row, each with the function that takes the result.
 ///
 /// A REAL is what Rust calls `f32`, and adds by IEC 60559 as `f32` does: the sum is rounded once, to nearest, ties to even.
 const IDIOMS: [(&str, Prepare, &str); 6] = [

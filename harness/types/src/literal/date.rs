@@ -44,7 +44,7 @@ pub fn time_of_day(text: &str) -> Result<i64, LiteralError> {
 /// Reads a date and time of day, such as `2024-02-29-12:34:56.5`, into nanoseconds from 1970-01-01-00:00:00.
 ///
 /// # Errors
-/// Those of [`date`] and [`time_of_day`]; the range is 1677-09-21-00:12:43.145224192 to 2262-04-11-23:47:16.854775807.
+/// Fails as [`date`] and [`time_of_day`] do; the range is 1677-09-21-00:12:43.145224192 to 2262-04-11-23:47:16.854775807.
 ///
 /// Basis: iec-61131-3: Table 9 (date and time literals); the raw form is that of [`Value`](crate::Value).
 pub fn date_and_time(text: &str) -> Result<i64, LiteralError> {

@@ -35,7 +35,7 @@ impl<'o> Page<'o> {
     /// Writes the request: inputs, engines and dialects.
     ///
     /// # Errors
-    /// Those of the stream.
+    /// Errors of writing to the stream.
     pub fn begin(&mut self, request: &Request, shard: Shard) -> io::Result<()> {
         write!(self.out, "seed {}", request.seed)?;
         if shard != Shard::WHOLE {
@@ -62,7 +62,7 @@ impl<'o> Page<'o> {
     /// Writes the findings and the summary.
     ///
     /// # Errors
-    /// Those of the stream.
+    /// Errors of writing to the stream.
     pub fn end(&mut self, summary: &Summary, unsaved: &Unsaved) -> io::Result<()> {
         self.totals(summary)?;
         let (different, alike) = distinct_and_alike(summary);

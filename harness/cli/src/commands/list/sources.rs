@@ -24,7 +24,7 @@ struct SourceLine<'a> {
     title: &'a str,
     publisher: &'a str,
     kind: &'static str,
-    /// Where it opens: at the section that most cases cite.
+    /// The address of the source, at the section that most cases cite.
     address: String,
     read: &'a str,
     engines: &'a [String],
@@ -36,7 +36,7 @@ struct SourceLine<'a> {
 /// Writes every source, and every rule that a case rests on, with the number of these cases.
 ///
 /// # Errors
-/// Those of writing to `out`.
+/// Errors of writing to `out`.
 pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], json: bool) -> io::Result<()> {
     let mut cited: BTreeMap<&str, Cited<'_>> = BTreeMap::new();
     for case in cases {

@@ -73,7 +73,7 @@ impl Matrix {
     /// Writes the table, in pieces that fit the terminal.
     ///
     /// # Errors
-    /// Those of `out`.
+    /// Errors of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         self.write_heading(out)?;
         for columns in self.blocks() {

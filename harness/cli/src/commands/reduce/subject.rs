@@ -66,7 +66,7 @@ impl<'e> Subject<'e> {
     /// Returns whether a program shows a symptom.
     ///
     /// # Errors
-    /// Those of [`Subject::symptoms`].
+    /// The engine failed, as in [`Subject::symptoms`].
     pub fn answer(
         &mut self,
         dialect: DialectName,

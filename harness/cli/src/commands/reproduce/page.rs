@@ -7,7 +7,7 @@ use std::io::{self, Write};
 /// The name of the file.
 pub(super) const README: &str = "README.md";
 
-/// What is told of a reproduction.
+/// The facts that are printed about a reproduction.
 pub(super) struct Page<'p> {
     pub(super) subject: &'p Subject,
     /// The name of the engine.

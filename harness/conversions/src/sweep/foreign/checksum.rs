@@ -122,7 +122,7 @@ impl Checksum {
 }
 
 /// The least of the biased exponents that the program can tell apart: from that of 2^-255 up to, and without, that of 2^128.
-/// Those of REALs are among them, and no other is ever expected.
+/// All exponents of REALs are in that range, and no other is ever expected.
 const LEAST_EXPONENT: u64 = 1023 - 255;
 const GREATEST_EXPONENT: u64 = 1023 + 128;
 

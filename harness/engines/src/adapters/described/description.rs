@@ -262,7 +262,7 @@ impl FromStr for Meaning {
 /// The meaning of a diagnostic code of the compiler's own.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum CodeMeaning {
-    /// The same as this code of the registry.
+    /// A code of the registry with the same meaning.
     Code(Code),
     /// The compiler cannot do what was asked.
     Unsupported,

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 use stickler_types::{DialectName, ElementaryType, Value};
 
-/// What is known of the texts of each dialect and type: nothing to say where they can be read, otherwise the reason.
+/// Remembers for each dialect and type whether texts can be read, and the reason where they cannot.
 #[derive(Default)]
 pub(super) struct Texts {
     known: Mutex<BTreeMap<(DialectName, ElementaryType), Option<String>>>,

@@ -1,4 +1,4 @@
-//! What programs compute, where lowering could get it wrong.
+//! Values that programs compute where lowering could go wrong.
 
 use super::{ED3, gives, gives_in};
 

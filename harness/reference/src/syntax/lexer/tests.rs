@@ -1,4 +1,4 @@
-//! What the lexer makes of each kind of token.
+//! Tests of the lexer on each kind of token.
 
 use super::lex;
 use crate::dialect::Dialect;

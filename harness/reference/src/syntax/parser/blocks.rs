@@ -15,7 +15,7 @@ impl<'s> Parser<'s, '_> {
         mistaken || kind == TokenKind::End || self.blocks.iter().rev().any(|block| block.awaits(kind))
     }
 
-    /// Whether the next tokens were meant for an end that an open block waits for.
+    /// Returns whether the next tokens were meant for an end that an open block waits for.
     pub(super) fn at_misspelt_end(&self) -> bool {
         self.misspelt_end()
             .is_some_and(|(meant, _)| self.is_awaited(meant))

@@ -231,7 +231,7 @@ pub(super) fn error_specification<'s>(span: Span) -> TypeSpecification<'s> {
     }
 }
 
-/// Something that is a type to the rest of the text, and nothing else is known of it.
+/// Returns the declaration of a type of which only the name is known.
 pub(super) fn unknown_type(name: Name<'_>) -> Declaration<'_> {
     let specification = error_specification(name.span);
     Declaration::Types(vec![TypeDeclaration {

@@ -17,7 +17,7 @@ pub(super) enum OpenBlock {
 }
 
 impl OpenBlock {
-    /// Whether a keyword ends the block, or the part of it that is being read.
+    /// Returns whether a keyword ends the block, or the part of it that is being read.
     pub(super) fn awaits(self, kind: TokenKind) -> bool {
         match self {
             OpenBlock::Pou => kind.closes_pou() || kind.opens_declaration() || kind == TokenKind::End,

@@ -77,7 +77,7 @@ pub fn number(raw: u64, ty: ElementaryType) -> f64 {
     }
 }
 
-/// The same value, all NaNs being alike.
+/// Returns whether two raw forms are the same value; all NaNs are.
 pub fn same(left: u64, right: u64, ty: ElementaryType) -> bool {
     left == right || (ty.is_real() && number(left, ty).is_nan() && number(right, ty).is_nan())
 }

@@ -7,7 +7,7 @@ use stickler_reference::{Dialect, conversion};
 use stickler_types::ElementaryType::{self, Lreal, Real, String, Wstring};
 use stickler_types::{ConversionChoices, RealText, TextReading};
 
-/// What a value is after it has been written and read again, in code units and as a raw form.
+/// Writes a value as a text and reads it again; returns the code units and the raw form.
 fn written_and_read(
     dialect: &Dialect,
     ty: ElementaryType,

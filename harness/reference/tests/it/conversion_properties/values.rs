@@ -5,7 +5,7 @@ use stickler_reference::Dialect;
 use stickler_reference::conversion::{Conversion, function, implicit};
 use stickler_types::{ElementaryType, Family};
 
-/// Whether a conversion keeps this value: its target holds it.
+/// Returns whether a conversion keeps this value: its target holds it.
 fn holds(conversion: Conversion, raw: u64) -> bool {
     let Conversion { from, to, .. } = conversion;
     let whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string() || ty == ElementaryType::Bool;
@@ -107,7 +107,7 @@ fn order(left: u64, right: u64, ty: ElementaryType) -> Option<std::cmp::Ordering
     }
 }
 
-/// Whether a conversion cannot wrap at this value.
+/// Returns whether a conversion cannot wrap at this value.
 fn stays_within(conversion: Conversion, raw: u64) -> bool {
     const MILLION: i128 = 1_000_000;
     let Conversion { from, to, .. } = conversion;

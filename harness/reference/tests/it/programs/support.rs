@@ -71,7 +71,7 @@ pub fn assert_values_in(dialect: DialectName, source: &str, expected: &[&str]) {
     }
 }
 
-/// The same in the ordinary dialect.
+/// Asserts in the ordinary dialect that a program runs, and that the variables then have these values.
 #[track_caller]
 pub fn assert_values(source: &str, expected: &[&str]) {
     assert_values_in(DIALECT, source, expected);
@@ -122,7 +122,7 @@ pub fn code(diagnostic: &Diagnostic) -> Code {
     diagnostic.registered_code().expect("a code of the registry")
 }
 
-/// The same in the ordinary dialect.
+/// Asserts the codes and lines of the diagnostics of a program in the ordinary dialect.
 #[track_caller]
 pub fn assert_diagnostics(source: &str, expected: &[(Code, u32)]) {
     assert_diagnostics_in(DIALECT, source, expected);
