@@ -1,4 +1,4 @@
-//! Commands that see a finding again, to be pasted into a shell.
+//! ReproductionCommands that see a finding again, to be pasted into a shell.
 
 use crate::finding::Finding;
 use std::path::PathBuf;
@@ -7,7 +7,7 @@ use stickler_types::DialectName;
 
 /// The parts from which the commands of a campaign are written.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Commands {
+pub struct ReproductionCommands {
     /// The words that start Stickler where the reader is, such as `stickler`.
     pub program: String,
     /// The folder in which findings are kept.
@@ -22,7 +22,7 @@ pub struct Commands {
     pub without: Vec<String>,
 }
 
-impl Commands {
+impl ReproductionCommands {
     /// Returns two commands: the first judges the saved finding again, the second finds the original again.
     #[must_use]
     pub fn of(&self, finding: &Finding) -> Vec<String> {

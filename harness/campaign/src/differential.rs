@@ -21,7 +21,7 @@ pub(crate) use evaluated::EvaluatedProgram;
 pub use pace::PackPolicy;
 pub(crate) use reduction::expected;
 
-use crate::commands::Commands;
+use crate::commands::ReproductionCommands;
 use crate::exclusions::Exclusions;
 use crate::inputs::Inputs;
 use crate::oracle::{Oracle, Worker};
@@ -44,7 +44,7 @@ pub struct DifferentialOracle<'e> {
     /// When an engine is given several programs at a time.
     pub packs: PackPolicy,
     /// The parts from which the commands of a finding are written.
-    pub commands: Commands,
+    pub commands: ReproductionCommands,
 }
 
 impl DifferentialOracle<'_> {

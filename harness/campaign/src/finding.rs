@@ -30,7 +30,7 @@ pub struct Finding {
     /// The dialect of the program, where the input is one.
     pub dialect: Option<String>,
     /// Whether the disagreement was seen again.
-    pub standing: Standing,
+    pub standing: Confirmation,
     /// The place where the input was found, and the course of its reduction.
     pub origin: Origin,
     /// A description of what happened, for a person.
@@ -68,7 +68,7 @@ pub struct EngineInfo {
 /// Whether a finding was seen again.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Standing {
+pub enum Confirmation {
     /// The reduced program was run once more, and did the same.
     Confirmed,
     /// A second run did something else, or the engine was gone. The finding is kept as it was found.
@@ -229,7 +229,7 @@ impl Finding {
         self.rank() < other.rank()
     }
 
-    fn rank(&self) -> (Standing, bool, u64, usize, u64, u64) {
+    fn rank(&self) -> (Confirmation, bool, u64, usize, u64, u64) {
         let length = self.program.as_ref().map_or(self.input.len(), String::len);
         (
             self.standing,
@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(small.clone().better(large.clone()), small);
         assert_eq!(large.clone().better(small.clone()), small);
         let flaky = Finding {
-            standing: Standing::Flaky,
+            standing: Confirmation::Flaky,
             ..small
         };
         assert_eq!(flaky.better(large.clone()), large);

@@ -1,7 +1,7 @@
 //! Fuzz campaigns without libFuzzer: programs from a seed, engines side by side, findings that are kept.
 //!
-//! [`run`] follows a [`Plan`]: it gives out the [`Inputs`] of a seed to the workers of an [`Oracle`], takes their
-//! [`Verdict`]s in order, has each [`Mismatch`] reduced, and reports each [`Finding`] once. A [`DifferentialOracle`] compares
+//! [`run`] follows a [`CampaignPlan`]: it gives out the [`Inputs`] of a seed to the workers of an [`Oracle`], takes their
+//! [`InputVerdict`]s in order, has each [`Mismatch`] reduced, and reports each [`Finding`] once. A [`DifferentialOracle`] compares
 //! engines with the evaluator, a [`TargetOracle`] judges the reference by the oracles of the fuzz targets.
 //!
 //! A [`Store`] keeps findings in a folder; [`replay`] judges one again, [`promote`] makes a case of it, and [`merge`] puts the
@@ -31,17 +31,17 @@ mod store;
 mod targets;
 mod texts;
 
-pub use commands::Commands;
+pub use commands::ReproductionCommands;
 pub use differential::{DifferentialOracle, EngineUnderTest, PackPolicy};
 pub use exclusions::{Exclusions, UnknownWord};
 pub use finding::Finding;
 pub use inputs::Inputs;
 pub use merge::{Merged, merge};
-pub use oracle::{Mismatch, Oracle, Verdict, Worker};
-pub use plan::{Plan, Until};
+pub use oracle::{InputVerdict, Mismatch, Oracle, Worker};
+pub use plan::{CampaignPlan, Until};
 pub use promote::{CaseHead, FOUND, PromoteError, Promoted, promote};
-pub use record::{Record, Request};
+pub use record::{CampaignRequest, Record};
 pub use replay::{Replayed, replay};
-pub use run::{CampaignError, Ended, Event, Progress, Summary, run};
+pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignProgress, CampaignSummary, run};
 pub use store::{Saved, Store, StoreError, load};
 pub use targets::TargetOracle;

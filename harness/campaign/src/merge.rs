@@ -1,7 +1,7 @@
 //! The parts of a campaign put together: each finding once, and what is missing said.
 
 use crate::finding::Finding;
-use crate::record::{FORMAT, RECORD, Record, Request};
+use crate::record::{CampaignRequest, FORMAT, RECORD, Record};
 use crate::store::Store;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ pub fn merge(folders: &[PathBuf]) -> Merged {
 }
 
 /// Parts of one campaign agree on what was asked, on the number of parts, and on the version of Stickler.
-type Key = (Request, u32, String);
+type Key = (CampaignRequest, u32, String);
 
 impl Merged {
     fn take_findings(&mut self, folder: &Path) {
@@ -66,7 +66,13 @@ impl Merged {
         }
     }
 
-    fn take_campaign(&mut self, asked: Request, count: u32, stickler: String, parts: &[(Record, &PathBuf)]) {
+    fn take_campaign(
+        &mut self,
+        asked: CampaignRequest,
+        count: u32,
+        stickler: String,
+        parts: &[(Record, &PathBuf)],
+    ) {
         let before = self.missing.len();
         for (record, folder) in parts {
             if !record.complete {
@@ -140,7 +146,7 @@ mod tests {
         Record {
             format: FORMAT,
             stickler: "0.1.0".to_owned(),
-            asked: Request {
+            asked: CampaignRequest {
                 seed: 7,
                 first: 0,
                 count: Some(100),

@@ -18,7 +18,7 @@ pub trait Worker {
     ///
     /// The verdict on a place depends on nothing but the place and what the engines do: not on the places before it, nor on
     /// how many are asked for at a time.
-    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict>;
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict>;
 
     /// Reduces a mismatch and runs it once more. When `going` becomes false, the smallest so far is given.
     fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding;
@@ -31,7 +31,7 @@ pub trait Worker {
 
 /// The verdict on one input.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Verdict {
+pub struct InputVerdict {
     /// The place of the input in the row of the seed.
     pub place: u64,
     /// The reason for which the input was not judged, where it was not.
@@ -53,11 +53,11 @@ pub struct Mismatch {
     pub symptom: String,
 }
 
-impl Verdict {
+impl InputVerdict {
     /// Returns the verdict on an input over which nobody disagrees.
     #[must_use]
-    pub const fn agreed(place: u64) -> Verdict {
-        Verdict {
+    pub const fn agreed(place: u64) -> InputVerdict {
+        InputVerdict {
             place,
             passed_over: None,
             mismatches: Vec::new(),

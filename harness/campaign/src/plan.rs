@@ -5,7 +5,7 @@ use stickler_workers::Shard;
 
 /// The plan of a campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Plan {
+pub struct CampaignPlan {
     /// The first place.
     pub first: u64,
     /// The end of the campaign.
@@ -27,8 +27,8 @@ pub enum Until {
     Time(Duration),
 }
 
-impl Plan {
-    /// Returns the places of this part in order, in batches of [`Plan::batch`].
+impl CampaignPlan {
+    /// Returns the places of this part in order, in batches of [`CampaignPlan::batch`].
     pub(crate) fn batches(self) -> impl Iterator<Item = Vec<u64>> {
         let end = match self.until {
             Until::Count(count) => self.first.saturating_add(count),
@@ -76,12 +76,12 @@ pub(crate) const fn is_reduced(number: u64) -> bool {
 mod tests {
     use super::*;
 
-    fn places(plan: Plan) -> Vec<u64> {
+    fn places(plan: CampaignPlan) -> Vec<u64> {
         plan.batches().flatten().collect()
     }
 
-    fn plan(shard: Shard, count: u64) -> Plan {
-        Plan {
+    fn plan(shard: Shard, count: u64) -> CampaignPlan {
+        CampaignPlan {
             first: 3,
             until: Until::Count(count),
             shard,

@@ -1,6 +1,6 @@
 //! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
 
-use crate::finding::{Expected, Finding, ObservedValue, Standing};
+use crate::finding::{Confirmation, Expected, Finding, ObservedValue};
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -123,7 +123,7 @@ fn case_file(finding: &Finding, words: &CaseHead<'_>) -> Result<(String, String)
         id: finding.id.clone(),
         reason,
     };
-    if finding.standing == Standing::Flaky {
+    if finding.standing == Confirmation::Flaky {
         return Err(refused(
             "it is flaky: it was not seen again, so a case would say nothing".to_owned(),
         ));
@@ -326,7 +326,7 @@ mod tests {
     fn what_says_nothing_becomes_no_case() {
         let finding = sample::finding("a", "value:INT", &["MOD"], 6);
         let flaky = Finding {
-            standing: Standing::Flaky,
+            standing: Confirmation::Flaky,
             ..finding.clone()
         };
         assert!(reason(&flaky).contains("it is flaky"));

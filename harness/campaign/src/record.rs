@@ -19,7 +19,7 @@ pub struct Record {
     /// The version of Stickler that ran it.
     pub stickler: String,
     /// The options of the campaign.
-    pub asked: Request,
+    pub asked: CampaignRequest,
     /// The number of the part, from 1.
     pub part: u32,
     /// The number of parts.
@@ -36,7 +36,7 @@ pub struct Record {
 
 /// The options of a campaign, which are the same for all its parts.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
-pub struct Request {
+pub struct CampaignRequest {
     /// The seed.
     pub seed: u64,
     /// The first place.

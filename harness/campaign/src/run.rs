@@ -9,28 +9,28 @@ mod tasks;
 mod tests;
 
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Oracle, Verdict};
-use crate::plan::{Plan, Until};
+use crate::oracle::{InputVerdict, Mismatch, Oracle};
+use crate::plan::{CampaignPlan, Until};
 use ledger::Ledger;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::EngineError;
 use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
-use tasks::{Done, Task};
+use tasks::{CampaignTask, Done};
 
 /// An event of a campaign that goes on.
 #[derive(Debug)]
-pub enum Event<'a> {
+pub enum CampaignEvent<'a> {
     /// The progress of the campaign.
-    Progress(Progress),
+    Progress(CampaignProgress),
     /// A finding that is new, or better than the earlier one of that name.
     Found(&'a Finding),
 }
 
 /// The progress of a campaign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Progress {
+pub struct CampaignProgress {
     /// Inputs that were judged or passed over.
     pub programs: u64,
     /// Disagreements, whatever became of them.
@@ -41,7 +41,7 @@ pub struct Progress {
 
 /// The result of a campaign.
 #[derive(Debug)]
-pub struct Summary {
+pub struct CampaignSummary {
     /// Inputs that were judged or passed over.
     pub programs: u64,
     /// The number of inputs that were passed over, by the reason.
@@ -57,14 +57,14 @@ pub struct Summary {
     /// The number of disagreements that were not reduced, since many like them were.
     pub left: u64,
     /// The way in which the campaign ended.
-    pub ended: Ended,
+    pub ended: CampaignEnd,
     /// The time that the campaign took.
     pub elapsed: Duration,
 }
 
 /// The way in which a campaign ended.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub enum Ended {
+pub enum CampaignEnd {
     /// All places were judged, or the time was up.
     Done,
     /// The campaign was told to stop.
@@ -79,11 +79,11 @@ pub enum Ended {
 /// # Errors
 /// [`CampaignError`] where an engine or a thread cannot be started; no input was judged then.
 pub fn run(
-    plan: &Plan,
+    plan: &CampaignPlan,
     oracle: &dyn Oracle,
-    tell: &mut dyn FnMut(Event<'_>),
+    tell: &mut dyn FnMut(CampaignEvent<'_>),
     cancel: &Cancellation,
-) -> Result<Summary, CampaignError> {
+) -> Result<CampaignSummary, CampaignError> {
     let clock = Clock::new(plan.until, cancel);
     let pool = WorkerPool::new(plan.jobs);
     let mut campaign = Campaign {
@@ -173,24 +173,24 @@ struct Campaign<'c, 't, B> {
     batches_ahead: usize,
     /// The number of batches that were given out.
     begun: usize,
-    verdicts: Reorder<Vec<Verdict>>,
+    verdicts: Reorder<Vec<InputVerdict>>,
     /// Done before further batches: a campaign that is cut short has then reduced most of what it found.
     reductions: VecDeque<Mismatch>,
     ledger: Ledger,
-    tell: &'t mut dyn FnMut(Event<'_>),
+    tell: &'t mut dyn FnMut(CampaignEvent<'_>),
 }
 
-impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<Task, Done> for Campaign<'_, '_, B> {
-    fn next_task(&mut self) -> Option<Task> {
+impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for Campaign<'_, '_, B> {
+    fn next_task(&mut self) -> Option<CampaignTask> {
         if let Some(mismatch) = self.reductions.pop_front() {
-            return Some(Task::Reduce(mismatch));
+            return Some(CampaignTask::Reduce(mismatch));
         }
         if self.begun - self.verdicts.taken() >= self.batches_ahead || !self.clock.judges() {
             return None;
         }
         let (number, places) = self.batches.next()?;
         self.begun += 1;
-        Some(Task::Judge { number, places })
+        Some(CampaignTask::Judge { number, places })
     }
 
     fn take(&mut self, done: Done) {
@@ -212,12 +212,12 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<Task, Done> for Campaign<
             Done::Reduced { finding, lost } => {
                 self.lost(lost);
                 if let Some(finding) = self.ledger.found(*finding) {
-                    (self.tell)(Event::Found(finding));
+                    (self.tell)(CampaignEvent::Found(finding));
                 }
             }
             Done::Panicked(reason) => self.lost(Some(reason)),
         }
-        (self.tell)(Event::Progress(self.ledger.progress()));
+        (self.tell)(CampaignEvent::Progress(self.ledger.progress()));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Findings for tests.
 
-use crate::finding::{EngineInfo, Expected, FORMAT, Finding, ObservedValue, Origin, Standing};
+use crate::finding::{Confirmation, EngineInfo, Expected, FORMAT, Finding, ObservedValue, Origin};
 
 /// Returns a finding of an engine of this name.
 pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) -> Finding {
@@ -17,7 +17,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         symptom: symptom.to_owned(),
         rule: rule.iter().map(|&part| part.to_owned()).collect(),
         dialect: Some("ironplc-ed3".to_owned()),
-        standing: Standing::Confirmed,
+        standing: Confirmation::Confirmed,
         origin: Origin {
             seed: 1,
             place: 7,

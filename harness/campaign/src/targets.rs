@@ -5,7 +5,7 @@ mod reduced;
 mod reduction;
 mod worker;
 
-use crate::commands::Commands;
+use crate::commands::ReproductionCommands;
 use crate::inputs::Inputs;
 use crate::oracle::{Oracle, Worker};
 use crate::texts;
@@ -19,7 +19,7 @@ pub struct TargetOracle {
     /// The source of the inputs.
     pub inputs: Inputs,
     /// The parts from which the commands of a finding are written.
-    pub commands: Commands,
+    pub commands: ReproductionCommands,
 }
 
 impl TargetOracle {

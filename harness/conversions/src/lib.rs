@@ -17,5 +17,5 @@ pub mod sweep;
 pub use functions::{
     FunctionDialects, NoSuchFunction, all_functions, dialect_list, find_function, short_names,
 };
-pub use program::Program;
+pub use program::ConversionProgram;
 pub use session::{FunctionSession, Refusal, RefusalKind};

@@ -10,7 +10,7 @@ const DEFAULT_LENGTH: usize = 80;
 
 /// A source text of a program, and the variables that hold its results.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Program {
+pub struct ConversionProgram {
     /// The source text.
     pub source: String,
     /// The names of the variables that hold the results.
@@ -24,7 +24,7 @@ pub struct Program {
 /// NaN and the infinities, which have no literal, are computed before the calls: an engine that computes them otherwise
 /// than IEC 60559 gives the function other operands.
 #[must_use]
-pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Program {
+pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let (mut declarations, mut statements) = infinity(calls);
     let mut observed = Vec::with_capacity(calls.len());
@@ -52,7 +52,7 @@ pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> Program {
         let _ = writeln!(statements, "    {name} := {function}({});", arguments.join(", "));
         observed.push(name);
     }
-    Program {
+    ConversionProgram {
         source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
         observed,
         ty: *result,

@@ -1,6 +1,6 @@
 //! A session of an engine that executes programs, and gives values or the reason why there are none.
 
-use crate::program::{self, Program};
+use crate::program::{self, ConversionProgram};
 use std::fmt;
 use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Observation, Outcome, RunRequest};
 use stickler_exact::Signature;
@@ -99,7 +99,7 @@ impl<'e> FunctionSession<'e> {
     ///
     /// # Errors
     /// The [`Refusal`] of an engine that gives no values.
-    pub fn run(&mut self, dialect: DialectName, program: &Program) -> Result<Vec<Value>, Refusal> {
+    pub fn run(&mut self, dialect: DialectName, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
         let observe: Vec<Observation> = program
             .observed
             .iter()
@@ -136,7 +136,7 @@ impl<'e> FunctionSession<'e> {
 }
 
 /// Returns the values of the variables that a program observes from its outcome, or the reason why there are none.
-fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
+fn values(outcome: Outcome, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
     use RefusalKind::{Crashed, Faulted, Nonsense, Rejected, TimedOut, TooManySteps, Unsupported};
     let line = match &outcome {
         Outcome::Rejected { diagnostics } => line_of(diagnostics, &program.source),
@@ -160,7 +160,7 @@ fn values(outcome: Outcome, program: &Program) -> Result<Vec<Value>, Refusal> {
 }
 
 /// Returns values in the order in which the program lists its observed variables; engines may answer in another.
-fn in_order(mut values: Vec<(String, Value)>, program: &Program) -> Result<Vec<Value>, Refusal> {
+fn in_order(mut values: Vec<(String, Value)>, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
     let asked = &program.observed;
     if values.len() != asked.len() || values.iter().zip(asked).any(|((key, _), name)| key != name) {
         let place = |key: &str| asked.iter().position(|name| name == key);

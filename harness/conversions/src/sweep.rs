@@ -2,7 +2,7 @@
 //!
 //! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
 //! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Converter`] (on the reference that is its own
-//! conversion) and gives [`Findings`]. [`foreign`] does the same with an engine that only executes programs.
+//! conversion) and gives [`SweepFindings`]. [`foreign`] does the same with an engine that only executes programs.
 
 mod agenda;
 mod comparison;
@@ -15,7 +15,7 @@ mod run;
 
 pub use agenda::{AgendaError, Sweep, SweepMethod, agenda};
 pub use converter::Converter;
-pub use domain::{Domain, Operands, Sampling, Texts};
-pub use findings::{Difference, Findings, MAX_DIFFERENCES};
+pub use domain::{Domain, Operands, Sampling, TextOperands};
+pub use findings::{Difference, MAX_DIFFERENCES, SweepFindings};
 pub use reference::Reference;
-pub use run::{Progress, run};
+pub use run::{SweepProgress, run};

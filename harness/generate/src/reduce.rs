@@ -6,7 +6,7 @@
 //! | a [`Program`](crate::model::Program) of the generator: every candidate is well-typed by construction | [`program`](program()) |
 //! | any source text, by the syntax tree of the reference: no candidate is ill-formed unless the text was | [`text`](text()) |
 //!
-//! [`Symptom`] says how the outcome of an engine differs from the expected one.
+//! [`OutcomeSymptom`] says how the outcome of an engine differs from the expected one.
 
 mod program;
 mod search;
@@ -17,5 +17,5 @@ pub use program::program;
 pub use search::{
     Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, StopReason, minimise,
 };
-pub use symptom::{Symptom, UnknownSymptom};
+pub use symptom::{OutcomeSymptom, UnknownSymptom};
 pub use text::text;

@@ -1,6 +1,6 @@
 //! `survivors.toml`: the mutants that no case can kill, each with the reason.
 
-use crate::outcomes::{Fate, Outcome};
+use crate::outcomes::{MutantFate, MutantOutcome};
 use anyhow::Context as _;
 use serde::Deserialize;
 
@@ -24,7 +24,7 @@ struct Entry {
     /// The changes, as cargo-mutants words them behind the place: `replace X with Y in F`. Lines move, so none is named: a
     /// change that survives at two places of a function stands here twice.
     mutants: Vec<String>,
-    kind: Kind,
+    kind: ExplanationKind,
     /// The reason for which no case can kill the mutants.
     reason: String,
 }
@@ -32,7 +32,7 @@ struct Entry {
 /// The kind of reason for which a mutant survives.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
+pub enum ExplanationKind {
     /// No input tells the mutant from the original.
     Equivalent,
     /// The mutant differs only where no document says what must come.
@@ -67,9 +67,9 @@ impl Explained {
     /// Returns why each mutant survives; `None` where it was killed, or survives for no reason that is listed. A change
     /// that is listed once explains one survivor.
     #[must_use]
-    pub fn kinds(&self, outcomes: &[Outcome]) -> Vec<Option<Kind>> {
+    pub fn kinds(&self, outcomes: &[MutantOutcome]) -> Vec<Option<ExplanationKind>> {
         let mut left: Vec<(&Entry, &str)> = self.changes().collect();
-        let mut kind = |outcome: &Outcome| {
+        let mut kind = |outcome: &MutantOutcome| {
             let at = left
                 .iter()
                 .position(|(entry, change)| explains(entry, change, outcome))?;
@@ -77,15 +77,21 @@ impl Explained {
         };
         outcomes
             .iter()
-            .map(|outcome| (outcome.fate == Fate::Survived).then(|| kind(outcome)).flatten())
+            .map(|outcome| {
+                (outcome.fate == MutantFate::Survived)
+                    .then(|| kind(outcome))
+                    .flatten()
+            })
             .collect()
     }
 
     /// Returns the changes of the list that were tried and killed.
-    pub fn stale<'a>(&'a self, outcomes: impl Iterator<Item = &'a Outcome> + Clone) -> Vec<String> {
+    pub fn stale<'a>(&'a self, outcomes: impl Iterator<Item = &'a MutantOutcome> + Clone) -> Vec<String> {
         let tried = |entry, change| outcomes.clone().any(|outcome| explains(entry, change, outcome));
         let survives = |entry, change| {
-            let mut survivors = outcomes.clone().filter(|outcome| outcome.fate == Fate::Survived);
+            let mut survivors = outcomes
+                .clone()
+                .filter(|outcome| outcome.fate == MutantFate::Survived);
             survivors.any(|outcome| explains(entry, change, outcome))
         };
         self.changes()
@@ -101,7 +107,7 @@ impl Explained {
     }
 }
 
-fn explains(entry: &Entry, change: &str, outcome: &Outcome) -> bool {
+fn explains(entry: &Entry, change: &str, outcome: &MutantOutcome) -> bool {
     outcome.file.strip_prefix("harness/") == Some(&entry.file) && outcome.change() == change
 }
 
@@ -117,8 +123,8 @@ mod tests {
         reason = "both are the same"
     "#;
 
-    fn outcome(line: u32, fate: Fate) -> Outcome {
-        Outcome {
+    fn outcome(line: u32, fate: MutantFate) -> MutantOutcome {
+        MutantOutcome {
             name: format!("harness/reference/src/raw.rs:{line}:5: replace < with <= in narrow"),
             file: "harness/reference/src/raw.rs".to_owned(),
             fate,
@@ -129,18 +135,21 @@ mod tests {
     fn what_is_listed_once_explains_one_survivor() {
         let list = Explained::from_text(LIST).unwrap();
         let outcomes = [
-            outcome(1, Fate::Killed),
-            outcome(2, Fate::Survived),
-            outcome(3, Fate::Survived),
+            outcome(1, MutantFate::Killed),
+            outcome(2, MutantFate::Survived),
+            outcome(3, MutantFate::Survived),
         ];
-        assert_eq!(list.kinds(&outcomes), [None, Some(Kind::Equivalent), None]);
+        assert_eq!(
+            list.kinds(&outcomes),
+            [None, Some(ExplanationKind::Equivalent), None]
+        );
     }
 
     #[test]
     fn what_is_listed_and_killed_is_told() {
         let list = Explained::from_text(LIST).unwrap();
-        assert_eq!(list.stale([outcome(1, Fate::Killed)].iter()).len(), 1);
-        assert_eq!(list.stale([outcome(1, Fate::Survived)].iter()), [""; 0]);
+        assert_eq!(list.stale([outcome(1, MutantFate::Killed)].iter()).len(), 1);
+        assert_eq!(list.stale([outcome(1, MutantFate::Survived)].iter()), [""; 0]);
         assert_eq!(list.stale([].iter()), [""; 0]);
     }
 

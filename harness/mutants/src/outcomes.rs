@@ -7,16 +7,16 @@ use std::path::{Path, PathBuf};
 
 /// The result of one mutant.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Outcome {
+pub struct MutantOutcome {
     /// `FILE:LINE:COLUMN: replace X with Y in F`.
     pub name: String,
     /// The mutated file, from the root of the repository.
     pub file: String,
     /// Whether the suite noticed.
-    pub fate: Fate,
+    pub fate: MutantFate,
 }
 
-impl Outcome {
+impl MutantOutcome {
     /// Returns the name without file, line and column: `replace X with Y in F`.
     #[must_use]
     pub fn change(&self) -> &str {
@@ -26,7 +26,7 @@ impl Outcome {
 
 /// Whether the suite noticed a mutant.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Fate {
+pub enum MutantFate {
     /// Some case failed, or did not end.
     Killed,
     /// Every case passed.
@@ -39,7 +39,7 @@ pub enum Fate {
 ///
 /// # Errors
 /// The folder has no results, or they cannot be read.
-pub fn read_all(folders: &[PathBuf]) -> anyhow::Result<Vec<Outcome>> {
+pub fn read_all(folders: &[PathBuf]) -> anyhow::Result<Vec<MutantOutcome>> {
     let mut outcomes = BTreeMap::new();
     for folder in folders {
         let text = text(folder)?;
@@ -85,23 +85,23 @@ struct Mutant {
     file: String,
 }
 
-fn read(text: &str) -> anyhow::Result<Vec<Outcome>> {
+fn read(text: &str) -> anyhow::Result<Vec<MutantOutcome>> {
     let file: File = serde_json::from_str(text)?;
     Ok(file.outcomes.into_iter().filter_map(outcome).collect())
 }
 
 /// A run that was interrupted leaves mutants without a verdict; they are left out, like the baseline.
-fn outcome(entry: Entry) -> Option<Outcome> {
+fn outcome(entry: Entry) -> Option<MutantOutcome> {
     let Scenario::Mutant(Mutant { name, file }) = entry.scenario else {
         return None;
     };
     let fate = match entry.summary.as_str() {
-        "CaughtMutant" | "Timeout" => Fate::Killed,
-        "MissedMutant" => Fate::Survived,
-        "Unviable" => Fate::Unviable,
+        "CaughtMutant" | "Timeout" => MutantFate::Killed,
+        "MissedMutant" => MutantFate::Survived,
+        "Unviable" => MutantFate::Unviable,
         _ => return None,
     };
-    Some(Outcome { name, file, fate })
+    Some(MutantOutcome { name, file, fate })
 }
 
 #[cfg(test)]
@@ -127,8 +127,8 @@ mod tests {
         assert_eq!(
             fates,
             [
-                ("replace < with == in f", Fate::Survived),
-                ("replace g -> bool with true", Fate::Killed)
+                ("replace < with == in f", MutantFate::Survived),
+                ("replace g -> bool with true", MutantFate::Killed)
             ]
         );
     }
@@ -143,7 +143,7 @@ mod tests {
         let paths: Vec<PathBuf> = folders.iter().map(|folder| folder.path().to_owned()).collect();
         let outcomes = read_all(&paths).unwrap();
         assert!(
-            outcomes.iter().all(|outcome| outcome.fate == Fate::Killed),
+            outcomes.iter().all(|outcome| outcome.fate == MutantFate::Killed),
             "{outcomes:?}"
         );
     }

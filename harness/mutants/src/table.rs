@@ -1,7 +1,7 @@
 //! The kill rate, module by module.
 
-use crate::explained::{Explained, Kind};
-use crate::outcomes::{Fate, Outcome};
+use crate::explained::{Explained, ExplanationKind};
+use crate::outcomes::{MutantFate, MutantOutcome};
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -39,9 +39,9 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
 /// A mutant with its result, its explanation and its topic.
 pub struct Judged {
     /// The result of the mutant.
-    pub outcome: Outcome,
+    pub outcome: MutantOutcome,
     /// The reason for which the mutant survives, where it is listed.
-    pub kind: Option<Kind>,
+    pub kind: Option<ExplanationKind>,
     /// The topic of the suite that the mutant's place is part of.
     pub topic: Option<&'static str>,
 }
@@ -50,15 +50,15 @@ impl Judged {
     /// Returns whether the mutant survives and nobody has said why.
     #[must_use]
     pub fn is_unexplained(&self) -> bool {
-        self.outcome.fate == Fate::Survived && self.kind.is_none()
+        self.outcome.fate == MutantFate::Survived && self.kind.is_none()
     }
 }
 
 /// Looks every survivor up in the list.
 #[must_use]
-pub fn judge(outcomes: Vec<Outcome>, explained: &Explained) -> Vec<Judged> {
+pub fn judge(outcomes: Vec<MutantOutcome>, explained: &Explained) -> Vec<Judged> {
     let kinds = explained.kinds(&outcomes);
-    let judged = |(outcome, kind): (Outcome, _)| Judged {
+    let judged = |(outcome, kind): (MutantOutcome, _)| Judged {
         topic: topic(&outcome),
         outcome,
         kind,
@@ -67,7 +67,7 @@ pub fn judge(outcomes: Vec<Outcome>, explained: &Explained) -> Vec<Judged> {
 }
 
 /// Returns the topic of a mutant's file and function.
-fn topic(outcome: &Outcome) -> Option<&'static str> {
+fn topic(outcome: &MutantOutcome) -> Option<&'static str> {
     let file = outcome.file.strip_prefix("harness/").unwrap_or(&outcome.file);
     let function = outcome.change().rsplit(" in ").next().unwrap_or_default();
     let in_place = |&(place, name): &(&str, &str)| file.starts_with(place) && function.contains(name);
@@ -92,7 +92,7 @@ fn module(file: &str, by_file: bool) -> String {
 
 /// A line of the table.
 #[derive(Default)]
-struct Counts {
+struct MutantCounts {
     killed: usize,
     survived: usize,
     equivalent: usize,
@@ -101,16 +101,16 @@ struct Counts {
     unused: usize,
 }
 
-impl Counts {
+impl MutantCounts {
     fn add(&mut self, mutant: &Judged) {
         match (mutant.outcome.fate, mutant.kind) {
-            (Fate::Unviable, _) => {}
-            (Fate::Killed, _) => self.killed += 1,
-            (Fate::Survived, None) => self.survived += 1,
-            (Fate::Survived, Some(Kind::Equivalent)) => self.equivalent += 1,
-            (Fate::Survived, Some(Kind::Open)) => self.open += 1,
-            (Fate::Survived, Some(Kind::Unseen)) => self.unseen += 1,
-            (Fate::Survived, Some(Kind::Unused)) => self.unused += 1,
+            (MutantFate::Unviable, _) => {}
+            (MutantFate::Killed, _) => self.killed += 1,
+            (MutantFate::Survived, None) => self.survived += 1,
+            (MutantFate::Survived, Some(ExplanationKind::Equivalent)) => self.equivalent += 1,
+            (MutantFate::Survived, Some(ExplanationKind::Open)) => self.open += 1,
+            (MutantFate::Survived, Some(ExplanationKind::Unseen)) => self.unseen += 1,
+            (MutantFate::Survived, Some(ExplanationKind::Unused)) => self.unused += 1,
         }
     }
 
@@ -138,9 +138,9 @@ fn percentage(part: usize, all: usize) -> String {
 /// Returns the table: modules, then topics, then all.
 #[must_use]
 pub fn table(mutants: &[Judged], by_file: bool) -> String {
-    let mut modules: BTreeMap<String, Counts> = BTreeMap::new();
-    let mut topics: BTreeMap<&str, Counts> = BTreeMap::new();
-    let mut all = Counts::default();
+    let mut modules: BTreeMap<String, MutantCounts> = BTreeMap::new();
+    let mut topics: BTreeMap<&str, MutantCounts> = BTreeMap::new();
+    let mut all = MutantCounts::default();
     for mutant in mutants {
         modules
             .entry(module(&mutant.outcome.file, by_file))
@@ -159,7 +159,7 @@ pub fn table(mutants: &[Judged], by_file: bool) -> String {
     text += &all.line("all");
     let unviable = mutants
         .iter()
-        .filter(|mutant| mutant.outcome.fate == Fate::Unviable)
+        .filter(|mutant| mutant.outcome.fate == MutantFate::Unviable)
         .count();
     // Writing into a String does not fail.
     let _ = writeln!(text, "\n{unviable} more do not compile and are not counted.");
@@ -178,8 +178,8 @@ fn heading(first: &str) -> String {
 mod tests {
     use super::*;
 
-    fn judged(file: &str, fate: Fate, kind: Option<Kind>) -> Judged {
-        let outcome = Outcome {
+    fn judged(file: &str, fate: MutantFate, kind: Option<ExplanationKind>) -> Judged {
+        let outcome = MutantOutcome {
             name: format!("{file}:1:1: replace < with == in f"),
             file: file.to_owned(),
             fate,
@@ -208,10 +208,14 @@ mod tests {
     fn mutants_are_counted_by_module_and_by_topic() {
         let implicit = "harness/reference/src/conversion/implicit.rs";
         let mutants = [
-            judged(implicit, Fate::Killed, None),
-            judged(implicit, Fate::Survived, Some(Kind::Equivalent)),
-            judged("harness/reference/src/conversion/bcd.rs", Fate::Survived, None),
-            judged("harness/types/src/value.rs", Fate::Unviable, None),
+            judged(implicit, MutantFate::Killed, None),
+            judged(implicit, MutantFate::Survived, Some(ExplanationKind::Equivalent)),
+            judged(
+                "harness/reference/src/conversion/bcd.rs",
+                MutantFate::Survived,
+                None,
+            ),
+            judged("harness/types/src/value.rs", MutantFate::Unviable, None),
         ];
         let text = table(&mutants, false);
         let spaced = |line: &str| line.split_whitespace().collect::<Vec<_>>().join(" ");

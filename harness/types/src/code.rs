@@ -9,15 +9,15 @@ mod table;
 pub use table::Code;
 
 use crate::dialect_name::DialectName;
-use page::Page;
+use page::CodePage;
 use std::fmt;
 use std::str::FromStr;
 use std::sync::LazyLock;
 use table::ENTRIES;
 
 /// The pages of the codes in the order of [`Code::ALL`].
-static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
-    let parse = |entry: &table::Entry| match page::parse(entry.code, entry.name, entry.page) {
+static PAGES: LazyLock<Vec<CodePage>> = LazyLock::new(|| {
+    let parse = |entry: &table::CodeEntry| match page::parse(entry.code, entry.name, entry.page) {
         Ok(page) => page,
         Err(error) => panic!("harness/types/codes/{}.md: {error}", entry.code),
     };
@@ -25,7 +25,7 @@ static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
 });
 
 impl Code {
-    fn page(self) -> &'static Page {
+    fn page(self) -> &'static CodePage {
         &PAGES[self as usize]
     }
 

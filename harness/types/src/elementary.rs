@@ -107,15 +107,15 @@ pub enum Family {
 use ElementaryType as E;
 
 /// A row of the table of elementary types.
-struct Row {
+struct TypeProperties {
     name: &'static str,
     bits: u32,
     family: Family,
     third_edition: bool,
 }
 
-const fn row(name: &'static str, bits: u32, family: Family) -> Row {
-    Row {
+const fn row(name: &'static str, bits: u32, family: Family) -> TypeProperties {
+    TypeProperties {
         name,
         bits,
         family,
@@ -123,8 +123,8 @@ const fn row(name: &'static str, bits: u32, family: Family) -> Row {
     }
 }
 
-const fn later(name: &'static str, bits: u32, family: Family) -> Row {
-    Row {
+const fn later(name: &'static str, bits: u32, family: Family) -> TypeProperties {
+    TypeProperties {
         name,
         bits,
         family,
@@ -133,7 +133,7 @@ const fn later(name: &'static str, bits: u32, family: Family) -> Row {
 }
 
 /// The table of elementary types, in the order of the declaration.
-const TABLE: [Row; 27] = [
+const TABLE: [TypeProperties; 27] = [
     row("BOOL", 1, Family::Boolean),
     row("SINT", 8, Family::Signed),
     row("INT", 16, Family::Signed),
@@ -195,7 +195,7 @@ impl ElementaryType {
         E::Wchar,
     ];
 
-    const fn row(self) -> &'static Row {
+    const fn row(self) -> &'static TypeProperties {
         &TABLE[self as usize]
     }
 

@@ -1,7 +1,7 @@
 //! Comparing what an engine did with what the evaluator gives.
 
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_generate::reduce::Symptom;
+use stickler_generate::reduce::OutcomeSymptom;
 use stickler_types::{DialectName, Value};
 
 /// A program that an engine is asked to run, with the values that it must give.
@@ -32,14 +32,14 @@ pub(crate) enum Agreement {
 /// The way in which an engine did something else than it must.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct Disagreement {
-    /// The text of a [`Symptom`], which stays the same when the program is made smaller.
+    /// The text of a [`OutcomeSymptom`], which stays the same when the program is made smaller.
     pub(crate) symptom: String,
     /// A message for a person.
     pub(crate) message: String,
 }
 
 impl Agreement {
-    fn disagrees(symptom: Symptom, message: impl Into<String>) -> Agreement {
+    fn disagrees(symptom: OutcomeSymptom, message: impl Into<String>) -> Agreement {
         Agreement::Disagrees(Disagreement {
             symptom: symptom.to_string(),
             message: message.into(),
@@ -71,17 +71,17 @@ pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
         Outcome::Faulted { fault, line, .. } if binds => {
             let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
             Agreement::disagrees(
-                Symptom::Fault(*fault),
+                OutcomeSymptom::Fault(*fault),
                 format!("expected to run to its end, got the fault {fault}{line}"),
             )
         }
         Outcome::Executed { .. } | Outcome::Rejected { .. } | Outcome::Faulted { .. } => Agreement::Agrees,
         Outcome::Rendered { .. } => {
-            Agreement::disagrees(Symptom::Error, "answered `rendered` where it was to run")
+            Agreement::disagrees(OutcomeSymptom::Error, "answered `rendered` where it was to run")
         }
-        Outcome::Crashed { reason } => Agreement::disagrees(Symptom::Crash, format!("died: {reason}")),
-        Outcome::TimedOut { .. } => Agreement::disagrees(Symptom::Hang, outcome.to_string()),
-        Outcome::Error { message } => Agreement::disagrees(Symptom::Error, message.as_str()),
+        Outcome::Crashed { reason } => Agreement::disagrees(OutcomeSymptom::Crash, format!("died: {reason}")),
+        Outcome::TimedOut { .. } => Agreement::disagrees(OutcomeSymptom::Hang, outcome.to_string()),
+        Outcome::Error { message } => Agreement::disagrees(OutcomeSymptom::Error, message.as_str()),
     }
 }
 
@@ -90,7 +90,7 @@ fn rejected(diagnostics: &[Diagnostic]) -> Agreement {
         Some(first) => format!("expected to be accepted, rejected: {}", diagnostic(first)),
         None => "expected to be accepted, rejected without a reason".to_owned(),
     };
-    Agreement::disagrees(Symptom::rejected(diagnostics), message)
+    Agreement::disagrees(OutcomeSymptom::rejected(diagnostics), message)
 }
 
 /// Writes a diagnostic in one line.
@@ -115,11 +115,11 @@ fn values_agree(expected: &[(String, Value)], got: &[(String, Value)]) -> Agreem
     let ty = value.type_name();
     match find(got, name) {
         Some(other) => Agreement::disagrees(
-            Symptom::Value(ty.to_owned()),
+            OutcomeSymptom::Value(ty.to_owned()),
             format!("{name}: expected {value}, got {other}"),
         ),
         None => Agreement::disagrees(
-            Symptom::Missing(ty.to_owned()),
+            OutcomeSymptom::Missing(ty.to_owned()),
             format!("{name}: expected {value}, got no value"),
         ),
     }

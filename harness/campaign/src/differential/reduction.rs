@@ -6,7 +6,7 @@ use super::engine::has_died;
 use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
-use crate::finding::{EngineReport, Expected, FORMAT, Finding, ObservedValue, Origin, Standing};
+use crate::finding::{Confirmation, EngineReport, Expected, FORMAT, Finding, ObservedValue, Origin};
 use crate::oracle::Mismatch;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
@@ -49,12 +49,12 @@ impl DifferentialWorker<'_> {
         );
         let again = self.shows(index, mismatch, &reduced.value, opened);
         let standing = match (reduced.ended, again) {
-            (StopReason::NotInteresting, _) => Standing::Flaky,
-            (_, Interestingness::Interesting) => Standing::Confirmed,
-            _ => Standing::Flaky,
+            (StopReason::NotInteresting, _) => Confirmation::Flaky,
+            (_, Interestingness::Interesting) => Confirmation::Confirmed,
+            _ => Confirmation::Flaky,
         };
         // What was seen once and not again is kept as it was found: a part of it may be nothing at all.
-        let program = if standing == Standing::Flaky {
+        let program = if standing == Confirmation::Flaky {
             start.clone()
         } else {
             reduced.value
@@ -117,7 +117,7 @@ impl DifferentialWorker<'_> {
         mismatch: &Mismatch,
         start: &Program,
         program: Program,
-        standing: Standing,
+        standing: Confirmation,
         origin: Origin,
     ) -> Finding {
         let original = EvaluatedProgram::new(start.clone())

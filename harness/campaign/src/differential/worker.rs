@@ -7,7 +7,7 @@ use super::evaluated::EvaluatedProgram;
 use super::pace::Pace;
 use super::pack::{Pack, packs};
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Verdict, Worker};
+use crate::oracle::{InputVerdict, Mismatch, Worker};
 use std::time::Instant;
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_types::DialectName;
@@ -23,7 +23,7 @@ pub(super) struct DifferentialWorker<'b> {
 
 /// A place, and its program where there is one.
 struct Input {
-    verdict: Verdict,
+    verdict: InputVerdict,
     subject: Option<EvaluatedProgram>,
     /// The number of engines that support the program.
     asked: usize,
@@ -48,7 +48,7 @@ impl<'b> DifferentialWorker<'b> {
     }
 
     fn input(&self, place: u64) -> Input {
-        let mut verdict = Verdict::agreed(place);
+        let mut verdict = InputVerdict::agreed(place);
         let program = self
             .oracle
             .program(place)
@@ -199,7 +199,7 @@ impl<'b> DifferentialWorker<'b> {
 }
 
 impl Input {
-    fn into_verdict(self) -> Verdict {
+    fn into_verdict(self) -> InputVerdict {
         let mut verdict = self.verdict;
         if let Some(subject) = self.subject {
             verdict.passed_over = match self.asked {
@@ -213,7 +213,7 @@ impl Input {
 }
 
 impl Worker for DifferentialWorker<'_> {
-    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
         if self.lost().is_some() || !going() {
             return Vec::new();
         }

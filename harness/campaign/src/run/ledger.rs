@@ -1,8 +1,8 @@
 //! The counts and findings of a campaign.
 
-use super::{Ended, Progress, Summary};
+use super::{CampaignEnd, CampaignProgress, CampaignSummary};
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Verdict};
+use crate::oracle::{InputVerdict, Mismatch};
 use crate::plan::is_reduced;
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -22,7 +22,7 @@ pub(super) struct Ledger {
 
 impl Ledger {
     /// Counts a verdict, and returns those of its mismatches that are to be reduced.
-    pub(super) fn enter(&mut self, verdict: Verdict) -> Vec<Mismatch> {
+    pub(super) fn enter(&mut self, verdict: InputVerdict) -> Vec<Mismatch> {
         self.programs += 1;
         self.deaths += verdict.deaths;
         if let Some(word) = verdict.passed_over {
@@ -63,8 +63,8 @@ impl Ledger {
     }
 
     /// Returns the progress of the campaign.
-    pub(super) fn progress(&self) -> Progress {
-        Progress {
+    pub(super) fn progress(&self) -> CampaignProgress {
+        CampaignProgress {
             programs: self.programs,
             disagreements: self.disagreements.values().sum(),
             findings: self.findings.len() as u64,
@@ -72,13 +72,13 @@ impl Ledger {
     }
 
     /// Returns the result of the campaign.
-    pub(super) fn summary(self, elapsed: Duration, interrupted: bool) -> Summary {
+    pub(super) fn summary(self, elapsed: Duration, interrupted: bool) -> CampaignSummary {
         let ended = match self.lost {
-            Some(reason) => Ended::Lost(reason),
-            None if interrupted => Ended::Interrupted,
-            None => Ended::Done,
+            Some(reason) => CampaignEnd::Lost(reason),
+            None if interrupted => CampaignEnd::Interrupted,
+            None => CampaignEnd::Done,
         };
-        Summary {
+        CampaignSummary {
             programs: self.programs,
             passed_over: self.passed_over,
             disagreements: self.disagreements,

@@ -2,12 +2,12 @@
 
 use super::Clock;
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Verdict, Worker};
+use crate::oracle::{InputVerdict, Mismatch, Worker};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// A task of a worker.
-pub(super) enum Task {
+pub(super) enum CampaignTask {
     /// Judge the inputs at these places.
     Judge {
         /// The number of the batch.
@@ -26,7 +26,7 @@ pub(super) enum Done {
         /// The number of the batch.
         number: usize,
         /// The verdicts in the order of the places; fewer than places where the campaign ends.
-        verdicts: Vec<Verdict>,
+        verdicts: Vec<InputVerdict>,
         /// The reason for which an engine can no longer be used.
         lost: Option<String>,
     },
@@ -41,18 +41,18 @@ pub(super) enum Done {
     Panicked(String),
 }
 
-impl Task {
+impl CampaignTask {
     /// Does the task. A panic is reported like the loss of an engine: the campaign ends, and keeps what it has.
     pub(super) fn attempt(self, worker: &mut dyn Worker, clock: &Clock<'_>) -> Done {
         let what = self.to_string();
         // A worker that has panicked judges nothing more, for the campaign ends.
         let done = catch_unwind(AssertUnwindSafe(|| match self {
-            Task::Judge { number, places } => Done::Judged {
+            CampaignTask::Judge { number, places } => Done::Judged {
                 number,
                 verdicts: worker.judge(&places, &|| clock.judges()),
                 lost: worker.lost(),
             },
-            Task::Reduce(mismatch) => Done::Reduced {
+            CampaignTask::Reduce(mismatch) => Done::Reduced {
                 finding: Box::new(worker.reduce(&mismatch, &|| clock.reduces())),
                 lost: worker.lost(),
             },
@@ -65,14 +65,14 @@ impl Task {
     }
 }
 
-impl fmt::Display for Task {
+impl fmt::Display for CampaignTask {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Task::Judge { places, .. } => {
+            CampaignTask::Judge { places, .. } => {
                 let (first, last) = (places.first().unwrap_or(&0), places.last().unwrap_or(&0));
                 write!(f, "over one of the inputs {first} to {last}")
             }
-            Task::Reduce(mismatch) => write!(f, "while it made input {} small", mismatch.place),
+            CampaignTask::Reduce(mismatch) => write!(f, "while it made input {} small", mismatch.place),
         }
     }
 }

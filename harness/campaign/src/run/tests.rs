@@ -1,9 +1,9 @@
 //! The campaign on a oracle that knows beforehand what it will say.
 
-use super::{Ended, Event, Summary, run};
+use super::{CampaignEnd, CampaignEvent, CampaignSummary, run};
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Oracle, Verdict, Worker};
-use crate::{Plan, Until, sample};
+use crate::oracle::{InputVerdict, Mismatch, Oracle, Worker};
+use crate::{CampaignPlan, Until, sample};
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
@@ -28,7 +28,7 @@ impl Oracle for Known {
     }
 }
 
-fn verdict(place: u64) -> Verdict {
+fn verdict(place: u64) -> InputVerdict {
     let symptoms: &[&str] = match place % 5 {
         0 if place.is_multiple_of(3) => &["crash"],
         0 => &["value:INT"],
@@ -39,15 +39,15 @@ fn verdict(place: u64) -> Verdict {
         subject: "engine".to_owned(),
         symptom: (*symptom).to_owned(),
     };
-    Verdict {
+    InputVerdict {
         mismatches: symptoms.iter().map(mismatch).collect(),
         passed_over: (place % 5 == 1).then_some("poisoned"),
-        ..Verdict::agreed(place)
+        ..InputVerdict::agreed(place)
     }
 }
 
 impl Worker for KnownWorker<'_> {
-    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
         assert!(places.iter().all(|&place| self.0.panics != Some(place)));
         self.0.judged.fetch_add(places.len() as u64, Ordering::Relaxed);
         let going = places.iter().take_while(|_| going());
@@ -71,8 +71,8 @@ impl Worker for KnownWorker<'_> {
     }
 }
 
-fn plan(jobs: usize, shard: Shard, until: Until) -> Plan {
-    Plan {
+fn plan(jobs: usize, shard: Shard, until: Until) -> CampaignPlan {
+    CampaignPlan {
         first: 0,
         until,
         shard,
@@ -81,7 +81,7 @@ fn plan(jobs: usize, shard: Shard, until: Until) -> Plan {
     }
 }
 
-fn campaign(oracle: &Known, plan: Plan) -> Summary {
+fn campaign(oracle: &Known, plan: CampaignPlan) -> CampaignSummary {
     run(&plan, oracle, &mut |_| (), &Cancellation::new()).unwrap()
 }
 
@@ -95,7 +95,7 @@ fn a_seed_finds_the_same_whatever_the_number_of_workers() {
     assert_eq!(one.disagreements, many.disagreements);
     assert_eq!(one.programs, 3000);
     assert_eq!(one.passed_over["poisoned"], 600);
-    assert_eq!(one.ended, Ended::Done);
+    assert_eq!(one.ended, CampaignEnd::Done);
     let reduced: u64 = one.times.values().sum();
     assert_eq!(
         one.left + reduced,
@@ -127,11 +127,11 @@ fn the_parts_of_a_seed_find_together_what_the_whole_finds() {
 fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
     let mut told: BTreeMap<String, Finding> = BTreeMap::new();
     let mut programs = 0;
-    let mut tell = |event: Event<'_>| match event {
-        Event::Found(finding) => {
+    let mut tell = |event: CampaignEvent<'_>| match event {
+        CampaignEvent::Found(finding) => {
             told.insert(finding.id.clone(), finding.clone());
         }
-        Event::Progress(progress) => programs = progress.programs,
+        CampaignEvent::Progress(progress) => programs = progress.programs,
     };
     let plan = plan(3, Shard::WHOLE, Until::Count(500));
     let summary = run(&plan, &Known::default(), &mut tell, &Cancellation::new()).unwrap();
@@ -142,14 +142,14 @@ fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
 #[test]
 fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
     let cancel = Cancellation::new();
-    let mut tell = |event: Event<'_>| {
-        if let Event::Found(_) = event {
+    let mut tell = |event: CampaignEvent<'_>| {
+        if let CampaignEvent::Found(_) = event {
             cancel.request();
         }
     };
     let endless = plan(2, Shard::WHOLE, Until::Count(u64::MAX));
     let summary = run(&endless, &Known::default(), &mut tell, &cancel).unwrap();
-    assert_eq!(summary.ended, Ended::Interrupted);
+    assert_eq!(summary.ended, CampaignEnd::Interrupted);
     assert!(!summary.findings.is_empty());
 }
 
@@ -157,7 +157,7 @@ fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
 fn a_campaign_ends_when_its_time_is_up() {
     let short = plan(2, Shard::WHOLE, Until::Time(Duration::from_millis(50)));
     let summary = campaign(&Known::default(), short);
-    assert_eq!(summary.ended, Ended::Done);
+    assert_eq!(summary.ended, CampaignEnd::Done);
     assert!(summary.programs > 0);
     assert!(summary.elapsed < Duration::from_secs(5), "{:?}", summary.elapsed);
 }
@@ -169,7 +169,7 @@ fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
         ..Known::default()
     };
     let summary = campaign(&oracle, plan(2, Shard::WHOLE, Until::Count(u64::MAX)));
-    assert_eq!(summary.ended, Ended::Lost("it does not answer".to_owned()));
+    assert_eq!(summary.ended, CampaignEnd::Lost("it does not answer".to_owned()));
     assert!(!summary.findings.is_empty());
 }
 
@@ -180,7 +180,7 @@ fn a_defect_of_stickler_itself_ends_the_campaign_in_words_and_loses_nothing() {
         ..Known::default()
     };
     let summary = campaign(&oracle, plan(1, Shard::WHOLE, Until::Count(u64::MAX)));
-    let Ended::Lost(reason) = &summary.ended else {
+    let CampaignEnd::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
     assert!(reason.contains("over one of the inputs 400 to 407"), "{reason}");

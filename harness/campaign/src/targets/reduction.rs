@@ -2,7 +2,7 @@
 
 use super::reduced::Small;
 use super::worker::TargetWorker;
-use crate::finding::{Expected, FORMAT, Finding, Origin, Standing};
+use crate::finding::{Confirmation, Expected, FORMAT, Finding, Origin};
 use crate::oracle::Mismatch;
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
@@ -14,8 +14,8 @@ impl TargetWorker<'_> {
         let found = target.judge(&input).err();
         let small = Small::of(target, &input, &mismatch.symptom, going);
         let standing = match small.failure {
-            Some(_) => Standing::Confirmed,
-            None => Standing::Flaky,
+            Some(_) => Confirmation::Confirmed,
+            None => Confirmation::Flaky,
         };
         let original = text(target, found.as_ref(), &input);
         // What is not seen again is kept as it was found.

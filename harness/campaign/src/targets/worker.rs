@@ -2,7 +2,7 @@
 
 use super::TargetOracle;
 use crate::finding::Finding;
-use crate::oracle::{Mismatch, Verdict, Worker};
+use crate::oracle::{InputVerdict, Mismatch, Worker};
 use stickler_generate::oracles::InputOutcome;
 
 /// A worker of a [`TargetOracle`].
@@ -11,7 +11,7 @@ pub(super) struct TargetWorker<'b> {
 }
 
 impl Worker for TargetWorker<'_> {
-    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<Verdict> {
+    fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
         let going = places.iter().take_while(|_| going());
         going.map(|&place| self.judge_one(place)).collect()
     }
@@ -22,9 +22,9 @@ impl Worker for TargetWorker<'_> {
 }
 
 impl TargetWorker<'_> {
-    fn judge_one(&self, place: u64) -> Verdict {
+    fn judge_one(&self, place: u64) -> InputVerdict {
         let target = self.oracle.target(place);
-        let mut verdict = Verdict::agreed(place);
+        let mut verdict = InputVerdict::agreed(place);
         match target.judge(&self.oracle.input(place)) {
             Ok(InputOutcome::Checked) => {}
             Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),

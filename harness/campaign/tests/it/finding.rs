@@ -4,15 +4,15 @@ use crate::engines::{Defect, Defective};
 use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
-use stickler_campaign::finding::{Expected, Standing};
-use stickler_campaign::{CaseHead, Ended, EngineUnderTest, Finding, Store, load, promote, replay};
+use stickler_campaign::finding::{Confirmation, Expected};
+use stickler_campaign::{CampaignEnd, CaseHead, EngineUnderTest, Finding, Store, load, promote, replay};
 use stickler_engines::{Engine, Reference};
 use stickler_workers::Shard;
 
 /// Returns the findings of a campaign without those that probably repeat a simpler one.
 fn found(defect: Defect, count: u64) -> Vec<Finding> {
     let summary = whole(&Defective::new(defect), count);
-    assert_eq!(summary.ended, Ended::Done);
+    assert_eq!(summary.ended, CampaignEnd::Done);
     let all: Vec<Finding> = summary.findings.values().cloned().collect();
     let different = all
         .iter()
@@ -29,7 +29,7 @@ fn a_program_that_is_computed_wrongly_is_found_and_made_small() {
         .expect("the defect itself");
     assert_eq!(finding.engine.as_ref().unwrap().name, "defective");
     assert_eq!(finding.kind(), "value");
-    assert_eq!(finding.standing, Standing::Confirmed);
+    assert_eq!(finding.standing, Confirmation::Confirmed);
     assert!(finding.origin.size <= 15, "{} lines", finding.origin.size);
     let outcomes: Vec<&str> = finding
         .outcomes
@@ -59,7 +59,7 @@ fn a_program_over_which_an_engine_dies_is_found_and_made_small() {
 #[test]
 fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_is_flaky() {
     let summary = whole(&Defective::new(Defect::DiesEvery(50)), 120);
-    assert_eq!(summary.ended, Ended::Done);
+    assert_eq!(summary.ended, CampaignEnd::Done);
     assert_eq!(summary.programs, 120);
     // Which of the later deaths meets a program for the first time depends on the workers; that of the fiftieth does not.
     assert!(summary.deaths >= 1, "{}", summary.deaths);
@@ -67,7 +67,7 @@ fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_
         summary
             .findings
             .values()
-            .all(|finding| finding.standing == Standing::Flaky)
+            .all(|finding| finding.standing == Confirmation::Flaky)
     );
     assert!(!summary.findings.is_empty());
 }
@@ -75,7 +75,7 @@ fn an_engine_that_dies_now_and_then_is_started_again_and_what_is_not_seen_again_
 #[test]
 fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
     let summary = whole(&Defective::dying(Defect::None, 60), 1000);
-    let Ended::Lost(reason) = &summary.ended else {
+    let CampaignEnd::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
     assert!(reason.contains("engine defective is lost"), "{reason}");
@@ -85,7 +85,7 @@ fn an_engine_that_does_not_live_any_more_ends_the_campaign_in_words() {
 #[test]
 fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
     let summary = whole(&Defective::new(Defect::DiesForEverOver(" MOD ")), 1000);
-    let Ended::Lost(reason) = &summary.ended else {
+    let CampaignEnd::Lost(reason) = &summary.ended else {
         panic!("{:?}", summary.ended)
     };
     assert!(reason.ends_with("it died: it was made to"), "{reason}");
@@ -94,7 +94,7 @@ fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
         program.contains(" MOD ")
     });
     let finding = finding.expect("the program over which it died first, as it was");
-    assert_eq!(finding.standing, Standing::Flaky);
+    assert_eq!(finding.standing, Confirmation::Flaky);
     assert_eq!(finding.program, finding.original);
     assert!(!finding.origin.smallest);
     assert!(
@@ -108,7 +108,7 @@ fn a_program_is_not_blamed_for_the_deaths_of_an_engine_that_is_gone() {
         summary
             .findings
             .values()
-            .all(|finding| finding.standing == Standing::Flaky)
+            .all(|finding| finding.standing == Confirmation::Flaky)
     );
 }
 
@@ -118,9 +118,13 @@ fn an_engine_that_is_lost_while_a_finding_is_made_small_ends_the_campaign() {
     let defect = Defect::Mistakes(" MOD ", " / ");
     let of = |engine: &Defective| campaign(engine, Shard::WHOLE, 51, 1);
     let lasting = Defective::new(defect);
-    assert_eq!(of(&lasting).ended, Ended::Done);
+    assert_eq!(of(&lasting).ended, CampaignEnd::Done);
     let summary = of(&Defective::dying(defect, lasting.requests() - 2));
-    assert!(matches!(summary.ended, Ended::Lost(_)), "{:?}", summary.ended);
+    assert!(
+        matches!(summary.ended, CampaignEnd::Lost(_)),
+        "{:?}",
+        summary.ended
+    );
     assert_eq!(summary.programs, 51);
     let cut_short = |finding: &Finding| finding.message.contains(", and it could not be run again; ");
     assert_eq!(

@@ -4,19 +4,25 @@ use crate::engines::{Defect, Defective};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use stickler_campaign::{
-    Commands, DifferentialOracle, EngineUnderTest, Exclusions, Finding, Inputs, PackPolicy, Plan, Store,
-    Summary, Until, merge, run,
+    CampaignPlan, CampaignSummary, DifferentialOracle, EngineUnderTest, Exclusions, Finding, Inputs,
+    PackPolicy, ReproductionCommands, Store, Until, merge, run,
 };
 use stickler_engines::{Engine, Reference};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Shard};
 
 /// A campaign of the reference and this engine, which are asked for one program at a time.
-pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
+pub fn campaign(engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> CampaignSummary {
     campaign_with(PackPolicy::Never, engine, shard, count, jobs)
 }
 
-fn campaign_with(packs: PackPolicy, engine: &dyn Engine, shard: Shard, count: u64, jobs: usize) -> Summary {
+fn campaign_with(
+    packs: PackPolicy,
+    engine: &dyn Engine,
+    shard: Shard,
+    count: u64,
+    jobs: usize,
+) -> CampaignSummary {
     let reference = Reference::default();
     let under_test = |engine, asked_for| EngineUnderTest {
         engine,
@@ -33,7 +39,7 @@ fn campaign_with(packs: PackPolicy, engine: &dyn Engine, shard: Shard, count: u6
         open: false,
         without: Exclusions::default(),
         packs,
-        commands: Commands {
+        commands: ReproductionCommands {
             program: "stickler".to_owned(),
             folder: PathBuf::from("reports/findings"),
             engines: vec!["cmd:defective".to_owned()],
@@ -42,7 +48,7 @@ fn campaign_with(packs: PackPolicy, engine: &dyn Engine, shard: Shard, count: u6
             without: Vec::new(),
         },
     };
-    let plan = Plan {
+    let plan = CampaignPlan {
         first: 0,
         until: Until::Count(count),
         shard,
@@ -53,7 +59,7 @@ fn campaign_with(packs: PackPolicy, engine: &dyn Engine, shard: Shard, count: u6
 }
 
 /// A campaign that is no part, on two threads.
-pub fn whole(engine: &dyn Engine, count: u64) -> Summary {
+pub fn whole(engine: &dyn Engine, count: u64) -> CampaignSummary {
     campaign(engine, Shard::WHOLE, count, 2)
 }
 

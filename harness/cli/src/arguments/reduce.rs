@@ -5,7 +5,7 @@ use super::numbers::whole;
 use clap::Args;
 use std::path::PathBuf;
 use std::time::Duration;
-use stickler_generate::reduce::Symptom;
+use stickler_generate::reduce::OutcomeSymptom;
 use stickler_types::DialectName;
 
 /// `stickler reduce`.
@@ -24,7 +24,7 @@ pub struct ReduceArguments {
     /// What to keep: crash, hang, error, rejected:CODE, not-rejected:CODE, value:TYPE, missing:TYPE, fault:FAULT or
     /// no-fault:FAULT [default: the first that shows]
     #[arg(long, value_name = "SYMPTOM")]
-    pub symptom: Option<Symptom>,
+    pub symptom: Option<OutcomeSymptom>,
     /// Write the program to FILE instead of stdout
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

@@ -5,7 +5,7 @@ use crate::engines::{self, NamedEngine, REFERENCE};
 use crate::exit::Exit;
 use crate::interrupt;
 use std::io::Write;
-use stickler_conversions::overview::{self, Page, SignatureResults};
+use stickler_conversions::overview::{self, OverviewPage, SignatureResults};
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_exact::Signature;
 use stickler_types::DialectName;
@@ -36,7 +36,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     if arguments.json {
         overview::write_json(&function, &results, &identities, out)?;
     } else {
-        let page = Page {
+        let page = OverviewPage {
             results: &results,
             lacking: &lacking,
             engines: &identities,

@@ -11,15 +11,16 @@ use crate::engines::{self, NamedEngine};
 use crate::exit::Exit;
 use crate::{interrupt, shell};
 use anyhow::bail;
-use bar::Bar;
+use bar::FuzzBar;
 use keeper::Keeper;
-use page::Page;
+use page::FuzzPage;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_campaign::{
-    Commands, DifferentialOracle, Ended, EngineUnderTest, Event, Exclusions, Inputs, Oracle, PackPolicy,
-    Plan, Request, Store, Summary, TargetOracle, Until,
+    CampaignEnd, CampaignEvent, CampaignPlan, CampaignRequest, CampaignSummary, DifferentialOracle,
+    EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
+    Until,
 };
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
@@ -82,12 +83,12 @@ fn campaign(
     oracle: &dyn Oracle,
     batch: usize,
     arguments: &FuzzArguments,
-    request: Request,
+    request: CampaignRequest,
     store: Store,
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
-    let plan = Plan {
+    let plan = CampaignPlan {
         first: arguments.first,
         until: match (arguments.count, arguments.time) {
             (Some(count), _) => Until::Count(count),
@@ -97,14 +98,14 @@ fn campaign(
         jobs: arguments.jobs.map_or(0, usize::from),
         batch,
     };
-    let mut page = Page::new(out);
+    let mut page = FuzzPage::new(out);
     page.begin(&request, shard)?;
     let cancel = interrupt::cancellation()?;
     let mut keeper = Keeper::begin(store, request, shard)?;
-    let bar = Bar::new(&plan);
-    let mut tell = |event: Event<'_>| match event {
-        Event::Progress(progress) => bar.reach(progress),
-        Event::Found(finding) => keeper.keep(finding),
+    let bar = FuzzBar::new(&plan);
+    let mut tell = |event: CampaignEvent<'_>| match event {
+        CampaignEvent::Progress(progress) => bar.reach(progress),
+        CampaignEvent::Found(finding) => keeper.keep(finding),
     };
     let summary = stickler_campaign::run(&plan, oracle, &mut tell, cancel);
     bar.finish();
@@ -114,15 +115,15 @@ fn campaign(
     Ok(exit(&summary).worst(unsaved.exit()))
 }
 
-fn exit(summary: &Summary) -> Exit {
+fn exit(summary: &CampaignSummary) -> Exit {
     let found = match summary.findings.is_empty() {
         true => Exit::AsExpected,
         false => Exit::Failures,
     };
     match summary.ended {
-        Ended::Done => found,
-        Ended::Interrupted => Exit::Interrupted,
-        Ended::Lost(_) => Exit::EngineNotRun,
+        CampaignEnd::Done => found,
+        CampaignEnd::Interrupted => Exit::Interrupted,
+        CampaignEnd::Lost(_) => Exit::EngineNotRun,
     }
 }
 
@@ -200,8 +201,8 @@ fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
     named.cloned().unwrap_or_else(default)
 }
 
-fn commands(arguments: &FuzzArguments, store: &Store) -> Commands {
-    Commands {
+fn commands(arguments: &FuzzArguments, store: &Store) -> ReproductionCommands {
+    ReproductionCommands {
         program: shell::program().to_owned(),
         folder: store.folder().to_owned(),
         engines: arguments.engine.clone(),
@@ -220,9 +221,9 @@ fn request(
     targets: &[FuzzTarget],
     engines: Vec<String>,
     dialects: &[DialectName],
-) -> Request {
+) -> CampaignRequest {
     let time = arguments.time.unwrap_or(DEFAULT_TIME).as_millis();
-    Request {
+    CampaignRequest {
         seed: arguments.seed,
         first: arguments.first,
         count: arguments.count,

@@ -12,7 +12,7 @@ use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-use table::{Documents, EngineAnswers, Matrix};
+use table::{Documents, EngineAnswers, MatrixTable};
 
 /// The probe whose cells form the matrix.
 const PROBE: &str = "assignment";
@@ -106,7 +106,11 @@ fn documents(cases: &[Case], dialect: DialectName) -> Documents {
 ///
 /// # Errors
 /// An engine that cannot be started.
-fn gather(dialect: DialectName, documents: Documents, engines: &[&NamedEngine]) -> anyhow::Result<Matrix> {
+fn gather(
+    dialect: DialectName,
+    documents: Documents,
+    engines: &[&NamedEngine],
+) -> anyhow::Result<MatrixTable> {
     let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
     let types: Vec<ElementaryType> = ElementaryType::ALL
         .into_iter()
@@ -124,7 +128,7 @@ fn gather(dialect: DialectName, documents: Documents, engines: &[&NamedEngine]) 
         });
     }
     bar.finish();
-    Ok(Matrix {
+    Ok(MatrixTable {
         dialect,
         types,
         documents,

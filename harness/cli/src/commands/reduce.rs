@@ -12,10 +12,12 @@ use std::io::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
-use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason, Symptom};
+use stickler_generate::reduce::{
+    self, Interestingness, OutcomeSymptom, Reduction, ReductionBudget, StopReason,
+};
 use stickler_reference::decoding::decode;
 use stickler_types::DialectName;
-use subject::Subject;
+use subject::ReductionEngine;
 
 /// Prints the smallest program that shows the symptom, or writes it to the named file; writes a summary to stderr.
 ///
@@ -32,12 +34,12 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
     }
     let engine = engine(arguments)?;
     let stop = interrupt::cancellation()?;
-    let mut subject = Subject::new(engine.as_ref(), arguments.engine == engines::REFERENCE)?;
+    let mut subject = ReductionEngine::new(engine.as_ref(), arguments.engine == engines::REFERENCE)?;
     let Some((dialect, symptom)) = shown(&mut subject, arguments, &text, &path)? else {
         return Ok(Exit::Failures);
     };
     let started = Instant::now();
-    let bar = Bar::new(&symptom);
+    let bar = ReductionBar::new(&symptom);
     let stopped = || stop.is_requested();
     let budget = ReductionBudget {
         tries: arguments.tries,
@@ -110,11 +112,11 @@ fn exit(found: &Reduction<String>, again: bool) -> Exit {
 
 /// Finds the dialect and the symptom to keep; reports on stderr where the program shows none.
 fn shown(
-    subject: &mut Subject<'_>,
+    subject: &mut ReductionEngine<'_>,
     arguments: &ReduceArguments,
     text: &str,
     path: &str,
-) -> anyhow::Result<Option<(DialectName, Symptom)>> {
+) -> anyhow::Result<Option<(DialectName, OutcomeSymptom)>> {
     let identity = subject.identity();
     let dialects = match arguments.dialect {
         Some(dialect) => engines::spoken(identity, &[dialect])?,
@@ -180,10 +182,10 @@ fn write(file: Option<&Path>, program: &str, out: &mut dyn Write) -> anyhow::Res
 }
 
 /// The progress bar of a reduction, on stderr and only where that is a terminal.
-struct Bar(ProgressBar);
+struct ReductionBar(ProgressBar);
 
-impl Bar {
-    fn new(symptom: &Symptom) -> Bar {
+impl ReductionBar {
+    fn new(symptom: &OutcomeSymptom) -> ReductionBar {
         let bar = ProgressBar::new_spinner();
         // The template is a constant; if it were wrong, the bar would look plain.
         if let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {pos} tries, {elapsed}{msg}") {
@@ -191,7 +193,7 @@ impl Bar {
         }
         bar.set_prefix(symptom.to_string());
         bar.enable_steady_tick(Duration::from_millis(100));
-        Bar(bar)
+        ReductionBar(bar)
     }
 
     fn tried(&self, candidate: &str, answer: Interestingness) {

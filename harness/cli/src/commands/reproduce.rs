@@ -7,7 +7,7 @@ use crate::arguments::ReproduceArguments;
 use crate::exit::Exit;
 use crate::{engines, interrupt, output};
 use anyhow::{Context, bail};
-use page::{Page, README};
+use page::{README, ReproductionPage};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ use stickler_configuration::{Configuration, Kind};
 use stickler_engines::{
     Ability, Compiler, Description, Engine, NoReproduction, Outcome, Reproduction, RunRequest, shell_quote,
 };
-use subject::Subject;
+use subject::ReproducedProgram;
 
 /// The variable of a script for the folder of `stickler.toml`.
 const HERE: &str = "HERE";
@@ -29,7 +29,7 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
     interrupt::at_once()?;
     let configuration = engines::configuration()?;
     let compiler = KnownCompiler::named(&arguments.engine, &configuration)?;
-    let subjects = Subject::all(arguments)?;
+    let subjects = ReproducedProgram::all(arguments)?;
     let (subject, reproduction) = first_shown(&subjects, &compiler, &arguments.engine)?;
     let folder = &arguments.folder;
     make_empty(folder)?;
@@ -45,7 +45,7 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
     let unwritten = || format!("cannot write to {}", folder.display());
     let names = reproduction.write(folder).with_context(unwritten)?;
     let printed = here.as_ref().and_then(|here| here.printed(&reproduction));
-    let page = Page {
+    let page = ReproductionPage {
         subject,
         engine: &arguments.engine,
         program: &names[0],
@@ -109,10 +109,10 @@ impl KnownCompiler<'_> {
 /// # Errors
 /// The reason why it shows none.
 fn first_shown<'s>(
-    subjects: &'s [Subject],
+    subjects: &'s [ReproducedProgram],
     compiler: &KnownCompiler<'_>,
     engine: &str,
-) -> anyhow::Result<(&'s Subject, Reproduction)> {
+) -> anyhow::Result<(&'s ReproducedProgram, Reproduction)> {
     let mut reason = None;
     for subject in subjects {
         match compiler.reproduce(&subject.request(), subject.ability(None)) {
@@ -167,7 +167,7 @@ impl Here {
     }
 
     /// Returns what the engine does with a program, which decides what of it is worth showing.
-    fn outcome(&self, subject: &Subject) -> Option<Outcome> {
+    fn outcome(&self, subject: &ReproducedProgram) -> Option<Outcome> {
         Some(self.engine.session().ok()?.run(&subject.request()))
     }
 

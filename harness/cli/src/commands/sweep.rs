@@ -9,10 +9,10 @@ use crate::arguments::SweepArguments;
 use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt};
-use page::Page;
+use page::SweepPage;
 use std::io::Write;
 use std::time::Instant;
-use stickler_conversions::sweep::{Findings, Progress as Reached, Sampling, Sweep, SweepMethod, agenda, run};
+use stickler_conversions::sweep::{Sampling, Sweep, SweepFindings, SweepMethod, SweepProgress, agenda, run};
 use stickler_conversions::{FunctionDialects, find_function};
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
@@ -37,7 +37,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
     };
     let sweeps = agenda(&function, &having, sampling, SweepMethod::Conversion)?;
     let cancel = interrupt::cancellation()?;
-    let mut page = Page::new(out, engine.identity());
+    let mut page = SweepPage::new(out, engine.identity());
     page.lacking(&function, &lacking)?;
     let jobs = arguments.jobs.map_or(0, usize::from);
     for (index, sweep) in sweeps.iter().enumerate() {
@@ -55,9 +55,9 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
 }
 
 /// Runs a sweep of the reference with a progress bar.
-fn observed(sweep: &Sweep, jobs: usize, cancel: &Cancellation) -> anyhow::Result<Findings> {
+fn observed(sweep: &Sweep, jobs: usize, cancel: &Cancellation) -> anyhow::Result<SweepFindings> {
     let bar = Progress::new(sweep.domain.len());
-    let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);
+    let advance = |reached: SweepProgress| bar.reach(reached.done, reached.mismatches);
     let findings = run(sweep, &sweep.reference, jobs, &advance, cancel);
     bar.finish();
     Ok(findings?)

@@ -34,7 +34,7 @@ const LARGE: f64 = 1e16;
 const MAX_VALUE_LEN: usize = 40;
 
 /// The page that shows what a function gives.
-pub struct Page<'p> {
+pub struct OverviewPage<'p> {
     /// The results, one table for each signature.
     pub results: &'p [SignatureResults],
     /// The requested dialects that lack the function.
@@ -45,7 +45,7 @@ pub struct Page<'p> {
     pub only_reference: bool,
 }
 
-impl Page<'_> {
+impl OverviewPage<'_> {
     /// Writes the page.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use crate::sweep::agenda::Sweep;
 use crate::sweep::converter::Converter;
-use crate::sweep::findings::{Difference, Findings, MAX_DIFFERENCES};
+use crate::sweep::findings::{Difference, MAX_DIFFERENCES, SweepFindings};
 use std::ops::Range;
 use stickler_exact::{Bulk, expected, value};
 use stickler_types::{ElementaryType, Value};
@@ -18,18 +18,18 @@ const SLOW_STEP: u64 = 1 << 9;
 
 /// A sweep, and the converter that it compares with exact arithmetic.
 #[derive(Clone, Copy)]
-pub struct Comparison<'s> {
+pub struct SweepComparison<'s> {
     sweep: &'s Sweep,
     converter: &'s dyn Converter,
     /// The bulk form of exact arithmetic, where there is one.
     bulk: Option<Bulk>,
 }
 
-impl<'s> Comparison<'s> {
+impl<'s> SweepComparison<'s> {
     /// Makes the comparison of a sweep.
     #[must_use]
-    pub fn new(sweep: &'s Sweep, converter: &'s dyn Converter) -> Comparison<'s> {
-        Comparison {
+    pub fn new(sweep: &'s Sweep, converter: &'s dyn Converter) -> SweepComparison<'s> {
+        SweepComparison {
             sweep,
             converter,
             bulk: Bulk::new(&sweep.signature, &sweep.choices),
@@ -71,7 +71,7 @@ impl<'s> Comparison<'s> {
 
 /// A comparison with the buffers that one worker needs.
 pub struct ComparisonBuffers<'s> {
-    comparison: Comparison<'s>,
+    comparison: SweepComparison<'s>,
     operands: Vec<u64>,
     expected: Vec<u64>,
     results: Vec<u64>,
@@ -79,8 +79,8 @@ pub struct ComparisonBuffers<'s> {
 
 impl ComparisonBuffers<'_> {
     /// Compares the results for the inputs at the given places of the domain with exact arithmetic.
-    pub fn compare(&mut self, places: Range<u64>) -> Findings {
-        let mut found = Findings::new(0);
+    pub fn compare(&mut self, places: Range<u64>) -> SweepFindings {
+        let mut found = SweepFindings::new(0);
         match self.comparison.bulk {
             Some(bulk) => self.compare_blocks(bulk, places, &mut found),
             None => places.for_each(|place| self.compare_values(place, &mut found)),
@@ -88,7 +88,7 @@ impl ComparisonBuffers<'_> {
         found
     }
 
-    fn compare_blocks(&mut self, bulk: Bulk, places: Range<u64>, found: &mut Findings) {
+    fn compare_blocks(&mut self, bulk: Bulk, places: Range<u64>, found: &mut SweepFindings) {
         let mut start = places.start;
         while start < places.end {
             let end = places.end.min(start + BLOCK as u64);
@@ -109,7 +109,7 @@ impl ComparisonBuffers<'_> {
 
     /// Adds the differences in a block to the findings. Two NaNs are equal whatever their bits.
     #[cold]
-    fn collect_differences(&self, start: u64, length: usize, found: &mut Findings) {
+    fn collect_differences(&self, start: u64, length: usize, found: &mut SweepFindings) {
         let signature = &self.comparison.sweep.signature;
         let result = signature.result;
         for (offset, place) in (0..length).zip(start..) {
@@ -128,7 +128,7 @@ impl ComparisonBuffers<'_> {
         }
     }
 
-    fn compare_values(&self, place: u64, found: &mut Findings) {
+    fn compare_values(&self, place: u64, found: &mut SweepFindings) {
         let sweep = self.comparison.sweep;
         let operands = sweep.domain.operands(place);
         let exact = value(&sweep.signature, &operands, &sweep.choices);

@@ -6,4 +6,4 @@ mod sample;
 mod texts;
 
 pub use choose::{Domain, Sampling};
-pub use operands::{Operands, Texts};
+pub use operands::{Operands, TextOperands};

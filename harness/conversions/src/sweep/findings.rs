@@ -1,6 +1,6 @@
 //! The findings of a sweep over the reference: the counts and the first differences.
 
-use crate::sweep::run::Progress;
+use crate::sweep::run::SweepProgress;
 use std::fmt;
 use stickler_types::Value;
 
@@ -34,7 +34,7 @@ impl fmt::Display for Difference {
 
 /// The differences that a sweep found, and its progress.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Findings {
+pub struct SweepFindings {
     /// The number of inputs of the domain.
     pub inputs: u64,
     /// The number of inputs that were compared, from the first on without a gap.
@@ -45,13 +45,13 @@ pub struct Findings {
     pub first: Vec<Difference>,
 }
 
-impl Findings {
+impl SweepFindings {
     /// Returns findings with no input compared yet.
     #[must_use]
-    pub fn new(inputs: u64) -> Findings {
-        Findings {
+    pub fn new(inputs: u64) -> SweepFindings {
+        SweepFindings {
             inputs,
-            ..Findings::default()
+            ..SweepFindings::default()
         }
     }
 
@@ -63,15 +63,15 @@ impl Findings {
 
     /// Returns the progress of the sweep.
     #[must_use]
-    pub const fn progress(&self) -> Progress {
-        Progress {
+    pub const fn progress(&self) -> SweepProgress {
+        SweepProgress {
             done: self.done,
             mismatches: self.mismatches,
         }
     }
 
     /// Adds the findings of another part of the domain.
-    pub fn add(&mut self, part: Findings) {
+    pub fn add(&mut self, part: SweepFindings) {
         self.done += part.done;
         self.mismatches += part.mismatches;
         if !part.first.is_empty() {

@@ -1,15 +1,15 @@
 //! Compares all inputs of a sweep on all cores, until done or cancelled.
 
 use crate::sweep::agenda::Sweep;
-use crate::sweep::comparison::Comparison;
+use crate::sweep::comparison::SweepComparison;
 use crate::sweep::converter::Converter;
-use crate::sweep::findings::Findings;
+use crate::sweep::findings::SweepFindings;
 use std::ops::Range;
 use stickler_workers::{Cancellation, SpawnError, WorkerPool};
 
 /// The progress of a sweep.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Progress {
+pub struct SweepProgress {
     /// The number of inputs that were compared so far.
     pub done: u64,
     /// The number of compared inputs that gave a wrong result.
@@ -28,12 +28,12 @@ pub fn run(
     sweep: &Sweep,
     converter: &dyn Converter,
     jobs: usize,
-    progress: &dyn Fn(Progress),
+    progress: &dyn Fn(SweepProgress),
     cancel: &Cancellation,
-) -> Result<Findings, SpawnError> {
+) -> Result<SweepFindings, SpawnError> {
     let inputs = sweep.domain.len();
-    let comparison = Comparison::new(sweep, converter);
-    let mut findings = Findings::new(inputs);
+    let comparison = SweepComparison::new(sweep, converter);
+    let mut findings = SweepFindings::new(inputs);
     let tasks = tasks(comparison.step(), inputs).take_while(|_| !cancel.is_requested());
     WorkerPool::new(jobs).for_each(
         tasks,

@@ -1,18 +1,18 @@
 //! Tests that a sweep finds conversions with one small error.
 
 use crate::support::{Spoilt, findings, sweep};
-use stickler_conversions::sweep::{Converter, Difference, Findings};
+use stickler_conversions::sweep::{Converter, Difference, SweepFindings};
 use stickler_types::{DialectName, Value};
 
 /// Returns the findings of a sweep over the reference's conversion, whose results `spoil` changes.
-fn spoilt(function: &str, spoil: impl Fn(u64, u64) -> u64 + Sync) -> Findings {
+fn spoilt(function: &str, spoil: impl Fn(u64, u64) -> u64 + Sync) -> SweepFindings {
     let sweep = sweep(function, DialectName::Matiec);
     assert_eq!(findings(&sweep, &sweep.reference).mismatches, 0, "{function}");
     let converter = Spoilt { sweep: &sweep, spoil };
     findings(&sweep, &converter)
 }
 
-fn first(found: &Findings) -> [String; 3] {
+fn first(found: &SweepFindings) -> [String; 3] {
     let Difference {
         operands,
         expected,

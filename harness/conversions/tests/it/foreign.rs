@@ -309,7 +309,7 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
 fn a_sweep_of_an_engine_can_be_cancelled() {
     let sweep = &sweeps("DINT_TO_INT", DialectName::Matiec, None)[0];
     let cancel = Cancellation::new();
-    let progress = |reached: stickler_conversions::sweep::Progress| {
+    let progress = |reached: stickler_conversions::sweep::SweepProgress| {
         if reached.done > 10_000 {
             cancel.request();
         }

@@ -2,7 +2,7 @@
 
 use crate::support::{Spoilt, sweep};
 use std::sync::Mutex;
-use stickler_conversions::sweep::{Progress, run};
+use stickler_conversions::sweep::{SweepProgress, run};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
 
@@ -14,11 +14,11 @@ fn progress_counts_every_input_and_every_mismatch() {
         spoil: |operand, right| right ^ (operand & 1),
     };
     let seen = Mutex::new(Vec::new());
-    let progress = |reached: Progress| seen.lock().expect("no panic").push(reached);
+    let progress = |reached: SweepProgress| seen.lock().expect("no panic").push(reached);
     run(&sweep, &converter, 0, &progress, &Cancellation::new()).expect("threads");
     let mut seen = seen.into_inner().expect("no panic");
     seen.sort_by_key(|reached| reached.done);
-    let last = Progress {
+    let last = SweepProgress {
         done: 65_536,
         mismatches: 32_768,
     };
@@ -34,7 +34,7 @@ fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
         spoil: |_, right| right ^ 1,
     };
     let cancel = Cancellation::new();
-    let progress = |reached: Progress| {
+    let progress = |reached: SweepProgress| {
         if reached.done >= 1 << 20 {
             cancel.request();
         }

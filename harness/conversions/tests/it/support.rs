@@ -1,6 +1,6 @@
 //! Functions and types that several tests share.
 
-use stickler_conversions::sweep::{Converter, Findings, Sampling, Sweep, SweepMethod, agenda, run};
+use stickler_conversions::sweep::{Converter, Sampling, Sweep, SweepFindings, SweepMethod, agenda, run};
 use stickler_types::{DialectName, Value};
 use stickler_workers::Cancellation;
 
@@ -26,7 +26,7 @@ pub fn sweep(function: &str, dialect: DialectName) -> Sweep {
 }
 
 /// Runs a sweep to its end, and returns its findings.
-pub fn findings(sweep: &Sweep, converter: &dyn Converter) -> Findings {
+pub fn findings(sweep: &Sweep, converter: &dyn Converter) -> SweepFindings {
     let found = run(sweep, converter, 0, &|_| {}, &Cancellation::new()).expect("threads");
     assert!(found.is_complete());
     found

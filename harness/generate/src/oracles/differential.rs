@@ -6,7 +6,7 @@ use super::{InputOutcome, OracleFailure};
 use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
-use crate::reduce::Symptom;
+use crate::reduce::OutcomeSymptom;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use std::cell::RefCell;
@@ -96,7 +96,7 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
 /// Judges an engine by a program.
 ///
 /// # Errors
-/// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`Symptom`].
+/// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`OutcomeSymptom`].
 pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOutcome, OracleFailure> {
     let Ok(evaluation) = evaluate(program, 1) else {
         return Ok(InputOutcome::Skipped("the program has no values"));
@@ -117,7 +117,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
     let expected = Outcome::Executed {
         values: evaluation.values,
     };
-    match Symptom::first(&expected, &given) {
+    match OutcomeSymptom::first(&expected, &given) {
         None => Ok(InputOutcome::Checked),
         Some(symptom) => {
             let message = format!(

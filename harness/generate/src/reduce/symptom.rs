@@ -12,7 +12,7 @@ use stickler_types::{Code, Fault};
 /// `value:INT`, `missing:INT`, `fault:subscript-range`, `no-fault:division-by-zero`; for a compiler without codes
 /// `rejected:` and the first words of its message.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Symptom {
+pub enum OutcomeSymptom {
     /// The engine crashed.
     Crash,
     /// The engine did not answer in time.
@@ -33,37 +33,37 @@ pub enum Symptom {
     NotFaulted(Fault),
 }
 
-impl Symptom {
+impl OutcomeSymptom {
     /// Returns every symptom of an outcome, the most important first; of wrong values one for each type, in the order of
     /// `expected`.
     ///
     /// A program that an engine does not support is no symptom, nor are values missing from an engine that only checks
     /// programs.
     #[must_use]
-    pub fn all(expected: &Outcome, got: &Outcome) -> Vec<Symptom> {
+    pub fn all(expected: &Outcome, got: &Outcome) -> Vec<OutcomeSymptom> {
         let symptom = match (expected, got) {
-            (_, Outcome::Crashed { .. }) => Symptom::Crash,
-            (_, Outcome::TimedOut { .. }) => Symptom::Hang,
-            (_, Outcome::Error { .. }) => Symptom::Error,
+            (_, Outcome::Crashed { .. }) => OutcomeSymptom::Crash,
+            (_, Outcome::TimedOut { .. }) => OutcomeSymptom::Hang,
+            (_, Outcome::Error { .. }) => OutcomeSymptom::Error,
             (_, Outcome::Unsupported { .. }) => return Vec::new(),
             (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => return Vec::new(),
             (_, Outcome::Rejected { .. }) => {
                 return rejections(got, code_or_message)
                     .into_iter()
-                    .map(Symptom::Rejected)
+                    .map(OutcomeSymptom::Rejected)
                     .collect();
             }
             (Outcome::Rejected { .. }, _) => {
                 return rejections(expected, code)
                     .into_iter()
-                    .map(Symptom::NotRejected)
+                    .map(OutcomeSymptom::NotRejected)
                     .collect();
             }
             (Outcome::Faulted { fault, .. }, Outcome::Faulted { fault: other, .. }) if fault == other => {
                 return Vec::new();
             }
-            (_, Outcome::Faulted { fault, .. }) => Symptom::Fault(*fault),
-            (Outcome::Faulted { fault, .. }, Outcome::Executed { .. }) => Symptom::NotFaulted(*fault),
+            (_, Outcome::Faulted { fault, .. }) => OutcomeSymptom::Fault(*fault),
+            (Outcome::Faulted { fault, .. }, Outcome::Executed { .. }) => OutcomeSymptom::NotFaulted(*fault),
             (Outcome::Executed { values: expected }, Outcome::Executed { values: got }) => {
                 return values(expected, got);
             }
@@ -72,24 +72,24 @@ impl Symptom {
         vec![symptom]
     }
 
-    /// Returns the first of [`Symptom::all`].
+    /// Returns the first of [`OutcomeSymptom::all`].
     #[must_use]
-    pub fn first(expected: &Outcome, got: &Outcome) -> Option<Symptom> {
-        Symptom::all(expected, got).into_iter().next()
+    pub fn first(expected: &Outcome, got: &Outcome) -> Option<OutcomeSymptom> {
+        OutcomeSymptom::all(expected, got).into_iter().next()
     }
 
     /// Returns the symptom of a rejected valid program, by the first of its diagnostics.
     #[must_use]
-    pub fn rejected(diagnostics: &[Diagnostic]) -> Symptom {
-        Symptom::Rejected(diagnostics.first().map(code_or_message).unwrap_or_default())
+    pub fn rejected(diagnostics: &[Diagnostic]) -> OutcomeSymptom {
+        OutcomeSymptom::Rejected(diagnostics.first().map(code_or_message).unwrap_or_default())
     }
 
     /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
     /// reason, as `rejected:P0002` is of `rejected:P0002 expected a type`.
     #[must_use]
-    pub fn is_meant_by(&self, wanted: &Symptom) -> bool {
+    pub fn is_meant_by(&self, wanted: &OutcomeSymptom) -> bool {
         match (self, wanted) {
-            (Symptom::Rejected(own), Symptom::Rejected(code)) => {
+            (OutcomeSymptom::Rejected(own), OutcomeSymptom::Rejected(code)) => {
                 own == code
                     || own
                         .strip_prefix(code.as_str())
@@ -102,7 +102,7 @@ impl Symptom {
     /// Returns whether an outcome shows this symptom, possibly among others.
     #[must_use]
     pub fn shows(&self, expected: &Outcome, got: &Outcome) -> bool {
-        Symptom::all(expected, got).contains(self)
+        OutcomeSymptom::all(expected, got).contains(self)
     }
 }
 
@@ -171,13 +171,13 @@ fn normalize_message(message: &str) -> String {
 fn values(
     expected: &[(String, stickler_types::Value)],
     got: &[(String, stickler_types::Value)],
-) -> Vec<Symptom> {
+) -> Vec<OutcomeSymptom> {
     let mut symptoms = Vec::new();
     for (name, value) in expected {
         let symptom = match got.iter().find(|(other, _)| other == name) {
             Some((_, found)) if found == value => continue,
-            Some(_) => Symptom::Value(value.type_name().to_owned()),
-            None => Symptom::Missing(value.type_name().to_owned()),
+            Some(_) => OutcomeSymptom::Value(value.type_name().to_owned()),
+            None => OutcomeSymptom::Missing(value.type_name().to_owned()),
         };
         if !symptoms.contains(&symptom) {
             symptoms.push(symptom);
@@ -186,20 +186,20 @@ fn values(
     symptoms
 }
 
-impl fmt::Display for Symptom {
+impl fmt::Display for OutcomeSymptom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Symptom::Crash => f.write_str("crash"),
-            Symptom::Hang => f.write_str("hang"),
-            Symptom::Error => f.write_str("error"),
-            Symptom::Rejected(code) if code.is_empty() => f.write_str("rejected"),
-            Symptom::Rejected(code) => write!(f, "rejected:{code}"),
-            Symptom::NotRejected(code) if code.is_empty() => f.write_str("not-rejected"),
-            Symptom::NotRejected(code) => write!(f, "not-rejected:{code}"),
-            Symptom::Value(ty) => write!(f, "value:{ty}"),
-            Symptom::Missing(ty) => write!(f, "missing:{ty}"),
-            Symptom::Fault(fault) => write!(f, "fault:{fault}"),
-            Symptom::NotFaulted(fault) => write!(f, "no-fault:{fault}"),
+            OutcomeSymptom::Crash => f.write_str("crash"),
+            OutcomeSymptom::Hang => f.write_str("hang"),
+            OutcomeSymptom::Error => f.write_str("error"),
+            OutcomeSymptom::Rejected(code) if code.is_empty() => f.write_str("rejected"),
+            OutcomeSymptom::Rejected(code) => write!(f, "rejected:{code}"),
+            OutcomeSymptom::NotRejected(code) if code.is_empty() => f.write_str("not-rejected"),
+            OutcomeSymptom::NotRejected(code) => write!(f, "not-rejected:{code}"),
+            OutcomeSymptom::Value(ty) => write!(f, "value:{ty}"),
+            OutcomeSymptom::Missing(ty) => write!(f, "missing:{ty}"),
+            OutcomeSymptom::Fault(fault) => write!(f, "fault:{fault}"),
+            OutcomeSymptom::NotFaulted(fault) => write!(f, "no-fault:{fault}"),
         }
     }
 }
@@ -221,23 +221,23 @@ impl fmt::Display for UnknownSymptom {
 
 impl std::error::Error for UnknownSymptom {}
 
-impl FromStr for Symptom {
+impl FromStr for OutcomeSymptom {
     type Err = UnknownSymptom;
 
-    fn from_str(word: &str) -> Result<Symptom, UnknownSymptom> {
+    fn from_str(word: &str) -> Result<OutcomeSymptom, UnknownSymptom> {
         let (kind, what) = word.split_once(':').unwrap_or((word, ""));
         let unknown = || UnknownSymptom(word.to_owned());
         let fault = || what.parse::<Fault>().map_err(|_| unknown());
         Ok(match kind {
-            "crash" if what.is_empty() => Symptom::Crash,
-            "hang" if what.is_empty() => Symptom::Hang,
-            "error" if what.is_empty() => Symptom::Error,
-            "rejected" => Symptom::Rejected(what.to_owned()),
-            "not-rejected" => Symptom::NotRejected(what.to_owned()),
-            "value" if !what.is_empty() => Symptom::Value(what.to_owned()),
-            "missing" if !what.is_empty() => Symptom::Missing(what.to_owned()),
-            "fault" => Symptom::Fault(fault()?),
-            "no-fault" => Symptom::NotFaulted(fault()?),
+            "crash" if what.is_empty() => OutcomeSymptom::Crash,
+            "hang" if what.is_empty() => OutcomeSymptom::Hang,
+            "error" if what.is_empty() => OutcomeSymptom::Error,
+            "rejected" => OutcomeSymptom::Rejected(what.to_owned()),
+            "not-rejected" => OutcomeSymptom::NotRejected(what.to_owned()),
+            "value" if !what.is_empty() => OutcomeSymptom::Value(what.to_owned()),
+            "missing" if !what.is_empty() => OutcomeSymptom::Missing(what.to_owned()),
+            "fault" => OutcomeSymptom::Fault(fault()?),
+            "no-fault" => OutcomeSymptom::NotFaulted(fault()?),
             _ => return Err(unknown()),
         })
     }
@@ -279,7 +279,7 @@ mod tests {
                 diagnostic(None, "invalid operand"),
             ],
         };
-        let all: Vec<String> = Symptom::all(&Outcome::Accepted, &rejected)
+        let all: Vec<String> = OutcomeSymptom::all(&Outcome::Accepted, &rejected)
             .iter()
             .map(ToString::to_string)
             .collect();
@@ -289,7 +289,7 @@ mod tests {
             "rejected:invalid operand",
         ];
         assert_eq!(all, names);
-        let first: Symptom = names[0].parse().unwrap();
+        let first: OutcomeSymptom = names[0].parse().unwrap();
         for (wanted, meant) in [
             ("rejected:P0002 expected found", true),
             ("rejected:P0002", true),
@@ -299,7 +299,7 @@ mod tests {
         ] {
             assert_eq!(first.is_meant_by(&wanted.parse().unwrap()), meant, "{wanted}");
         }
-        let must = Symptom::all(&rejected, &Outcome::Accepted);
+        let must = OutcomeSymptom::all(&rejected, &Outcome::Accepted);
         assert_eq!(must[0].to_string(), "not-rejected:P0002");
     }
 }

@@ -49,7 +49,7 @@ pub(crate) fn expand(
     let declared = types::declared(&table.file.types, table.context, mistakes);
     let mut probes = probe::read(table.file, table.context, placeholders, mistakes, remarks);
     let sections = section::read(table, key, names, mistakes);
-    let mut expander = Expander {
+    let mut expander = MatrixExpander {
         table,
         harvest,
         budget: table.context.budget,
@@ -120,14 +120,14 @@ fn overridden(
     said
 }
 
-struct Expander<'a, 'h> {
+struct MatrixExpander<'a, 'h> {
     table: &'a Table<'a>,
     harvest: &'h mut Harvest,
     budget: Budget,
     scratch: String,
 }
 
-impl Expander<'_, '_> {
+impl MatrixExpander<'_, '_> {
     /// Reports the keys that have no meaning in a matrix.
     fn check_keys(&mut self, probes: &mut [Probe<'_>]) {
         if let Some(expect) = &self.table.file.expect {

@@ -68,7 +68,7 @@ pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harves
         basis: position("basis"),
         dialects: position("dialects"),
     };
-    let mut expander = Expander {
+    let mut expander = RowExpander {
         table,
         names,
         special,
@@ -86,7 +86,7 @@ pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harves
     }
 }
 
-struct Expander<'a, 'h> {
+struct RowExpander<'a, 'h> {
     table: &'a Table<'a>,
     names: &'a [Box<str>],
     special: Special,
@@ -95,7 +95,7 @@ struct Expander<'a, 'h> {
     scratch: String,
 }
 
-impl Expander<'_, '_> {
+impl RowExpander<'_, '_> {
     /// Reports columns that cannot be placeholders, and keys that have no meaning in a table of rows.
     fn check_keys(&mut self, probes: &[Probe<'_>]) {
         for (at, column) in self.table.file.columns.iter().flatten().enumerate() {

@@ -88,7 +88,7 @@ fn integers(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
 /// Returns the numbers around zero, the powers of two, small halves, the limits of the integers and halves beside them, the
 /// largest finite number, the infinity, and NaNs of each kind; and all of them with a minus.
 fn reals(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
-    let format = Format::of(ty);
+    let format = RealFormat::of(ty);
     let mut raws = BTreeSet::new();
     let mut around = |raw: u64| {
         let (least, greatest) = (
@@ -120,21 +120,21 @@ fn reals(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
 }
 
 /// The position of the parts of a real type's bits.
-struct Format {
+struct RealFormat {
     fraction_bits: u32,
     bias: u64,
     sign: u64,
 }
 
-impl Format {
-    const fn of(ty: ElementaryType) -> Format {
+impl RealFormat {
+    const fn of(ty: ElementaryType) -> RealFormat {
         match ty {
-            ElementaryType::Real => Format {
+            ElementaryType::Real => RealFormat {
                 fraction_bits: 23,
                 bias: 127,
                 sign: 1 << 31,
             },
-            _ => Format {
+            _ => RealFormat {
                 fraction_bits: 52,
                 bias: 1023,
                 sign: 1 << 63,

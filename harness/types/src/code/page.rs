@@ -3,7 +3,7 @@
 use crate::dialect_name::DialectName;
 
 /// The contents of the page of a diagnostic code.
-pub(super) struct Page {
+pub(super) struct CodePage {
     pub summary: &'static str,
     pub explanation: String,
     /// The dialect in which the reference gives the code for the example; `None` where only other compilers give it.
@@ -21,7 +21,7 @@ const GIVEN_ELSEWHERE: &str = "Only other compilers give this code.";
 ///
 /// # Errors
 /// A message about the first part that is missing or has another form.
-pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<Page, String> {
+pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<CodePage, String> {
     let rest = text
         .strip_prefix(&format!("# {code} {name}\n\n"))
         .ok_or_else(|| format!("the first line must be `# {code} {name}`, with an empty line after it"))?;
@@ -47,7 +47,7 @@ pub(super) fn parse(code: &str, name: &str, text: &'static str) -> Result<Page, 
             }
         },
     };
-    Ok(Page {
+    Ok(CodePage {
         summary,
         explanation: unwrapped(explanation),
         dialect: dialect(given)?,

@@ -20,7 +20,7 @@ macro_rules! codes {
         }
 
         /// The entry of each code, in the order of [`Code::ALL`].
-        pub(super) const ENTRIES: &[Entry] = &[$(Entry {
+        pub(super) const ENTRIES: &[CodeEntry] = &[$(CodeEntry {
             code: stringify!($code),
             name: stringify!($name),
             page: include_str!(concat!("../../codes/", stringify!($code), ".md")),
@@ -29,7 +29,7 @@ macro_rules! codes {
 }
 
 /// One line of the table of codes.
-pub(super) struct Entry {
+pub(super) struct CodeEntry {
     /// The number, such as `P4035`.
     pub code: &'static str,
     /// The name, such as `AssignmentTypeMismatch`.

@@ -33,7 +33,7 @@ pub fn duration(text: &str) -> Result<i64, LiteralError> {
     let mut total = 0_u128;
     let mut units = &UNITS[..];
     loop {
-        let part = Part::read(bytes, at, units)?;
+        let part = DurationPart::read(bytes, at, units)?;
         // A part is less than 2^111 and at most seven are added up, so this never overflows.
         total += part.nanoseconds;
         units = part.lesser;
@@ -55,7 +55,7 @@ pub fn duration(text: &str) -> Result<i64, LiteralError> {
 }
 
 /// One number of a duration with its unit.
-struct Part {
+struct DurationPart {
     /// The amount, cut off toward zero, and saturated far beyond what a duration can hold.
     nanoseconds: u128,
     has_fraction: bool,
@@ -65,8 +65,12 @@ struct Part {
     end: usize,
 }
 
-impl Part {
-    fn read(bytes: &[u8], start: usize, units: &'static [(&'static str, u64)]) -> Result<Part, LiteralError> {
+impl DurationPart {
+    fn read(
+        bytes: &[u8],
+        start: usize,
+        units: &'static [(&'static str, u64)],
+    ) -> Result<DurationPart, LiteralError> {
         let whole = digits_at(bytes, start)?;
         let mut at = start + whole.len();
         let mut fraction: &[u8] = &[];
@@ -91,7 +95,7 @@ impl Part {
         let whole = whole.fold(0_u64, |value, digit| {
             value.saturating_mul(10).saturating_add(u64::from(digit - b'0'))
         });
-        Ok(Part {
+        Ok(DurationPart {
             nanoseconds: u128::from(whole) * u128::from(unit) + u128::from(fraction_of(fraction, unit)),
             has_fraction: !fraction.is_empty(),
             lesser: &units[place + 1..],

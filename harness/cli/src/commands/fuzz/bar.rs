@@ -2,19 +2,19 @@
 
 use indicatif::{HumanCount, ProgressBar, ProgressStyle};
 use std::time::{Duration, Instant};
-use stickler_campaign::{Plan, Progress, Until};
+use stickler_campaign::{CampaignPlan, CampaignProgress, Until};
 
 /// A progress bar of the programs, or of the time, whichever ends the campaign.
-pub struct Bar {
+pub struct FuzzBar {
     bar: ProgressBar,
     begun: Instant,
     /// Whether the bar counts programs; otherwise seconds.
     counts: bool,
 }
 
-impl Bar {
+impl FuzzBar {
     /// Makes the bar of a campaign.
-    pub fn new(plan: &Plan) -> Bar {
+    pub fn new(plan: &CampaignPlan) -> FuzzBar {
         let (length, counts) = match plan.until {
             Until::Count(count) => (plan.share().unwrap_or(count), true),
             Until::Time(time) => (time.as_secs(), false),
@@ -30,7 +30,7 @@ impl Bar {
             bar.set_style(style);
         }
         bar.enable_steady_tick(Duration::from_millis(200));
-        Bar {
+        FuzzBar {
             bar,
             begun: Instant::now(),
             counts,
@@ -38,7 +38,7 @@ impl Bar {
     }
 
     /// Shows the progress of the campaign.
-    pub fn reach(&self, progress: Progress) {
+    pub fn reach(&self, progress: CampaignProgress) {
         let elapsed = self.begun.elapsed();
         let position = if self.counts {
             progress.programs
@@ -46,7 +46,7 @@ impl Bar {
             elapsed.as_secs()
         };
         self.bar.set_position(position);
-        let Progress {
+        let CampaignProgress {
             programs,
             disagreements,
             findings,

@@ -4,7 +4,7 @@ use crate::exit::Exit;
 use crate::output;
 use std::collections::BTreeMap;
 use stickler_campaign::record::FORMAT;
-use stickler_campaign::{Ended, Finding, Record, Request, Store, StoreError, Summary};
+use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding, Record, Store, StoreError};
 use stickler_workers::Shard;
 
 /// The storage of the findings of one campaign.
@@ -30,7 +30,7 @@ impl Keeper {
     ///
     /// # Errors
     /// [`StoreError`] where the folder cannot be written.
-    pub fn begin(store: Store, asked: Request, shard: Shard) -> Result<Keeper, StoreError> {
+    pub fn begin(store: Store, asked: CampaignRequest, shard: Shard) -> Result<Keeper, StoreError> {
         let record = Record {
             format: FORMAT,
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
@@ -68,7 +68,7 @@ impl Keeper {
     }
 
     /// Tries again to save the findings that could not be saved, and writes the record of the campaign's end.
-    pub fn end(mut self, summary: &Summary) -> Unsaved {
+    pub fn end(mut self, summary: &CampaignSummary) -> Unsaved {
         let mut error = None;
         let mut findings = Vec::new();
         for finding in std::mem::take(&mut self.unsaved).into_values() {
@@ -77,7 +77,7 @@ impl Keeper {
                 findings.push(finding);
             }
         }
-        self.record.complete = summary.ended == Ended::Done && findings.is_empty();
+        self.record.complete = summary.ended == CampaignEnd::Done && findings.is_empty();
         self.record.programs = summary.programs;
         self.record.disagreements = summary.disagreements.values().sum();
         self.record.findings = summary.findings.keys().cloned().collect();

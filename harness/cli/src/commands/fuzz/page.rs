@@ -5,8 +5,8 @@ use super::keeper::Unsaved;
 use anstyle::{AnsiColor, Style};
 use indicatif::HumanCount;
 use std::io::{self, Write};
-use stickler_campaign::finding::Standing;
-use stickler_campaign::{Ended, Finding, Request, Summary};
+use stickler_campaign::finding::Confirmation;
+use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding};
 use stickler_workers::Shard;
 
 const BOLD: Style = Style::new().bold();
@@ -22,21 +22,21 @@ const MAX_FEATURES: usize = 12;
 const MAX_LINES: usize = 25;
 
 /// The page that is being written.
-pub struct Page<'o> {
+pub struct FuzzPage<'o> {
     out: &'o mut dyn Write,
 }
 
-impl<'o> Page<'o> {
+impl<'o> FuzzPage<'o> {
     /// Makes the page on a stream.
-    pub fn new(out: &'o mut dyn Write) -> Page<'o> {
-        Page { out }
+    pub fn new(out: &'o mut dyn Write) -> FuzzPage<'o> {
+        FuzzPage { out }
     }
 
     /// Writes the request: inputs, engines and dialects.
     ///
     /// # Errors
     /// Errors of writing to the stream.
-    pub fn begin(&mut self, request: &Request, shard: Shard) -> io::Result<()> {
+    pub fn begin(&mut self, request: &CampaignRequest, shard: Shard) -> io::Result<()> {
         write!(self.out, "seed {}", request.seed)?;
         if shard != Shard::WHOLE {
             write!(self.out, ", part {shard}")?;
@@ -63,7 +63,7 @@ impl<'o> Page<'o> {
     ///
     /// # Errors
     /// Errors of writing to the stream.
-    pub fn end(&mut self, summary: &Summary, unsaved: &Unsaved) -> io::Result<()> {
+    pub fn end(&mut self, summary: &CampaignSummary, unsaved: &Unsaved) -> io::Result<()> {
         self.totals(summary)?;
         let (different, alike) = distinct_and_alike(summary);
         for finding in different.iter().take(MAX_FINDINGS) {
@@ -90,9 +90,9 @@ impl<'o> Page<'o> {
         }
         self.unsaved(unsaved)?;
         match &summary.ended {
-            Ended::Done => {}
-            Ended::Interrupted => writeln!(self.out, "\nstopped before its end")?,
-            Ended::Lost(reason) => writeln!(self.out, "\n{RED}stopped:{RED:#} {reason}")?,
+            CampaignEnd::Done => {}
+            CampaignEnd::Interrupted => writeln!(self.out, "\nstopped before its end")?,
+            CampaignEnd::Lost(reason) => writeln!(self.out, "\n{RED}stopped:{RED:#} {reason}")?,
         }
         if !unsaved.findings.is_empty() {
             let number = unsaved.findings.len();
@@ -108,7 +108,7 @@ impl<'o> Page<'o> {
         }
     }
 
-    fn totals(&mut self, summary: &Summary) -> io::Result<()> {
+    fn totals(&mut self, summary: &CampaignSummary) -> io::Result<()> {
         writeln!(
             self.out,
             "{} programs in {:.1} s ({}/s)",
@@ -146,8 +146,8 @@ impl<'o> Page<'o> {
     fn finding(&mut self, finding: &Finding, times: u64) -> io::Result<()> {
         writeln!(self.out, "\n{BOLD}{}{BOLD:#}", finding.id)?;
         let flaky = match finding.standing {
-            Standing::Confirmed => "",
-            Standing::Flaky => ", flaky: not seen again",
+            Confirmation::Confirmed => "",
+            Confirmation::Flaky => ", flaky: not seen again",
         };
         let dialect = finding
             .dialect
@@ -217,7 +217,7 @@ impl<'o> Page<'o> {
 
 /// Returns the distinct findings, and those that probably have the same cause as one of them; in each, confirmed findings come
 /// before flaky ones, and small before large.
-fn distinct_and_alike(summary: &Summary) -> (Vec<&Finding>, Vec<&Finding>) {
+fn distinct_and_alike(summary: &CampaignSummary) -> (Vec<&Finding>, Vec<&Finding>) {
     let mut findings: Vec<&Finding> = summary.findings.values().collect();
     findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
     let alike = |finding: &&Finding| summary.findings.values().any(|simpler| finding.is_like(simpler));

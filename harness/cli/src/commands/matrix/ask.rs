@@ -11,7 +11,7 @@ pub type Pair = (ElementaryType, ElementaryType);
 /// The reaction of an engine to a value of one type in a variable of another. A crash is no
 /// rejection.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Answer {
+pub enum MatrixAnswer {
     /// The engine accepts the program.
     Accepts,
     /// The engine rejects the program.
@@ -32,7 +32,7 @@ pub fn answers(
     dialect: DialectName,
     pairs: &[Pair],
     answered: &(dyn Fn() + Sync),
-) -> Result<Vec<Answer>> {
+) -> Result<Vec<MatrixAnswer>> {
     WorkerPool::new(0).map(
         pairs.iter(),
         || Ok(EngineSession::open(engine)?),
@@ -56,19 +56,19 @@ fn ask(
     session.check(dialect, &source)
 }
 
-fn answer(outcome: &Outcome) -> Answer {
+fn answer(outcome: &Outcome) -> MatrixAnswer {
     match outcome {
-        Outcome::Accepted => Answer::Accepts,
-        Outcome::Rejected { .. } => Answer::Rejects,
-        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => Answer::Unsupported,
-        Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => Answer::Fails,
-        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => Answer::Fails,
+        Outcome::Accepted => MatrixAnswer::Accepts,
+        Outcome::Rejected { .. } => MatrixAnswer::Rejects,
+        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => MatrixAnswer::Unsupported,
+        Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => MatrixAnswer::Fails,
+        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => MatrixAnswer::Fails,
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Answer, answer, answers};
+    use super::{MatrixAnswer, answer, answers};
     use std::sync::atomic::{AtomicUsize, Ordering};
     use stickler_engines::{Outcome, Reference};
     use stickler_types::{DialectName, ElementaryType};
@@ -76,15 +76,18 @@ mod tests {
     #[test]
     fn a_crash_is_no_rejection() {
         let reason = String::new;
-        assert_eq!(answer(&Outcome::Accepted), Answer::Accepts);
+        assert_eq!(answer(&Outcome::Accepted), MatrixAnswer::Accepts);
         let diagnostics = Vec::new();
-        assert_eq!(answer(&Outcome::Rejected { diagnostics }), Answer::Rejects);
+        assert_eq!(answer(&Outcome::Rejected { diagnostics }), MatrixAnswer::Rejects);
         let unsupported = Outcome::Unsupported { reason: reason() };
-        assert_eq!(answer(&unsupported), Answer::Unsupported);
+        assert_eq!(answer(&unsupported), MatrixAnswer::Unsupported);
         let not_implemented = Outcome::NotImplemented { reason: reason() };
-        assert_eq!(answer(&not_implemented), Answer::Unsupported);
-        assert_eq!(answer(&Outcome::Crashed { reason: reason() }), Answer::Fails);
-        assert_eq!(answer(&Outcome::TimedOut { after_ms: 1 }), Answer::Fails);
+        assert_eq!(answer(&not_implemented), MatrixAnswer::Unsupported);
+        assert_eq!(
+            answer(&Outcome::Crashed { reason: reason() }),
+            MatrixAnswer::Fails
+        );
+        assert_eq!(answer(&Outcome::TimedOut { after_ms: 1 }), MatrixAnswer::Fails);
     }
 
     #[test]
@@ -101,8 +104,8 @@ mod tests {
         // In matiec each type converts to itself only.
         for (pair, answer) in pairs.iter().zip(&found) {
             let expected = match pair.0 == pair.1 {
-                true => Answer::Accepts,
-                false => Answer::Rejects,
+                true => MatrixAnswer::Accepts,
+                false => MatrixAnswer::Rejects,
             };
             assert_eq!(*answer, expected, "{pair:?}");
         }

@@ -1,6 +1,6 @@
 //! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
-use super::ask::{Answer, Pair};
+use super::ask::{MatrixAnswer, Pair};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -21,7 +21,7 @@ const HEAD: usize = 8;
 pub type Documents = BTreeMap<Pair, MatrixWord>;
 
 /// The matrix of one dialect: the words of the documents, and the answers of engines.
-pub struct Matrix {
+pub struct MatrixTable {
     /// The dialect.
     pub dialect: DialectName,
     /// The types of the rows and columns.
@@ -37,20 +37,23 @@ pub struct EngineAnswers {
     /// The name of the engine.
     pub engine: String,
     /// The answer for each pair.
-    pub answers: BTreeMap<Pair, Answer>,
+    pub answers: BTreeMap<Pair, MatrixAnswer>,
 }
 
 impl EngineAnswers {
-    fn answer(&self, pair: Pair) -> Answer {
-        self.answers.get(&pair).copied().unwrap_or(Answer::Unsupported)
+    fn answer(&self, pair: Pair) -> MatrixAnswer {
+        self.answers
+            .get(&pair)
+            .copied()
+            .unwrap_or(MatrixAnswer::Unsupported)
     }
 
     /// Returns whether the engine contradicts the documents for a pair of types.
     fn differs(&self, documents: &Documents, pair: Pair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
-            (_, Answer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
-            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => answer != Answer::Accepts,
-            (Some(MatrixWord::No), answer) => answer != Answer::Rejects,
+            (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
+            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => answer != MatrixAnswer::Accepts,
+            (Some(MatrixWord::No), answer) => answer != MatrixAnswer::Rejects,
         }
     }
 
@@ -62,7 +65,7 @@ impl EngineAnswers {
     }
 }
 
-impl Matrix {
+impl MatrixTable {
     /// Returns whether any engine contradicts the documents for any pair of types.
     pub fn differs(&self) -> bool {
         self.engines
@@ -159,9 +162,9 @@ impl Matrix {
         for engine in &self.engines {
             let answer = engine.answer(pair);
             let style = match (differs(engine), answer) {
-                (true, _) | (_, Answer::Fails) => BAD,
-                (false, Answer::Accepts) => YES,
-                (false, Answer::Rejects | Answer::Unsupported) => DIM,
+                (true, _) | (_, MatrixAnswer::Fails) => BAD,
+                (false, MatrixAnswer::Accepts) => YES,
+                (false, MatrixAnswer::Rejects | MatrixAnswer::Unsupported) => DIM,
             };
             write!(out, "{style}{}{style:#}", sign(answer))?;
         }
@@ -169,19 +172,19 @@ impl Matrix {
     }
 }
 
-fn sign(answer: Answer) -> char {
+fn sign(answer: MatrixAnswer) -> char {
     match answer {
-        Answer::Accepts => '+',
-        Answer::Rejects => '-',
-        Answer::Unsupported => '?',
-        Answer::Fails => 'x',
+        MatrixAnswer::Accepts => '+',
+        MatrixAnswer::Rejects => '-',
+        MatrixAnswer::Unsupported => '?',
+        MatrixAnswer::Fails => 'x',
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Documents, EngineAnswers, Matrix};
-    use crate::commands::matrix::ask::Answer;
+    use super::{Documents, EngineAnswers, MatrixTable};
+    use crate::commands::matrix::ask::MatrixAnswer;
     use std::collections::BTreeMap;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -192,7 +195,7 @@ mod tests {
         Documents::from([(WIDENING, MatrixWord::Yes), (NARROWING, MatrixWord::No)])
     }
 
-    fn always(engine: &str, answer: Answer) -> EngineAnswers {
+    fn always(engine: &str, answer: MatrixAnswer) -> EngineAnswers {
         EngineAnswers {
             engine: engine.to_owned(),
             answers: BTreeMap::from([(WIDENING, answer), (NARROWING, answer)]),
@@ -202,10 +205,10 @@ mod tests {
     #[test]
     fn what_is_unsupported_contradicts_nothing_and_a_crash_both_answers() {
         for (answer, widening, narrowing) in [
-            (Answer::Accepts, false, true),
-            (Answer::Rejects, true, false),
-            (Answer::Unsupported, false, false),
-            (Answer::Fails, true, true),
+            (MatrixAnswer::Accepts, false, true),
+            (MatrixAnswer::Rejects, true, false),
+            (MatrixAnswer::Unsupported, false, false),
+            (MatrixAnswer::Fails, true, true),
         ] {
             let column = always("e", answer);
             let differs = |pair| column.differs(&documents(), pair);
@@ -219,14 +222,14 @@ mod tests {
 
     #[test]
     fn several_engines_stand_in_one_cell_which_is_marked_where_one_of_them_differs() {
-        let matrix = Matrix {
+        let matrix = MatrixTable {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
             engines: vec![
-                always("a", Answer::Accepts),
-                always("b", Answer::Rejects),
-                always("c", Answer::Unsupported),
+                always("a", MatrixAnswer::Accepts),
+                always("b", MatrixAnswer::Rejects),
+                always("c", MatrixAnswer::Unsupported),
             ],
         };
         let mut bytes = Vec::new();

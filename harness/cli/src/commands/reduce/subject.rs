@@ -4,28 +4,28 @@ use stickler_engines::{
     Ability, Engine, EngineError, EngineSession, Identity, NamedValue, Observation, Outcome, Reference,
     RunRequest,
 };
-use stickler_generate::reduce::{Interestingness, Symptom};
+use stickler_generate::reduce::{Interestingness, OutcomeSymptom};
 use stickler_types::{DialectName, Fault, Value};
 
 /// The maximum number of variables that are compared.
 const MAX_VARIABLES: usize = 1000;
 
-/// An engine, and the reference beside it.
-pub struct Subject<'e> {
+/// The engine on which a program is reduced, and the reference beside it.
+pub struct ReductionEngine<'e> {
     session: EngineSession<'e>,
     reference: Reference,
     /// Whether the engine is the reference itself.
     alone: bool,
 }
 
-impl<'e> Subject<'e> {
+impl<'e> ReductionEngine<'e> {
     /// Opens a session of an engine; `alone` where it is the reference itself, which is not compared with itself. A process
     /// that serves the reference is an engine like any other.
     ///
     /// # Errors
     /// An engine that cannot be started.
-    pub fn new(engine: &'e dyn Engine, alone: bool) -> Result<Subject<'e>, EngineError> {
-        Ok(Subject {
+    pub fn new(engine: &'e dyn Engine, alone: bool) -> Result<ReductionEngine<'e>, EngineError> {
+        Ok(ReductionEngine {
             session: EngineSession::open(engine)?,
             reference: Reference::new(),
             alone,
@@ -41,11 +41,11 @@ impl<'e> Subject<'e> {
     ///
     /// # Errors
     /// An engine that crashed and cannot be started again.
-    pub fn symptoms(&mut self, dialect: DialectName, source: &str) -> anyhow::Result<Vec<Symptom>> {
+    pub fn symptoms(&mut self, dialect: DialectName, source: &str) -> anyhow::Result<Vec<OutcomeSymptom>> {
         let expected = self.expected(dialect, source)?;
         if self.alone {
             let to_its_end = Outcome::Executed { values: Vec::new() };
-            return Ok(Symptom::all(&to_its_end, &expected));
+            return Ok(OutcomeSymptom::all(&to_its_end, &expected));
         }
         // Without a result of the reference, there is nothing to compare the engine with.
         if matches!(
@@ -60,18 +60,18 @@ impl<'e> Subject<'e> {
             return Ok(Vec::new());
         }
         let got = self.ask(dialect, source, &expected)?;
-        Ok(Symptom::all(&expected, &got))
+        Ok(OutcomeSymptom::all(&expected, &got))
     }
 
     /// Returns whether a program shows a symptom.
     ///
     /// # Errors
-    /// The engine failed, as in [`Subject::symptoms`].
+    /// The engine failed, as in [`ReductionEngine::symptoms`].
     pub fn answer(
         &mut self,
         dialect: DialectName,
         source: &str,
-        symptom: &Symptom,
+        symptom: &OutcomeSymptom,
     ) -> anyhow::Result<Interestingness> {
         let symptoms = self.symptoms(dialect, source)?;
         Ok(Interestingness::from(symptoms.contains(symptom)))

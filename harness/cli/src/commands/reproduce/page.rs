@@ -1,6 +1,6 @@
 //! The README of a reproduction, and the same on the terminal.
 
-use super::subject::Subject;
+use super::subject::ReproducedProgram;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
@@ -8,8 +8,8 @@ use std::io::{self, Write};
 pub(super) const README: &str = "README.md";
 
 /// The facts that are printed about a reproduction.
-pub(super) struct Page<'p> {
-    pub(super) subject: &'p Subject,
+pub(super) struct ReproductionPage<'p> {
+    pub(super) subject: &'p ReproducedProgram,
     /// The name of the engine.
     pub(super) engine: &'p str,
     /// The name of the file of the program.
@@ -18,7 +18,7 @@ pub(super) struct Page<'p> {
     pub(super) printed: Option<(&'p str, &'p str)>,
 }
 
-impl Page<'_> {
+impl ReproductionPage<'_> {
     /// Returns the text of the README.
     pub(super) fn text(&self) -> String {
         let (heading, title) = self.subject.heading();

@@ -11,8 +11,8 @@ use stickler_run::{Fact, expected_facts, shown_by};
 use stickler_suite::{Case, Sources};
 use stickler_types::DialectName;
 
-/// A program, and what is known of it.
-pub(super) enum Subject {
+/// A program that is reproduced, from a case or a file.
+pub(super) enum ReproducedProgram {
     /// A case.
     Case {
         case: Box<Case>,
@@ -29,15 +29,15 @@ pub(super) enum Subject {
     },
 }
 
-impl Subject {
-    /// Returns the subjects that the command line names, of which one is shown.
+impl ReproducedProgram {
+    /// Returns the programs that the command line names, of which one is shown.
     ///
     /// # Errors
     /// No such case or file; a file without a dialect.
-    pub(super) fn all(arguments: &ReproduceArguments) -> anyhow::Result<Vec<Subject>> {
+    pub(super) fn all(arguments: &ReproduceArguments) -> anyhow::Result<Vec<ReproducedProgram>> {
         let path = Path::new(&arguments.case);
         if path.extension().is_some_and(|extension| extension == "st") {
-            return Ok(vec![Subject::file(arguments, path)?]);
+            return Ok(vec![ReproducedProgram::file(arguments, path)?]);
         }
         if let Some(dialect) = arguments.dialect {
             bail!(
@@ -48,7 +48,7 @@ impl Subject {
         let named = NamedCase::load(&arguments.case, arguments.cases.as_deref())?;
         let cases = named.cases().into_iter();
         Ok(cases
-            .map(|case| Subject::Case {
+            .map(|case| ReproducedProgram::Case {
                 address: address(&named.suite.sources, &case.basis),
                 case: Box::new(if arguments.with_marks {
                     case.clone()
@@ -59,10 +59,10 @@ impl Subject {
             .collect())
     }
 
-    fn file(arguments: &ReproduceArguments, path: &Path) -> anyhow::Result<Subject> {
+    fn file(arguments: &ReproduceArguments, path: &Path) -> anyhow::Result<ReproducedProgram> {
         let (bytes, name) = source_file::read(path)?;
         let dialect = arguments.dialect;
-        Ok(Subject::File {
+        Ok(ReproducedProgram::File {
             name,
             source: decode(&bytes).0.into_owned(),
             dialect: dialect.context("name the dialect of the file with --dialect")?,
@@ -73,15 +73,15 @@ impl Subject {
 
     pub(super) fn dialect(&self) -> DialectName {
         match self {
-            Subject::Case { case, .. } => case.dialect,
-            Subject::File { dialect, .. } => *dialect,
+            ReproducedProgram::Case { case, .. } => case.dialect,
+            ReproducedProgram::File { dialect, .. } => *dialect,
         }
     }
 
     pub(super) fn request(&self) -> RunRequest<'_> {
         match self {
-            Subject::Case { case, .. } => case.request(),
-            Subject::File {
+            ReproducedProgram::Case { case, .. } => case.request(),
+            ReproducedProgram::File {
                 source,
                 dialect,
                 observe,
@@ -98,9 +98,9 @@ impl Subject {
     /// rejection shows in a check, and what becomes of an accepted program only when it is executed.
     pub(super) fn ability(&self, outcome: Option<&Outcome>) -> Ability {
         let usual = match self {
-            Subject::Case { case, .. } => shown_by(case),
-            Subject::File { observe, .. } if observe.is_empty() => Ability::Check,
-            Subject::File { .. } => Ability::Execute,
+            ReproducedProgram::Case { case, .. } => shown_by(case),
+            ReproducedProgram::File { observe, .. } if observe.is_empty() => Ability::Check,
+            ReproducedProgram::File { .. } => Ability::Execute,
         };
         match (usual, outcome) {
             (Ability::Render, _) => Ability::Render,
@@ -115,14 +115,14 @@ impl Subject {
     /// Returns the heading of a page, and what stands below it.
     pub(super) fn heading(&self) -> (String, &str) {
         match self {
-            Subject::Case { case, .. } => (case.key(), &case.title),
-            Subject::File { name, .. } => (name.clone(), ""),
+            ReproducedProgram::Case { case, .. } => (case.key(), &case.title),
+            ReproducedProgram::File { name, .. } => (name.clone(), ""),
         }
     }
 
     /// Returns the expectation in the words of reports, and where it comes from.
     pub(super) fn expected(&self) -> Option<(String, String)> {
-        let Subject::Case { case, address } = self else {
+        let ReproducedProgram::Case { case, address } = self else {
             return None;
         };
         let from = address

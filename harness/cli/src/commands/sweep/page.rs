@@ -5,7 +5,7 @@ use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::time::Duration;
 use stickler_conversions::dialect_list;
-use stickler_conversions::sweep::{Difference, Findings, MAX_DIFFERENCES, Sampling, Sweep};
+use stickler_conversions::sweep::{Difference, MAX_DIFFERENCES, Sampling, Sweep, SweepFindings};
 use stickler_engines::Identity;
 use stickler_types::{DialectName, Value, counted, grouped};
 
@@ -17,7 +17,7 @@ const DIM: Style = Style::new().dimmed();
 const MAX_VALUE_LEN: usize = 60;
 
 /// The page that is being written, and the totals over its sweeps.
-pub struct Page<'p> {
+pub struct SweepPage<'p> {
     pub(super) out: &'p mut dyn Write,
     engine: String,
     pub(super) sweeps: usize,
@@ -25,10 +25,10 @@ pub struct Page<'p> {
     pub(super) mismatches: u64,
 }
 
-impl<'p> Page<'p> {
+impl<'p> SweepPage<'p> {
     /// Makes an empty page.
-    pub fn new(out: &'p mut dyn Write, engine: &Identity) -> Page<'p> {
-        Page {
+    pub fn new(out: &'p mut dyn Write, engine: &Identity) -> SweepPage<'p> {
+        SweepPage {
             out,
             engine: format!("{} {}", engine.name, engine.version),
             sweeps: 0,
@@ -77,7 +77,7 @@ impl<'p> Page<'p> {
     }
 
     /// Writes the findings of a sweep.
-    pub fn end(&mut self, sweep: &Sweep, found: &Findings, took: Duration) -> io::Result<()> {
+    pub fn end(&mut self, sweep: &Sweep, found: &SweepFindings, took: Duration) -> io::Result<()> {
         self.sweeps += 1;
         self.inputs += found.done;
         self.mismatches += found.mismatches;
@@ -123,7 +123,7 @@ impl<'p> Page<'p> {
         )
     }
 
-    fn cut_short(&mut self, sweep: &Sweep, found: &Findings) -> io::Result<()> {
+    fn cut_short(&mut self, sweep: &Sweep, found: &SweepFindings) -> io::Result<()> {
         // A percentage is at most 100, so it fits whatever the number of inputs.
         let percent = u128::from(found.done) * 100 / u128::from(found.inputs.max(1));
         write!(

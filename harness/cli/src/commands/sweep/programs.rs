@@ -1,6 +1,6 @@
 //! The sweep of an engine other than the reference, through programs that it executes.
 
-use super::page::Page;
+use super::page::SweepPage;
 use crate::arguments::SweepArguments;
 use crate::exit::Exit;
 use crate::progress::Progress;
@@ -9,7 +9,7 @@ use std::io::Write;
 use std::time::Instant;
 use stickler_conversions::FunctionDialects;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
-use stickler_conversions::sweep::{Progress as Reached, Sampling, Sweep, SweepMethod, agenda};
+use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, SweepProgress, agenda};
 use stickler_engines::Engine;
 use stickler_types::boundaries::Detail;
 use stickler_workers::Cancellation;
@@ -34,7 +34,7 @@ pub fn execute(
     };
     let sweeps = agenda(function, &dialects, sampling, SweepMethod::Programs)?;
     let cancel = interrupt::cancellation()?;
-    let mut page = Page::new(out, engine.identity());
+    let mut page = SweepPage::new(out, engine.identity());
     page.lacking(function, &present.lacking)?;
     let jobs = arguments.jobs.map_or(0, usize::from);
     let (mut executed, mut failed) = (false, false);
@@ -74,7 +74,7 @@ fn observed(
     cancel: &Cancellation,
 ) -> Result<ForeignFindings, ForeignError> {
     let bar = Progress::new(sweep.domain.len());
-    let advance = |reached: Reached| bar.reach(reached.done, reached.mismatches);
+    let advance = |reached: SweepProgress| bar.reach(reached.done, reached.mismatches);
     let findings = run(sweep, engine, jobs, &advance, cancel);
     bar.finish();
     findings

@@ -1,13 +1,13 @@
 //! The part of the page for sweeps through programs: mismatches, observations and inputs without an answer.
 
-use super::page::{BAD, Page, shown};
+use super::page::{BAD, SweepPage, shown};
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};
 use stickler_types::{Value, wrap};
 use stickler_types::{counted, grouped};
 
-impl Page<'_> {
+impl SweepPage<'_> {
     /// Writes the findings of a sweep through programs.
     pub fn end_of_programs(&mut self, found: &ForeignFindings, took: Duration) -> io::Result<()> {
         self.sweeps += 1;

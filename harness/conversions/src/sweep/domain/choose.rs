@@ -1,6 +1,6 @@
 //! The domain of a sweep: finds each input by its place, so that workers need not wait for each other.
 
-use super::operands::{Operands, Texts};
+use super::operands::{Operands, TextOperands};
 use super::{sample, texts};
 use std::ops::Range;
 use stickler_types::boundaries::{Detail, neighbourhoods};
@@ -43,7 +43,7 @@ pub enum Domain {
     /// The boundaries of a type with their neighbours, then a sample.
     Some(Operands),
     /// Texts: written by hand, then made up.
-    Texts(Texts),
+    Texts(TextOperands),
     /// Two operands: the boundaries of one type with those of the other, then a sample.
     Pairs {
         /// The inputs of the first operand.
@@ -60,7 +60,7 @@ impl Domain {
         let sampled = sampling.inputs.unwrap_or(Sampling::DEFAULT);
         let (random, detail) = (SplitMix64::separate(sampling.seed), sampling.detail);
         match *operands {
-            [ty] if ty.is_text() => Domain::Texts(Texts::new(ty, texts::by_hand(ty), sampled, random)),
+            [ty] if ty.is_text() => Domain::Texts(TextOperands::new(ty, texts::by_hand(ty), sampled, random)),
             [ty] if ty.bits() <= 16 || (ty.bits() <= 32 && sampling.inputs.is_none()) => Domain::Every(ty),
             [ty] => Domain::Some(Operands::new(ty, neighbourhoods(ty, detail), sampled, random)),
             [first, second] => Domain::Pairs {

@@ -64,18 +64,23 @@ impl Operands {
 
 /// The inputs of an operand of type STRING or WSTRING.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Texts {
+pub struct TextOperands {
     ty: ElementaryType,
     chosen: Vec<Vec<u16>>,
     sampled: u64,
     random: SplitMix64,
 }
 
-impl Texts {
+impl TextOperands {
     /// Makes a list of the chosen texts, followed by a number of generated ones.
     #[must_use]
-    pub const fn new(ty: ElementaryType, chosen: Vec<Vec<u16>>, sampled: u64, random: SplitMix64) -> Texts {
-        Texts {
+    pub const fn new(
+        ty: ElementaryType,
+        chosen: Vec<Vec<u16>>,
+        sampled: u64,
+        random: SplitMix64,
+    ) -> TextOperands {
+        TextOperands {
             ty,
             chosen,
             sampled,

@@ -2,7 +2,7 @@
 
 use crate::session::Refusal;
 use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
-use crate::sweep::run::Progress;
+use crate::sweep::run::SweepProgress;
 use stickler_types::Value;
 
 /// The maximum number of reasons that are kept apart, since a message may hold a number that is always another.
@@ -82,8 +82,8 @@ impl ForeignFindings {
 
     /// Returns the progress of the sweep.
     #[must_use]
-    pub const fn progress(&self) -> Progress {
-        Progress {
+    pub const fn progress(&self) -> SweepProgress {
+        SweepProgress {
             done: self.done,
             mismatches: self.mismatches,
         }

@@ -21,7 +21,7 @@ pub struct Counting {
 
 /// The plan by which the inputs of a sweep are given to an engine.
 #[derive(Clone, Debug)]
-pub struct Plan {
+pub struct SweepPlan {
     /// The program that counts; `None` where operands are listed as literals.
     pub counting: Option<Counting>,
     /// The places that may go into one program, in order.
@@ -36,19 +36,19 @@ pub const fn has_digest(operand: ElementaryType, result: ElementaryType) -> bool
     Counter::new(operand).is_some() && Checksum::new(result).is_some()
 }
 
-impl Plan {
+impl SweepPlan {
     /// Makes the plan of a sweep.
     #[must_use]
-    pub fn of(sweep: &Sweep) -> Plan {
-        match Plan::counting(sweep) {
-            Some(counting) => Plan {
+    pub fn of(sweep: &Sweep) -> SweepPlan {
+        match SweepPlan::counting(sweep) {
+            Some(counting) => SweepPlan {
                 stretches: counting.counter.stretches(),
                 left_out: counting.counter.left_out(),
                 counting: Some(counting),
             },
             None => {
                 let all = 0..sweep.domain.len();
-                Plan {
+                SweepPlan {
                     counting: None,
                     stretches: vec![all],
                     left_out: 0,

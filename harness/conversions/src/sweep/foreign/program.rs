@@ -1,7 +1,7 @@
 //! Writes the programs that count through operands: one that adds the results up, and one that keeps each result.
 
 use super::plan::Counting;
-use crate::program::Program;
+use crate::program::ConversionProgram;
 use std::fmt::Write;
 use std::ops::Range;
 use stickler_exact::Signature;
@@ -9,7 +9,7 @@ use stickler_types::ElementaryType;
 
 /// Writes a program that adds up the results for the operands at the given places of a stretch, fewer than 2^31.
 #[must_use]
-pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -> Program {
+pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let inputs = places.end - places.start;
     let (making, advancing) = (counting.counter.making(), counting.counter.advancing());
@@ -27,7 +27,7 @@ pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -
         counting.checksum.declarations(),
         counting.checksum.statements(),
     );
-    Program {
+    ConversionProgram {
         source,
         observed: vec!["total".to_owned()],
         ty: ElementaryType::Lint,
@@ -36,7 +36,7 @@ pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -
 
 /// Writes a program that counts through the given places of a stretch and keeps each result in a variable of its own.
 #[must_use]
-pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>) -> Program {
+pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let (making, advancing) = (counting.counter.making(), counting.counter.advancing());
     let observed: Vec<String> = (1..=places.end - places.start)
@@ -61,7 +61,7 @@ pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>)
         let _ = writeln!(source, "    {name} := {function}(operand);");
     }
     source.push_str("END_PROGRAM\n");
-    Program {
+    ConversionProgram {
         source,
         observed,
         ty: *result,

@@ -1,15 +1,15 @@
 //! Compares all inputs of a sweep through an engine, in one session for each worker, until done or cancelled.
 
 use super::findings::ForeignFindings;
-use super::plan::Plan;
+use super::plan::SweepPlan;
 use super::program;
 use super::queue::Queue;
 use super::worker::ForeignSweep;
 use crate::literals::has_literal;
-use crate::program::{Program, listed};
+use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal};
 use crate::sweep::agenda::Sweep;
-use crate::sweep::run::Progress;
+use crate::sweep::run::SweepProgress;
 use std::sync::{Mutex, PoisonError};
 use stickler_engines::{Engine, EngineError};
 use stickler_types::DialectName;
@@ -61,10 +61,10 @@ pub fn run(
     sweep: &Sweep,
     engine: &dyn Engine,
     jobs: usize,
-    progress: &(dyn Fn(Progress) + Sync),
+    progress: &(dyn Fn(SweepProgress) + Sync),
     cancel: &Cancellation,
 ) -> Result<ForeignFindings, ForeignError> {
-    let plan = Plan::of(sweep);
+    let plan = SweepPlan::of(sweep);
     let dialect = sweep.dialects.first().copied().unwrap_or(DialectName::ALL[0]);
     if !cancel.is_requested() {
         probe(sweep, &plan, engine, dialect)?;
@@ -105,7 +105,12 @@ pub fn run(
 }
 
 /// Runs a few small programs until the engine answers one of them; the error is the refusal of the first one.
-fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) -> Result<(), ForeignError> {
+fn probe(
+    sweep: &Sweep,
+    plan: &SweepPlan,
+    engine: &dyn Engine,
+    dialect: DialectName,
+) -> Result<(), ForeignError> {
     let mut session = FunctionSession::open(engine)?;
     let mut refusal = None;
     for program in probes(sweep, plan) {
@@ -128,7 +133,7 @@ fn probe(sweep: &Sweep, plan: &Plan, engine: &dyn Engine, dialect: DialectName) 
 }
 
 /// Returns small programs for inputs from all over the domain.
-fn probes(sweep: &Sweep, plan: &Plan) -> Vec<Program> {
+fn probes(sweep: &Sweep, plan: &SweepPlan) -> Vec<ConversionProgram> {
     let signature = &sweep.signature;
     if let Some(counting) = &plan.counting {
         let ends = plan

@@ -1,6 +1,6 @@
 //! Tests that counting and checksum are the same in Rust and in ST, which the reference executes.
 
-use super::plan::Plan;
+use super::plan::SweepPlan;
 use super::program;
 use crate::session::FunctionSession;
 use crate::sweep::agenda::{SweepMethod, agenda};
@@ -41,7 +41,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 ..Sampling::default()
             };
             for sweep in agenda(function, &[dialect], sampling, SweepMethod::Programs).expect("a function") {
-                let plan = Plan::of(&sweep);
+                let plan = SweepPlan::of(&sweep);
                 let Some(counting) = &plan.counting else { continue };
                 let few = if plan.stretches.len() > 10 { 37 } else { 1 };
                 for places in plan.stretches.iter().step_by(few).flat_map(ends) {
@@ -95,7 +95,7 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
     ] {
         let sweep =
             agenda(function, &[dialect], Sampling::default(), SweepMethod::Programs).expect("a function");
-        let plan = Plan::of(&sweep[0]);
+        let plan = SweepPlan::of(&sweep[0]);
         let counting = plan.counting.expect("it can be counted");
         let places = 1..9;
         let mut program = program::summed(&sweep[0].signature, &counting, &places);

@@ -1,15 +1,15 @@
 //! Compares one range of inputs: by a program for all of them, and by further programs where its sum is not the exact one.
 
 use super::findings::ForeignFindings;
-use super::plan::{Counting, Plan};
+use super::plan::{Counting, SweepPlan};
 use super::program;
 use super::queue::{FIRST_COUNT, Queue};
 use crate::literals::has_literal;
-use crate::program::{Program, listed};
+use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use crate::sweep::agenda::Sweep;
 use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
-use crate::sweep::run::Progress;
+use crate::sweep::run::SweepProgress;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
@@ -30,13 +30,13 @@ pub struct ForeignSweep<'s> {
     /// The dialect that the engine is asked to speak, and whose documents apply.
     pub dialect: DialectName,
     /// The plan by which the inputs are given to the engine.
-    pub plan: &'s Plan,
+    pub plan: &'s SweepPlan,
     /// The queue of inputs that no worker has taken yet.
     pub queue: Queue,
     /// The findings so far.
     pub findings: Mutex<ForeignFindings>,
     /// The function that is called after each program.
-    pub progress: &'s (dyn Fn(Progress) + Sync),
+    pub progress: &'s (dyn Fn(SweepProgress) + Sync),
     /// The request to run no more programs.
     pub cancel: &'s Cancellation,
 }
@@ -64,7 +64,11 @@ impl ForeignSweep<'_> {
         what(&self.findings.lock().unwrap_or_else(PoisonError::into_inner))
     }
 
-    fn ask(&self, session: &mut FunctionSession<'_>, program: &Program) -> Result<Vec<Value>, Refusal> {
+    fn ask(
+        &self,
+        session: &mut FunctionSession<'_>,
+        program: &ConversionProgram,
+    ) -> Result<Vec<Value>, Refusal> {
         self.note(0, |findings| findings.programs += 1);
         session.run(self.dialect, program)
     }

@@ -8,7 +8,7 @@ use crate::model::{
     LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
-use crate::reduce::{Interestingness, Reduction, ReductionBudget, StopReason, Symptom, program};
+use crate::reduce::{Interestingness, OutcomeSymptom, Reduction, ReductionBudget, StopReason, program};
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use std::ops::Range;
@@ -310,16 +310,16 @@ const BUGS: [(&str, Bug); 16] = [
 ];
 
 /// Returns the first program that shows a bug, among as many as a campaign makes in a few seconds, with its symptom.
-fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, Symptom)> {
+fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, OutcomeSymptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);
         let program = generate(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
-        let symptom = Symptom::first(&expected(&program)?, &outcome(bug, &program))?;
+        let symptom = OutcomeSymptom::first(&expected(&program)?, &outcome(bug, &program))?;
         Some((program, symptom))
     })
 }
 
-fn reduced(bug: &Bug, start: &Program, symptom: &Symptom) -> Reduction<Program> {
+fn reduced(bug: &Bug, start: &Program, symptom: &OutcomeSymptom) -> Reduction<Program> {
     let interesting = |candidate: &Program| match expected(candidate) {
         Some(expected) => {
             let text = write(candidate, &Style::default()).text;
