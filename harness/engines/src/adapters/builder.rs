@@ -6,7 +6,7 @@ use super::locate::{call, failed, first_error};
 use crate::Outcome;
 use crate::process::{Ended, Folder};
 use std::ffi::OsString;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A C compiler.
 pub(super) const CC: Dependency = Dependency {
@@ -211,7 +211,7 @@ impl Builder {
                 reason: format!(
                     "it accepts the program, and the {} that it wrote cannot be built: {}",
                     self.language.words().name,
-                    first_error(&ended)
+                    without_folder(&first_error(&ended), &self.headers)
                 ),
             }),
         }
@@ -246,5 +246,27 @@ impl Builder {
         }
         arguments.extend(further.iter().map(OsString::from));
         arguments
+    }
+}
+
+/// Removes a folder from the paths in a text. Where a compiler lies differs from machine to machine.
+fn without_folder(text: &str, folder: &Path) -> String {
+    text.replace(&folder.join("").display().to_string(), "")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_folder;
+    use std::path::Path;
+
+    #[test]
+    fn an_error_in_a_header_names_the_header_and_not_its_folder() {
+        let error = "/opt/compiler/include/iec_std_lib.hpp:801:20: error: invalid 'static_cast'";
+        for folder in ["/opt/compiler/include", "/opt/compiler/include/"] {
+            assert_eq!(
+                without_folder(error, Path::new(folder)),
+                "iec_std_lib.hpp:801:20: error: invalid 'static_cast'"
+            );
+        }
     }
 }
