@@ -264,6 +264,12 @@ fn strucpp_behaves() {
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
     reads_derived_types(engine.as_ref());
+    // Of this character the compiler tells the offset alone.
+    let source = "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := 1 ? 2;\nEND_PROGRAM\n";
+    let Outcome::Rejected { diagnostics } = ask(engine.as_ref(), source, &[], 1) else {
+        panic!("not rejected")
+    };
+    assert_eq!((diagnostics[0].line, diagnostics[0].column), (Some(5), Some(12)));
 }
 
 #[test]

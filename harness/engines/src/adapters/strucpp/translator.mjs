@@ -5,14 +5,22 @@ import { pathToFileURL } from "node:url";
 
 const { compile } = await import(pathToFileURL(process.argv[2]).href);
 
+// Returns where a diagnostic stands, from 1; line 0 where it does not say. Of a character that it does not know the compiler
+// tells the offset alone.
+function place(source, { message, line, column }) {
+    const offset = /\bat offset: (\d+)/.exec(message);
+    if (line || !offset) return { line: line ?? 0, column: column ?? 0 };
+    const lines = source.slice(0, Number(offset[1])).split("\n");
+    return { line: lines.length, column: lines.at(-1).length + 1 };
+}
+
 function translated(source) {
     try {
         const { success, errors, cppCode, headerCode } = compile(source, {});
-        const diagnostics = (errors ?? []).map(({ message, line, column, severity }) => ({
-            message: String(message),
-            line: line ?? 0,
-            column: column ?? 0,
-            severity: String(severity),
+        const diagnostics = (errors ?? []).map((error) => ({
+            message: String(error.message),
+            ...place(source, error),
+            severity: String(error.severity),
         }));
         return { success: success === true, errors: diagnostics, program: cppCode ?? "", header: headerCode ?? "" };
     } catch (error) {
