@@ -87,6 +87,9 @@ const IRONPLC_REAL_TO_INTEGER: &str = "ironplc-conversion-functions: Real to Int
 const IRONPLC_TIME: &str = "ironplc-conversion-functions: Time/Duration Conversions";
 const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 
+// The tests of STruC++.
+const STRUCPP_TIME: &str = "strucpp-tests: tests/st-validation/data_types/test_time_types.st";
+
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
@@ -104,6 +107,7 @@ enum Rules {
     Ironplc,
     Matiec,
     Plcnext,
+    Strucpp,
 }
 
 impl Rules {
@@ -112,16 +116,17 @@ impl Rules {
             BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => Rules::Ironplc,
             BuiltIn::Matiec => Rules::Matiec,
             BuiltIn::Plcnext => Rules::Plcnext,
+            BuiltIn::Strucpp => Rules::Strucpp,
         }
     }
 
-    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext,
-    /// whose documents do not state it.
+    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext
+    /// and STruC++, whose documents do not state it.
     fn documented(self, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
         match self {
             Rules::Ironplc => Some(ironplc),
             Rules::Matiec => Some(matiec),
-            Rules::Plcnext => None,
+            Rules::Plcnext | Rules::Strucpp => None,
         }
     }
 
@@ -216,6 +221,8 @@ impl Call<'_> {
             Rules::Ironplc => i32::try_from(milliseconds).is_ok().then_some(IRONPLC_TIME),
             Rules::Matiec => Some(NAMING),
             Rules::Plcnext => Some(MILLISECONDS_RULE),
+            Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
+            Rules::Strucpp => Some(MILLISECONDS_RULE),
         }
     }
 

@@ -38,5 +38,10 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             rounding: Rounding::HalfToEven,
             ..ironplc
         },
+        BuiltIn::Strucpp => ConversionChoices {
+            rounding: Rounding::HalfAwayFromZero,
+            text_reading: TextReading::LeadingNumber,
+            ..ironplc
+        },
     }
 }

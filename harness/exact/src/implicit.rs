@@ -14,7 +14,7 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 ///
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
-/// not in the table.
+/// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -35,6 +35,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         BuiltIn::IronplcRusty => ironplc(from, to),
         BuiltIn::Matiec => MatrixWord::No,
         BuiltIn::Plcnext => plcnext(from, to),
+        BuiltIn::Strucpp => strucpp(from, to),
     }
 }
 
@@ -78,6 +79,30 @@ fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
         }
         _ => matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime)),
     })
+}
+
+/// Returns the answer of STruC++'s page on its type system and of its tests. What narrows is accepted with a warning, and nothing is said of the
+/// value, so it is open; so is what neither the page nor a test names.
+fn strucpp(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use Family::{BitString, Real, Signed, Unsigned};
+    let widens = from.bits() < to.bits();
+    match (from.family(), to.family()) {
+        // "Implicit widening: SINT -> INT -> DINT -> LINT"; the tests have INT to REAL, DINT to LREAL, BYTE to DWORD and BYTE to INT.
+        (Signed, Signed)
+        | (Unsigned, Unsigned)
+        | (Real, Real)
+        | (BitString, BitString | Signed | Unsigned)
+            if widens =>
+        {
+            MatrixWord::Yes
+        }
+        (Signed | Unsigned, Real) if from.bits() <= 16 || (widens && to == ElementaryType::Lreal) => {
+            MatrixWord::Yes
+        }
+        // A test rejects a STRING that is assigned to an INT.
+        _ if from == ElementaryType::String && to.is_integer() => MatrixWord::No,
+        _ => MatrixWord::Open,
+    }
 }
 
 /// Returns whether one integer type holds every value of another.

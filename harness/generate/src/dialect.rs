@@ -12,7 +12,7 @@ pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
 
 /// Returns whether the documents of a dialect know access to single bits.
 ///
-/// Basis: ironplc-bit-access: Valid Base Types; measured for matiec (a syntax error), open in PLCnext.
+/// Basis: ironplc-bit-access: Valid Base Types; measured for matiec (a syntax error), open in PLCnext, and in STruC++ for most types.
 pub(crate) const fn has_bits(dialect: DialectName) -> bool {
     matches!(
         dialect.base(),
@@ -22,7 +22,7 @@ pub(crate) const fn has_bits(dialect: DialectName) -> bool {
 
 /// Returns whether a dialect knows `.%Xn`.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; measured for matiec, open in PLCnext.
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax; measured for matiec, open in PLCnext and STruC++.
 pub(crate) const fn has_partial_access(dialect: DialectName) -> bool {
     matches!(dialect.base(), BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty)
 }

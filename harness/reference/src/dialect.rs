@@ -66,6 +66,8 @@ pub enum Widening {
     None,
     /// The coloured table of PLCnext Engineer's SEM1189.
     Plcnext,
+    /// Every pair of numbers and bit strings: what narrows is only warned of.
+    Numbers,
 }
 
 /// The treatment of `.%Xn` and its kin.
@@ -89,6 +91,7 @@ impl Dialect {
             BuiltIn::IronplcRusty => Dialect::ironplc_rusty(),
             BuiltIn::Matiec => Dialect::matiec(),
             BuiltIn::Plcnext => Dialect::plcnext(),
+            BuiltIn::Strucpp => Dialect::strucpp(),
         };
         match name.definition() {
             None => base,
@@ -226,6 +229,24 @@ impl Dialect {
         }
     }
 
+    /// STruC++: numbers and bit strings stand for each other, narrowing is a warning, and a real becomes the nearest integer.
+    ///
+    /// Basis: strucpp-architecture: Type System; strucpp-compliance: Data Types, Language Extensions (nested comments);
+    /// strucpp-tests; what they leave open is accepted.
+    #[must_use]
+    pub const fn strucpp() -> Dialect {
+        Dialect {
+            name: DialectName::Strucpp,
+            widening: Widening::Numbers,
+            conversions: ConversionChoices {
+                rounding: Rounding::HalfAwayFromZero,
+                text_reading: TextReading::LeadingNumber,
+                ..COMMON_CHOICES
+            },
+            ..Dialect::plcnext()
+        }
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -248,7 +269,7 @@ mod tests {
     #[test]
     fn the_second_edition_lacks_the_types_of_the_third() {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
-        assert_eq!(DialectName::ALL.map(has), [false, true, true, false, true]);
+        assert_eq!(DialectName::ALL.map(has), [false, true, true, false, true, true]);
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
     }
 

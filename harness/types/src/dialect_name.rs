@@ -21,6 +21,8 @@ pub enum DialectName {
     Matiec,
     /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
     Plcnext,
+    /// STruC++, as its documentation and the tests in its repository document it.
+    Strucpp,
     /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition does
     /// not state otherwise.
     Defined(DefinedDialect),
@@ -40,6 +42,8 @@ pub enum BuiltIn {
     Matiec,
     /// [`DialectName::Plcnext`].
     Plcnext,
+    /// [`DialectName::Strucpp`].
+    Strucpp,
 }
 
 /// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
@@ -56,12 +60,13 @@ static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
 impl DialectName {
     /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
     /// dialects ([`DialectName::defined`]) are not included.
-    pub const ALL: [DialectName; 5] = [
+    pub const ALL: [DialectName; 6] = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,
         DialectName::IronplcRusty,
         DialectName::Matiec,
         DialectName::Plcnext,
+        DialectName::Strucpp,
     ];
 
     /// Returns the name of the dialect, such as `ironplc-ed2`.
@@ -72,6 +77,7 @@ impl DialectName {
             DialectName::IronplcRusty => "ironplc-rusty",
             DialectName::Matiec => "matiec",
             DialectName::Plcnext => "plcnext",
+            DialectName::Strucpp => "strucpp",
             DialectName::Defined(defined) => defined.definition.name.as_str(),
         }
     }
@@ -84,6 +90,7 @@ impl DialectName {
             DialectName::IronplcRusty => BuiltIn::IronplcRusty,
             DialectName::Matiec => BuiltIn::Matiec,
             DialectName::Plcnext => BuiltIn::Plcnext,
+            DialectName::Strucpp => BuiltIn::Strucpp,
             DialectName::Defined(defined) => defined.definition.base,
         }
     }
@@ -137,6 +144,7 @@ impl BuiltIn {
             BuiltIn::IronplcRusty => DialectName::IronplcRusty,
             BuiltIn::Matiec => DialectName::Matiec,
             BuiltIn::Plcnext => DialectName::Plcnext,
+            BuiltIn::Strucpp => DialectName::Strucpp,
         }
     }
 }

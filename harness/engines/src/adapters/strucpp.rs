@@ -29,8 +29,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use stickler_types::DialectName;
 
-/// STruC++ documents no dialect of Stickler; its language is the third edition with widening.
-const DIALECT: DialectName = DialectName::IronplcEd3;
+/// The dialect of STruC++'s own documentation.
+const DIALECT: DialectName = DialectName::Strucpp;
 
 /// The script that Node runs.
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");

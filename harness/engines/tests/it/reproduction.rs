@@ -14,8 +14,9 @@ const SOURCE: &str = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE
 
 fn dialect(compiler: Compiler) -> DialectName {
     match compiler {
-        Compiler::Ironplc | Compiler::Strucpp => DialectName::IronplcEd3,
+        Compiler::Ironplc => DialectName::IronplcEd3,
         Compiler::Matiec => DialectName::Matiec,
+        Compiler::Strucpp => DialectName::Strucpp,
         Compiler::Rusty => DialectName::IronplcRusty,
     }
 }

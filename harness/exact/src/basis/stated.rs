@@ -97,7 +97,7 @@ impl Call<'_> {
     /// Returns whether the documents of the base make this choice.
     fn documents(self, key: Key) -> bool {
         match key {
-            Key::Rounding => self.rules != Rules::Plcnext,
+            Key::Rounding => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
             Key::OutOfRange => self.rules == Rules::Matiec,
             Key::TextReading | Key::RealText | Key::BitStringText => false,
         }

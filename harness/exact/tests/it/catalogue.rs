@@ -30,7 +30,10 @@ fn each_dialect_has_as_many_functions_as_can_be_counted() {
     let totals = DialectName::ALL.map(|dialect| functions(dialect).len());
     // One CONCAT and four roundings, three and four; none of the roundings in matiec.
     let [second, third] = [counted(1, 0), counted(2, 2)];
-    assert_eq!(totals, [second + 5, third + 7, third + 7, second + 1, third + 7]);
+    assert_eq!(
+        totals,
+        [second + 5, third + 7, third + 7, second + 1, third + 7, third + 7]
+    );
     assert_eq!([second + 5, third + 7], [506, 731]);
 }
 

@@ -6,7 +6,7 @@ use stickler_exact::implicit;
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
-const FILES: [&str; 11] = [
+const FILES: [&str; 12] = [
     "integer",
     "integer-to-real",
     "real",
@@ -18,6 +18,7 @@ const FILES: [&str; 11] = [
     "plcnext",
     "plcnext-beyond-the-table",
     "matiec",
+    "strucpp",
 ];
 
 type Cell = (ElementaryType, ElementaryType, DialectName);

@@ -47,6 +47,7 @@ static PROFILES: [LazyLock<DialectProfile>; DialectName::ALL.len()] = [
     LazyLock::new(|| DialectProfile::build(DialectName::IronplcRusty)),
     LazyLock::new(|| DialectProfile::build(DialectName::Matiec)),
     LazyLock::new(|| DialectProfile::build(DialectName::Plcnext)),
+    LazyLock::new(|| DialectProfile::build(DialectName::Strucpp)),
 ];
 
 impl DialectProfile {
@@ -72,9 +73,9 @@ impl DialectProfile {
         found.map(|offer| &offer.signature)
     }
 
-    /// Returns whether programs may access bits of integers and bit strings; in PLCnext that is open.
+    /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
     pub fn has_bits(&self, open: bool) -> bool {
-        has_bits(self.dialect) || open && self.dialect == DialectName::Plcnext
+        has_bits(self.dialect) || open && matches!(self.dialect, DialectName::Plcnext | DialectName::Strucpp)
     }
 
     /// Returns whether a call of a function may omit inputs, which then have their initial values.
@@ -83,7 +84,7 @@ impl DialectProfile {
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
         match self.dialect.base() {
-            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => open,
+            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty | BuiltIn::Strucpp => open,
             BuiltIn::Matiec | BuiltIn::Plcnext => true,
         }
     }
@@ -102,7 +103,7 @@ impl DialectProfile {
             Family::Character => false,
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match (context, self.dialect) {
-                (TypeContext::Exact, _) | (_, DialectName::Plcnext) => false,
+                (TypeContext::Exact, _) | (_, DialectName::Plcnext | DialectName::Strucpp) => false,
                 (TypeContext::Initial | TypeContext::Operand, _) => true,
                 (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
                 _ => false,

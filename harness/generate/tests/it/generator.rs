@@ -152,7 +152,10 @@ fn demanded(dialect: DialectName) -> Vec<String> {
             }
         }
     }
-    if !matches!(dialect, DialectName::Matiec | DialectName::Plcnext) {
+    if !matches!(
+        dialect,
+        DialectName::Matiec | DialectName::Plcnext | DialectName::Strucpp
+    ) {
         demanded.extend(["bit read", "bit written"].map(str::to_owned));
     }
     demanded.extend(settled_functions(dialect));

@@ -21,6 +21,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
                 ironplc(from, to) || (dialect.cross_family_widening && bit_string_fits_integer(from, to))
             }
             Widening::Plcnext => plcnext(from, to),
+            Widening::Numbers => numbers(from, to),
         },
     };
     if !widens {
@@ -58,6 +59,31 @@ const fn plcnext(from: ElementaryType, to: ElementaryType) -> bool {
         || bit_string_fits_bit_string(from, to)
         || (matches!(from, Bool) && to.is_bit_string())
         || matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime))
+}
+
+/// Returns the type that two operands take of which each converts to the type of the other: the one that holds the values of the
+/// other, a real before an integer, a duration before a number, a type of the third edition before its short form; or else the first.
+///
+/// Basis: strucpp-tests: tests/semantic/type-utils.test.ts (`getCommonType`).
+pub fn wider_operand(left: ElementaryType, right: ElementaryType) -> ElementaryType {
+    let holds = |from, to| ironplc(from, to) || bit_string_fits_integer(from, to);
+    let takes_right = (right.is_duration() && !left.is_duration())
+        || right.is_third_edition()
+        || (right.is_real() && !left.is_real())
+        || (holds(left, right) && !holds(right, left));
+    if takes_right { right } else { left }
+}
+
+/// Every number, bit string and BOOL into every number and bit string, also where that narrows; a bit string into BOOL, which a condition takes; a type
+/// and its long form, which is open.
+///
+/// Basis: strucpp-architecture: Type System ("Narrowing conversions produce warnings, not errors"); strucpp-tests:
+/// tests/semantic/type-validation.test.ts (conditions).
+fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
+    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
+    let has_number = is_number(from) || from == ElementaryType::Bool;
+    let is_truth_value = from.is_bit_string() && to == ElementaryType::Bool;
+    (has_number && is_number(to)) || is_truth_value || short_or_long_form(from, to)
 }
 
 /// Every value of the one integer type is a value of the other.
@@ -140,6 +166,8 @@ mod tests {
         assert_eq!(pairs(DialectName::Matiec), 0);
         // 41 cells of the coloured table, and TIME to LTIME.
         assert_eq!(pairs(DialectName::Plcnext), 42);
+        // 14 numbers and bit strings into each other, BOOL into them, bit strings into BOOL, short and long forms.
+        assert_eq!(pairs(DialectName::Strucpp), 14 * 13 + 14 + 4 + 8);
     }
 
     #[test]
@@ -222,6 +250,36 @@ mod tests {
         ] {
             assert!(!widens(from, to, dialect), "{} to {}", from.name(), to.name());
         }
+    }
+
+    #[test]
+    fn operands_of_which_each_stands_for_the_other_take_the_wider_type() {
+        for (one, other, common) in [
+            (Int, Dint, Dint),
+            (Int, Real, Real),
+            (Lint, Real, Real),
+            (Int, Lreal, Lreal),
+            (Byte, Int, Int),
+            (Byte, Dword, Dword),
+            (Udint, Time, Time),
+            (Time, Ltime, Ltime),
+        ] {
+            assert_eq!(
+                wider_operand(one, other),
+                common,
+                "{} and {}",
+                one.name(),
+                other.name()
+            );
+            assert_eq!(
+                wider_operand(other, one),
+                common,
+                "{} and {}",
+                other.name(),
+                one.name()
+            );
+        }
+        assert_eq!(wider_operand(Int, Uint), Int);
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
-use crate::conversion::implicit;
+use crate::conversion::{implicit, wider_operand};
 use crate::dialect::Dialect;
 use stickler_types::ElementaryType;
 
@@ -109,11 +109,8 @@ impl TypeRules<'_> {
         match (leftward, rightward) {
             (true, false) => Some(left),
             (false, true) => Some(right),
-            // UDINT and TIME, or the short and the long form of a type: a duration is no number, and the long
-            // form is the wider.
-            (true, true) if to.is_duration() && !from.is_duration() => Some(right),
-            (true, true) if to.is_third_edition() => Some(right),
-            (true, true) => Some(left),
+            (true, true) if wider_operand(from, to) == from => Some(left),
+            (true, true) => Some(right),
             (false, false) => None,
         }
     }

@@ -234,7 +234,7 @@ mod tests {
             Observation::last(name, type_name)
         });
         let request = RunRequest {
-            dialect: DialectName::IronplcEd3,
+            dialect: DialectName::Strucpp,
             source: "",
             scans: 2,
             observe: &observe,

@@ -131,7 +131,7 @@ mod tests {
         let source = "PROGRAM main\n  ;\nEND_PROGRAM\n";
         let request = RunRequest {
             scans: 2,
-            ..RunRequest::once(DialectName::IronplcEd3, source, &observe)
+            ..RunRequest::once(DialectName::Strucpp, source, &observe)
         };
         let shown = reproduce(&request, Ability::Execute).unwrap();
         let [program, driver] = &shown.files[..] else {

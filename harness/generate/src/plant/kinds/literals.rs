@@ -71,7 +71,7 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
-    if original.dialect == DialectName::Plcnext {
+    if matches!(original.dialect, DialectName::Plcnext | DialectName::Strucpp) {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());

@@ -195,7 +195,9 @@ fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
         ("hit", "BOOL#TRUE"),
         ("a[12]", "INT#1"),
     ];
-    for dialect in DialectName::ALL {
+    // STruC++ reads the number before the letter.
+    let reads_whole_texts = |dialect: &DialectName| *dialect != DialectName::Strucpp;
+    for dialect in DialectName::ALL.into_iter().filter(reads_whole_texts) {
         let observe = expected.map(|(name, _)| Observation::last(name, ""));
         let outcome = run(&RunRequest::once(dialect, &source, &observe), Limits::default());
         let values = expected.map(|(name, value)| {
