@@ -1,11 +1,11 @@
 //! Fuzz campaigns without libFuzzer: programs from a seed, engines side by side, findings that are kept.
 //!
-//! [`run`] follows a [`CampaignPlan`]: it gives out the [`Inputs`] of a seed to the workers of an [`Oracle`], takes their
-//! [`InputVerdict`]s in order, has each [`Mismatch`] reduced, and reports each [`Finding`] once. A [`DifferentialOracle`] compares
-//! engines with the evaluator, a [`TargetOracle`] judges the reference by the oracles of the fuzz targets.
+//! [`run()`] follows a [`CampaignPlan`]: it gives out the [`Inputs`] of a seed to the workers of an [`Oracle`], takes their
+//! [`InputVerdict`]s in order, has each [`Mismatch`] reduced, and reports each [`Finding`] once. A [`DifferentialOracle`]
+//! compares engines with the evaluator, a [`TargetOracle`] judges the reference by the oracles of the fuzz targets.
 //!
-//! A [`Store`] keeps findings in a folder; [`replay`] judges one again, [`promote`] makes a case of it, and [`merge`] puts the
-//! folders of several machines together.
+//! A [`Store`] keeps findings in a folder; [`replay()`] judges one again, [`promote()`] makes a case of it, and [`merge()`]
+//! puts the folders of several machines together.
 //!
 //! Architecture Invariant: this crate knows no terminal and no command line.
 #![forbid(unsafe_code)]

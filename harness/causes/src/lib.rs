@@ -4,7 +4,7 @@
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `question` |
-//! | groups whose reduced programs have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find`] |
+//! | groups whose reduced programs have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
 //!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
 //! program what must happen; where values are compared, only those count that the case itself asserts and that stay what

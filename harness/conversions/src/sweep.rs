@@ -1,7 +1,7 @@
 //! The sweep of a conversion function: compares its results for every input, or a large sample, with exact arithmetic.
 //!
-//! [`agenda`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
-//! dialects; [`run`] takes all inputs of one of them, a [`Domain`], through a [`Converter`] (on the reference that is its own
+//! [`agenda()`] turns the name of a function into [`Sweep`]s, one for each pair of types and each distinct rule of the
+//! dialects; [`run()`] takes all inputs of one of them, a [`Domain`], through a [`Converter`] (on the reference that is its own
 //! conversion) and gives [`SweepFindings`]. [`foreign`] does the same with an engine that only executes programs.
 
 mod agenda;

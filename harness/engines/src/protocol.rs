@@ -1,8 +1,8 @@
 //! The wire protocol: JSON Lines over stdin and stdout, one request, one reply, in order.
 //!
-//! [`Request`] and [`Reply`] are the two directions, [`serve`] answers requests with any
-//! [`Engine`](crate::Engine), and [`schemas`] gives the JSON Schemas that are published in
-//! `harness/engines/schemas/`. Basis: harness/engines/README.md (the wire protocol).
+//! [`Request`] and [`Reply`] are the two directions, and [`serve`] answers requests with any [`Engine`](crate::Engine).
+//! Tests compare the JSON Schemas of both with those that are published in `harness/engines/schemas/`. Basis:
+//! harness/engines/README.md (the wire protocol).
 
 mod answer;
 mod lines;

@@ -1,6 +1,6 @@
 //! A second implementation of the exact arithmetic, fast enough for every input of a 32-bit source.
 //!
-//! The functions here compute within 64 and 128 bits, with shifts, masks and tables, what [`value`](crate::value) computes
+//! The functions here compute within 64 and 128 bits, with shifts, masks and tables, what [`value`](crate::value()) computes
 //! with integers and fractions of any size; neither uses floating point. Tests compare the two at every boundary and on
 //! samples, so that a sweep may rely on this one.
 //!

@@ -1,7 +1,7 @@
 //! Implicit conversion by the documents: the pairs of elementary types that convert without a call.
 //!
 //! The rules here are stated independently of the widening tables of the conformance cases; a test compares the two, cell
-//! by cell. [`implicit_result`](crate::implicit_result) gives the converted value, which is that of the function
+//! by cell. [`implicit_result`](crate::implicit_result()) gives the converted value, which is that of the function
 //! `<FROM>_TO_<TO>`.
 
 use crate::catalogue::has_third_edition;

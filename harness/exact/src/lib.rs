@@ -10,10 +10,10 @@
 //! |---|---|
 //! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
 //! | what must a call give, and which document says so? | [`expected`] |
-//! | what would it give by other rules? | [`value`] with other choices than [`choices_of`] the dialect |
+//! | what would it give by other rules? | [`value()`] with other choices than [`choices_of`] the dialect |
 //! | the same, for billions of operands? | [`Bulk`] |
-//! | which types become others without a call? | [`implicit`] |
-//! | what does a value become without a call? | [`implicit_result`] |
+//! | which types become others without a call? | [`implicit()`] |
+//! | what does a value become without a call? | [`implicit_result()`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};

@@ -59,7 +59,7 @@ impl Summary {
     }
 }
 
-/// Returns the summary as Markdown, at most [`MAX_BYTES`] long.
+/// Returns the summary as Markdown, at most `MAX_BYTES` long.
 pub fn markdown(overview: &Overview) -> String {
     let mut page = Page {
         text: String::new(),

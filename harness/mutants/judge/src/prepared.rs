@@ -84,7 +84,7 @@ pub fn write<'a>(cases: impl ExactSizeIterator<Item = Case<'a>>) -> Vec<u8> {
     writer.0
 }
 
-/// Reads what [`write`] wrote.
+/// Reads what [`write()`] wrote.
 ///
 /// # Errors
 /// [`Unreadable`] where it is anything else.

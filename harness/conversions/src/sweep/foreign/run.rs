@@ -53,7 +53,7 @@ const fn advice(counts: bool) -> &'static str {
 /// sessions (0: one for each processor). The sweep must have one dialect, as those of
 /// [`SweepMethod::Programs`](crate::sweep::SweepMethod::Programs) have.
 ///
-/// Treats `progress` and `cancel` as [`crate::sweep::run`] does; waits for a program that was given to the engine.
+/// Treats `progress` and `cancel` as [`crate::sweep::run()`] does; waits for a program that was given to the engine.
 ///
 /// # Errors
 /// [`ForeignError`]: no session, no thread, or none of a few inputs from all over the domain is answered at all.
