@@ -3,6 +3,7 @@
 use super::command_line::CommandLine;
 use super::group::{Group, Pipes, lock};
 use super::usage::Watch;
+use std::borrow::Cow;
 use std::collections::VecDeque;
 use std::ffi::OsStr;
 use std::io::Read;
@@ -135,8 +136,10 @@ fn keep(kept: &mut VecDeque<u8>, piece: &[u8]) {
     kept.drain(..surplus);
 }
 
-/// Joins the last lines that are not blank into one line, without characters that would control a terminal.
+/// Joins the last lines that are not blank into one line, without characters that would control a terminal, and without the
+/// backtraces of Rust programs, before which they say what is wrong.
 pub(super) fn last_lines(text: &str) -> String {
+    let text = &without_backtraces(text);
     // A flood of output may be a single line.
     let from = text.len().saturating_sub(MAX_STDERR_LEN);
     let from = (from..text.len()).find(|&at| text.is_char_boundary(at));
@@ -154,6 +157,30 @@ pub(super) fn last_lines(text: &str) -> String {
         .collect()
 }
 
+/// Removes the backtraces of Rust programs from a text.
+fn without_backtraces(text: &str) -> Cow<'_, str> {
+    const TITLE: &str = "stack backtrace:";
+    if !text.contains(TITLE) {
+        return Cow::Borrowed(text);
+    }
+    let mut inside = false;
+    let lines: Vec<&str> = text
+        .lines()
+        .filter(|line| {
+            inside = line.trim() == TITLE || (inside && is_frame(line));
+            !inside
+        })
+        .collect();
+    Cow::Owned(lines.join("\n"))
+}
+
+/// Tells whether a line of a backtrace shows a frame (`4: 0x55 - main`) or its place (`at src/main.rs:3:5`).
+fn is_frame(line: &str) -> bool {
+    let line = line.trim();
+    let number = line.split_once(':').map_or("", |(number, _)| number);
+    line.starts_with("at ") || (!number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::{MAX_STDERR_LEN, keep, last_lines};
@@ -168,6 +195,11 @@ mod tests {
         let many: String = (0..20).map(|number| format!("{number}\n")).collect();
         assert_eq!(last_lines(&many), "12 | 13 | 14 | 15 | 16 | 17 | 18 | 19");
         assert_eq!(last_lines(""), "");
+        let frames: String = (0..20)
+            .map(|number| format!("  {number}: 0x55 - main\n      at src/main.rs:3:5\n"))
+            .collect();
+        let panicked = format!("1: panicked\nstack backtrace:\n{frames}aborting\n2: end\n");
+        assert_eq!(last_lines(&panicked), "1: panicked | aborting | 2: end");
         assert_eq!(last_lines(&"ä".repeat(1 << 20)), "ä".repeat(MAX_STDERR_LEN / 2));
     }
 
