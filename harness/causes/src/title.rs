@@ -4,7 +4,7 @@ use crate::reduction::Smallest;
 use crate::shape::is_fixed;
 use crate::tokens::{Token, TokenKind, tokens};
 use stickler_run::{Fact, Symptom};
-use stickler_types::Diagnostic;
+use stickler_types::{Diagnostic, ElementaryType};
 
 /// The maximum number of characters that are shown of a line, a message or a value.
 const MAX_LENGTH: usize = 90;
@@ -20,10 +20,7 @@ pub(crate) fn title(smallest: &Smallest) -> String {
     let line = |number: Option<u32>| {
         let line = number.and_then(|number| program.lines().nth(number.checked_sub(1)? as usize));
         let is_told = |line: &&str| !line.trim_matches([' ', '\t', ';']).is_empty();
-        described(
-            program,
-            line.filter(is_told).unwrap_or_else(|| last_statement(program)),
-        )
+        described(program, line.filter(is_told).unwrap_or_else(|| culprit(program)))
     };
     let first = |facts: &[Fact]| {
         facts
@@ -36,8 +33,12 @@ pub(crate) fn title(smallest: &Smallest) -> String {
     // A compiler that has lost the place says line 1.
     told.line = told.line.filter(|line| *line > 1);
     match &deviation.sign.symptom {
-        Symptom::NotRejected(code) => {
-            format!("{} is accepted, not rejected{}", line(wanted.line), with(code))
+        Symptom::NotRejected(_) => {
+            let code = wanted
+                .code
+                .map(|code| format!(" with {code}"))
+                .unwrap_or_default();
+            format!("{} is accepted, not rejected{code}", line(wanted.line))
         }
         Symptom::Rejected(_) => format!("{} is rejected: {}", line(told.line), said(&told)),
         Symptom::NotImplemented(_) => format!("{} is {}", line(None), clipped(&Fact::text(got))),
@@ -49,11 +50,19 @@ pub(crate) fn title(smallest: &Smallest) -> String {
             )
         }
         Symptom::NoPlace(code) => format!("{code} is reported without the place of the mistake"),
-        Symptom::OtherLine(code) => format!("{}: {code} is reported on another line", line(wanted.line)),
-        Symptom::Incomplete(code) => {
+        Symptom::OtherLine(_) => {
             format!(
-                "{}: {code} is not reported beside other mistakes",
-                line(line_of(code, expected))
+                "{}: {} is reported on another line",
+                line(wanted.line),
+                named(&wanted)
+            )
+        }
+        Symptom::Incomplete(code) => {
+            let missing = missing(code, expected, got);
+            format!(
+                "{}: {} is not reported beside other mistakes",
+                line(missing.line),
+                named(&missing)
             )
         }
         Symptom::Surplus(_) => {
@@ -119,10 +128,25 @@ fn rendered(expected: &[Fact], got: &[Fact]) -> String {
     }
 }
 
-/// Returns the line of the expected diagnostic with this code.
-fn line_of(code: &str, expected: &[Fact]) -> Option<u32> {
-    let mut diagnostics = expected.iter().filter_map(Fact::diagnostic);
-    diagnostics.find(|one| one.code.as_deref() == Some(code))?.line
+/// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
+/// nothing came.
+fn missing(code: &str, expected: &[Fact], got: &[Fact]) -> Diagnostic {
+    let told = |line| {
+        got.iter()
+            .filter_map(Fact::diagnostic)
+            .any(|told| told.line == line)
+    };
+    let is_missing = |one: &&Diagnostic| match &one.code {
+        Some(one) => one == code,
+        None => !told(one.line),
+    };
+    let found = expected.iter().filter_map(Fact::diagnostic).find(is_missing);
+    found.cloned().unwrap_or_default()
+}
+
+/// Returns the code of an expected diagnostic; words in its place where codes are not compared.
+fn named(wanted: &Diagnostic) -> &str {
+    wanted.code.as_deref().unwrap_or("the mistake")
 }
 
 /// Returns the code and the message of a diagnostic.
@@ -132,13 +156,6 @@ fn said(told: &Diagnostic) -> String {
     match parts.is_empty() {
         true => "no reason is given".to_owned(),
         false => clipped(&parts.join(" ")),
-    }
-}
-
-fn with(code: &str) -> String {
-    match code {
-        "" => String::new(),
-        code => format!(" with {code}"),
     }
 }
 
@@ -153,7 +170,9 @@ fn clipped(text: &str) -> String {
 
 /// Returns a line of a program in code quotes, with the types of its variables where these stand elsewhere.
 fn described(program: &str, line: &str) -> String {
-    let code = line.trim().trim_end_matches(';').trim_end();
+    // A reduced program may have its end on the line of a statement.
+    let code = line.split_once(";END_").map_or(line, |(code, _)| code);
+    let code = code.trim().trim_end_matches(';').trim_end();
     let mut types = Vec::new();
     for token in tokens(code) {
         let declared = type_of(program, &token).filter(|_| !declares(code, token.text));
@@ -166,10 +185,25 @@ fn described(program: &str, line: &str) -> String {
             }
         }
     }
+    let section = section_of(program, line);
+    let section = section
+        .map(|section| format!(" in {section}"))
+        .unwrap_or_default();
     match types.is_empty() {
-        true => format!("`{}`", clipped(code)),
-        false => format!("`{}` ({})", clipped(code), types.join(", ")),
+        true => format!("`{}`{section}", clipped(code)),
+        false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
     }
+}
+
+/// Returns the section of variables that a line of a program stands in, unless that is the plain one or that of the inputs.
+fn section_of<'p>(program: &'p str, line: &str) -> Option<&'p str> {
+    let before = program.lines().take_while(|one| one.trim() != line.trim());
+    let heads = before
+        .map(str::trim_start)
+        .filter(|one| one.starts_with("VAR") || one.starts_with("END_VAR"));
+    let head = heads.last()?.split_whitespace().next()?;
+    let is_there = program.lines().any(|one| one.trim() == line.trim());
+    (is_there && !matches!(head, "VAR" | "VAR_INPUT" | "END_VAR")).then_some(head)
 }
 
 /// Returns whether a line itself declares this name.
@@ -189,8 +223,13 @@ fn type_of(program: &str, name: &Token<'_>) -> Option<String> {
     let colon = at + tokens[at..].iter().position(|token| token.text == ":")?;
     let rest = &tokens[colon + 1..];
     let end = rest.iter().position(|token| matches!(token.text, ";" | ":="))?;
-    let words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
-    Some(clipped(&words.join(" "))).filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))
+    let mut words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
+    // A plain variable is shown with the value that it begins with.
+    if let ([_], Some(behind)) = (&words[..], rest.iter().find(|token| token.text == ";")) {
+        let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+        words.push(program[offset(&rest[end])..offset(behind)].trim_end());
+    }
+    Some(clipped(words.join(" ").trim_end())).filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))
 }
 
 /// Returns whether the name at this place is declared there: names with commas between them come before a colon.
@@ -203,16 +242,39 @@ fn is_declared(tokens: &[Token<'_>], at: usize) -> bool {
     !is_head && end.is_some_and(|end| end[0].text == ":")
 }
 
-/// Returns the last line that assigns a variable, a field or an element of it.
-fn assignment<'p>(program: &'p str, name: &str) -> Option<&'p str> {
-    let name = name.split(['@', '[', '.']).next().unwrap_or(name);
+/// Returns the last line that assigns a variable, a field or an element of it, or gives it to an output or an in-out variable
+/// of a call; for a field that no line assigns, the line that initializes it.
+pub(crate) fn assignment<'p>(program: &'p str, path: &str) -> Option<&'p str> {
+    let path = path.split('@').next().unwrap_or(path);
+    let name = path.split(['[', '.']).next().unwrap_or(path);
     let assigns = |line: &&str| {
         let tokens = tokens(line);
         let target = tokens.first().is_some_and(|first| first.is(name));
         let declares = tokens.get(1).is_some_and(|next| next.text == ":");
-        target && !declares && tokens.iter().any(|token| token.text == ":=")
+        let mut triples = tokens.windows(3);
+        // An argument that is the variable alone may be changed by the call.
+        let passes = triples.any(|triple| {
+            triple[1].is(name)
+                && (triple[0].text == "=>" || triple[0].text == ":=" && matches!(triple[2].text, ")" | ","))
+        });
+        passes || target && !declares && tokens.iter().any(|token| token.text == ":=")
     };
-    program.lines().rfind(assigns)
+    let field = path
+        .rsplit_once('.')
+        .map(|(_, field)| field.split('[').next().unwrap_or(field));
+    let initializes = |line: &&str| {
+        let tokens = tokens(line);
+        let mut triples = tokens.windows(3);
+        triples.any(|triple| {
+            matches!(triple[0].text, "(" | ",")
+                && field.is_some_and(|field| triple[1].is(field))
+                && triple[2].text == ":="
+        })
+    };
+    program
+        .lines()
+        .rfind(assigns)
+        .or_else(|| program.lines().rfind(initializes))
 }
 
 /// Returns the line that declares a variable, or the field that a path ends with.
@@ -223,6 +285,42 @@ fn declaration<'p>(program: &'p str, path: &str) -> &'p str {
     lines
         .find(|line| declares(line, name))
         .unwrap_or_else(|| last_statement(program))
+}
+
+/// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
+/// them, since a plain assignment may be there only because a program needs a statement.
+fn culprit(program: &str) -> &str {
+    let weight = |line: &&str| {
+        let tokens = tokens(line);
+        let first = tokens
+            .first()
+            .map(|first| first.text.to_ascii_uppercase())
+            .unwrap_or_default();
+        let is_frame = is_fixed(&first)
+            && !["IF", "CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT"].contains(&first.as_str());
+        if tokens.iter().all(|token| token.text == ";") || is_frame {
+            return 0;
+        }
+        let is_plain = |token: &Token<'_>| matches!(token.text, ":=" | ":" | "," | ";") || is_simple(token);
+        match tokens.iter().all(is_plain) {
+            true if tokens.iter().any(|token| token.text == ":=") => 2,
+            true => 1,
+            false => 3,
+        }
+    };
+    let heaviest = program.lines().filter(|line| weight(line) > 0).max_by_key(weight);
+    heaviest.unwrap_or_else(|| last_statement(program))
+}
+
+/// Returns whether a token is a name, an elementary type, or a plain number.
+fn is_simple(token: &Token<'_>) -> bool {
+    match token.kind {
+        TokenKind::Word => {
+            !is_fixed(token.text) || ElementaryType::from_name(&token.text.to_ascii_uppercase()).is_some()
+        }
+        TokenKind::Number => token.text.bytes().all(|byte| byte.is_ascii_digit()),
+        _ => false,
+    }
 }
 
 /// Returns the last line of a program that is no end of anything.
