@@ -4,13 +4,15 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::operations::operations;
+use crate::normal::Normal;
+use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
-use crate::shape::{number, own_functions, text};
+use crate::shape::{in_declarations, number, own_functions, text};
+use crate::title::assignment;
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
-use stickler_run::{Fact, Symptom};
-use stickler_types::{ElementaryType, Family};
+use stickler_run::{CaseEvent, Fact, Symptom};
+use stickler_types::{Diagnostic, ElementaryType, Family};
 
 /// What matters of a small program that shows a defect.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -19,6 +21,8 @@ pub(crate) struct Essence {
     pub(crate) class: String,
     /// The constructs that the defect needs.
     pub(crate) features: BTreeSet<String>,
+    /// The properties of values and types that it needs; a cause that needs fewer of them explains one that needs more.
+    pub(crate) labels: BTreeSet<String>,
     /// Whether a program with more features of the same class shows the same defect: it contains what already fails alone.
     pub(crate) is_contained: bool,
     /// The class and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
@@ -27,10 +31,10 @@ pub(crate) struct Essence {
 }
 
 impl Essence {
-    /// Returns the essence of a program that was made small.
-    pub(crate) fn of(smallest: &Smallest) -> Essence {
-        let sign = &smallest.deviation.sign;
-        let program = Program::new(smallest);
+    /// Returns the essence of a program that was made small, by its normal form.
+    pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
+        let sign = &normal.deviation.sign;
+        let program = Program::new(normal);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
@@ -47,12 +51,13 @@ impl Essence {
                 (format!("crash {words}"), BTreeSet::new(), false)
             }
             Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => (sign.word(), BTreeSet::new(), false),
-            _ => (
-                sign.word(),
-                BTreeSet::from([sign.shape(&smallest.program)]),
-                false,
-            ),
+            Symptom::OtherLine(_) | Symptom::Incomplete(_) => (sign.word(), program.of_mistake(), false),
+            _ => (sign.word(), BTreeSet::from([sign.shape(&normal.program)]), false),
         };
+        let mut features = features;
+        if normal.is_unchecked {
+            features.insert("unchecked".to_owned());
+        }
         let hidden = match &sign.symptom {
             Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => {
                 Some((rejected(told, &sign.at), program.of_rejection()))
@@ -67,9 +72,21 @@ impl Essence {
         Essence {
             class: format!("{by_chance}{}", class.trim_end()),
             features,
+            labels: normal.labels.clone(),
             is_contained,
             hidden: hidden.map(|(class, features)| (format!("{by_chance}{}", class.trim_end()), features)),
         }
+    }
+
+    /// Returns the constructs, values and types that the defect needs, as a key.
+    pub(crate) fn construct(&self) -> String {
+        let all: Vec<&str> = self
+            .features
+            .iter()
+            .chain(&self.labels)
+            .map(String::as_str)
+            .collect();
+        all.join(", ")
     }
 
     /// Returns whether a cause with this essence explains one with the essence `other`.
@@ -79,9 +96,48 @@ impl Essence {
             self.class == class && (self.features == *features || contains)
         };
         let hidden = other.hidden.as_ref();
-        needs_no_more(&other.class, &other.features)
-            || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
+        let is_same = needs_no_more(&other.class, &other.features) && self.labels.is_subset(&other.labels);
+        is_same || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
     }
+}
+
+/// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
+/// operations of that line of the case in which its expectation shows, and is not rejected for another line.
+pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
+    let program = case.program.as_deref().unwrap_or_default();
+    let all = tokens(program);
+    let wanted = case
+        .expected
+        .iter()
+        .zip(case.got.iter().map(Some).chain(std::iter::repeat(None)));
+    let mut differing = wanted
+        .filter(|(wanted, told)| Some(*wanted) != *told)
+        .map(|(wanted, _)| wanted);
+    let line = match differing.next() {
+        Some(Fact::Value { name, .. }) => assignment(program, name).map(|line| {
+            let number = line.as_ptr() as usize - program.as_ptr() as usize;
+            let number = program[..number].lines().count() as u32 + 1;
+            all.iter().filter(|token| token.line == number).copied().collect()
+        }),
+        Some(Fact::Diagnostic(Diagnostic { line, .. }) | Fact::Fault { line, .. }) => {
+            let on_line = |token: &&Token<'_>| Some(token.line) == *line;
+            Some(all.iter().filter(on_line).copied().collect())
+        }
+        _ => None,
+    };
+    let line: Option<Vec<Token<'_>>> = line;
+    let told = case.got.iter().find_map(|fact| fact.diagnostic()?.line);
+    let focus = line
+        .as_ref()
+        .and_then(|line| line.first())
+        .map(|token| token.line);
+    let is_elsewhere = told.is_some_and(|told| told > 1) && focus.is_some() && told != focus;
+    if is_elsewhere && matches!(smallest.deviation.sign.symptom, Symptom::Rejected(_)) {
+        return false;
+    }
+    let own = own_functions(&all);
+    let claimed = line.map(|line| operations(&line, &own)).unwrap_or_default();
+    claimed.is_subset(&operations_of(&smallest.program))
 }
 
 fn rejected(reason: &str, at: &str) -> String {
@@ -97,11 +153,13 @@ struct Program<'p> {
     line: Option<u32>,
     /// Whether the engine could not read the program.
     is_unread: bool,
+    /// The literals that the engine takes alone.
+    innocent: &'p [String],
 }
 
 impl<'p> Program<'p> {
-    fn new(smallest: &'p Smallest) -> Program<'p> {
-        let deviation = &smallest.deviation;
+    fn new(normal: &'p Normal) -> Program<'p> {
+        let deviation = &normal.deviation;
         let is_placed = |line: &u32| *line > 1;
         let line = |facts: &[Fact]| {
             facts
@@ -110,7 +168,7 @@ impl<'p> Program<'p> {
                 .filter(is_placed)
         };
         let told = deviation.got.iter().find_map(Fact::diagnostic);
-        let tokens = tokens(&smallest.program);
+        let tokens = tokens(&normal.program);
         Program {
             own: own_functions(&tokens),
             tokens,
@@ -118,6 +176,7 @@ impl<'p> Program<'p> {
             is_unread: told
                 .and_then(|told| told.code.as_deref())
                 .is_some_and(|code| code.starts_with("P0")),
+            innocent: &normal.innocent,
         }
     }
 
@@ -151,7 +210,7 @@ impl<'p> Program<'p> {
     fn of_rejection(&self) -> BTreeSet<String> {
         let line = self.of_line();
         let mut features = operations(&line, &self.own);
-        let literals: Vec<String> = line.iter().filter_map(special_literal).collect();
+        let literals: Vec<String> = self.special_literals(&line);
         // A literal that the engine does not know is not known anywhere.
         if literals.is_empty() {
             features.insert(place_of(&self.tokens, self.line).to_owned());
@@ -169,6 +228,20 @@ impl<'p> Program<'p> {
         features
     }
 
+    /// Returns the forms of those literals that are not known to be taken by the engine.
+    fn special_literals(&self, tokens: &[Token<'_>]) -> Vec<String> {
+        let is_innocent =
+            |token: &&Token<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
+        let suspects = tokens.iter().filter(|token| !is_innocent(token));
+        suspects.filter_map(special_literal).collect()
+    }
+
+    fn has_initial_value(&self) -> bool {
+        let declared = in_declarations(&self.tokens);
+        let mut pairs = self.tokens.iter().zip(declared);
+        pairs.any(|(token, declared)| declared && token.text == ":=")
+    }
+
     /// Returns the features of a program that computes a wrong value, and whether it converts between types.
     fn of_value(&self) -> (BTreeSet<String>, bool) {
         let mut features = operations(&self.tokens, &self.own);
@@ -181,8 +254,19 @@ impl<'p> Program<'p> {
             features.insert(format!("conversion {}", kinds.join(" and ")));
             return (features, true);
         }
-        features.extend(self.tokens.iter().filter_map(special_literal));
+        features.extend(self.special_literals(&self.tokens));
         features.extend(declarations(&self.tokens));
+        if operations(&self.tokens, &self.own).is_empty() {
+            let place = if self.has_initial_value() {
+                "initial value"
+            } else {
+                "assigned value"
+            };
+            features.insert(place.to_owned());
+            if declarations(&self.tokens).is_empty() {
+                features.extend(kinds.into_iter().map(str::to_owned));
+            }
+        }
         (features, false)
     }
 }
@@ -235,10 +319,17 @@ fn special_literal(token: &Token<'_>) -> Option<String> {
         TokenKind::Number => Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real")),
         TokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
         TokenKind::Typed => {
-            let (prefix, _) = upper.split_once('#')?;
+            let (prefix, value) = upper.split_once('#')?;
             let is_number = type_of_token(token)
                 .is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")));
-            (!is_number).then(|| format!("{prefix}#"))
+            let form = number(value.trim_start_matches('-'));
+            match is_number {
+                true => Some(form).filter(|form| form == "real-beyond-REAL"),
+                false => match type_of_token(token) {
+                    Some(ty) => Some(format!("{}#", ty.name())),
+                    None => Some(format!("{prefix}#")),
+                },
+            }
         }
         _ => None,
     }

@@ -3,8 +3,8 @@
 use crate::shape::types_of;
 use crate::sign::Sign;
 use std::collections::BTreeMap;
-use stickler_engines::Reference;
-use stickler_run::{CaseEvent, Event, ExplainedCases, Grade};
+use stickler_engines::{Engine, Identity, Reference};
+use stickler_run::{CaseEvent, Event, ExplainedCases, Plan};
 
 /// The maximum number of groups; cases of further kinds are not explained.
 const MAX_GROUPS: usize = 4000;
@@ -13,10 +13,11 @@ const MAX_GROUPS: usize = 4000;
 ///
 /// Of each group only the smallest program is kept, and one with other types, so that memory does not grow with the number
 /// of cases. The cases of the reference are left out: it must meet every case, and no maker of it waits for pages.
-#[derive(Debug, Default)]
-pub struct FailedCases {
-    /// How strictly each engine is judged.
-    strict: BTreeMap<String, Grade>,
+#[derive(Debug)]
+pub struct FailedCases<'r> {
+    plan: &'r Plan,
+    /// The engines of the run that are compilers, by name.
+    engines: BTreeMap<&'r str, &'r Identity>,
     pub(crate) groups: BTreeMap<(String, Sign, String), Group>,
 }
 
@@ -29,19 +30,25 @@ pub(crate) struct Group {
     pub(crate) cases: Vec<ExplainedCases>,
 }
 
-impl FailedCases {
+impl<'r> FailedCases<'r> {
+    /// Creates groups without cases, for the run of this plan on these engines.
+    #[must_use]
+    pub fn new(plan: &'r Plan, engines: &[&'r dyn Engine]) -> FailedCases<'r> {
+        let identities = engines.iter().map(|engine| engine.identity());
+        let compilers = identities.filter(|identity| identity.name != Reference::NAME);
+        FailedCases {
+            plan,
+            engines: compilers
+                .map(|identity| (identity.name.as_str(), identity))
+                .collect(),
+            groups: BTreeMap::new(),
+        }
+    }
+
     /// Adds an event of the run; those that are no failing cases add nothing.
     pub fn take(&mut self, event: &Event) {
-        match event {
-            Event::Header(header) => {
-                let engines = header.engines.iter();
-                let foreign = engines.filter(|engine| engine.name != Reference::NAME);
-                self.strict = foreign
-                    .map(|engine| (engine.name.clone(), engine.strict))
-                    .collect();
-            }
-            Event::Case(case) => self.take_case(case),
-            Event::Cause(_) | Event::Footer(_) => {}
+        if let Event::Case(case) = event {
+            self.take_case(case);
         }
     }
 
@@ -53,13 +60,19 @@ impl FailedCases {
 
     fn take_case(&mut self, case: &CaseEvent) {
         // Only a case that did not come out as expected has a program.
-        let (Some(program), Some(&strict)) = (&case.program, self.strict.get(&case.engine)) else {
+        let engine = self.engines.get(case.engine.as_str());
+        let (Some(program), Some(engine)) = (&case.program, engine) else {
             return;
         };
         let verdict = case.actual_verdict();
         if !verdict.is_discrepancy() {
             return;
         }
+        let codes = case
+            .expected
+            .iter()
+            .filter_map(|fact| fact.diagnostic()?.registered_code());
+        let strict = self.plan.needed_for(engine, codes);
         let sign = Sign::of(program, verdict, (&case.expected, &case.got), strict);
         let shape = sign.shape(program);
         let key = (case.engine.clone(), sign, shape);

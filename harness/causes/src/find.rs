@@ -1,7 +1,9 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
-use crate::essence::Essence;
+use crate::essence::{Essence, keeps_claim};
 use crate::failed::{FailedCases, Group};
+use crate::normal::{Normal, normal_form};
+use crate::operations::operations_of;
 use crate::question::{Questioner, with_program};
 use crate::reduction::{Smallest, reduce};
 use crate::shape::types_of;
@@ -11,8 +13,8 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction};
 use stickler_run::{
-    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Plan, Reduced, RunError, Symptom, Verdict, Witness,
-    shown_by,
+    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, Verdict,
+    Witness, shown_by,
 };
 use stickler_suite::{Case, SourceKind, Sources, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
@@ -76,7 +78,7 @@ pub struct CauseProgress {
 /// # Errors
 /// [`RunError::Engine`] where an engine cannot be opened, [`RunError::Workers`] where the system gives no threads.
 pub fn find(
-    failed: &FailedCases,
+    failed: &FailedCases<'_>,
     search: &Search<'_>,
     progress: &mut dyn FnMut(CauseProgress),
 ) -> Result<Vec<Cause>, RunError> {
@@ -109,11 +111,9 @@ pub fn find(
             let shown: Vec<(&Sign, &CaseEvent)> =
                 wave.iter().map(|(sign, group)| (sign, &group.shown)).collect();
             let smallest = asking.smallest(&shown, tries)?;
-            left = left.saturating_sub(smallest.iter().map(|smallest| smallest.questions).sum());
+            left = left.saturating_sub(smallest.iter().map(Found::questions).sum());
             let pairs = wave.iter().zip(&smallest);
-            members.extend(
-                pairs.map(|((_, group), smallest)| Member::new(group, smallest, &search.suite.sources)),
-            );
+            members.extend(pairs.map(|((_, group), found)| Member::new(group, found, &search.suite.sources)));
             told.done += wave.len() as u64;
             progress(told);
         }
@@ -124,12 +124,15 @@ pub fn find(
         }
         found.extend(causes);
     }
-    found.sort_by_key(|member| (std::cmp::Reverse(member.cause.number()), member.rank));
+    found.sort_by(|one, other| {
+        let key = |member: &Member| (std::cmp::Reverse(member.cause.number()), member.rank);
+        (key(one), &one.cause.title).cmp(&(key(other), &other.cause.title))
+    });
     Ok(found.into_iter().map(|member| member.cause).collect())
 }
 
 /// Returns the cases of the groups, by id and dialect.
-fn cases<'s>(failed: &FailedCases, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
+fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
     let mut wanted: HashMap<(String, String), Option<&Case>> = HashMap::new();
     for group in failed.groups.values() {
         for event in [Some(&group.shown), group.second.as_ref()].into_iter().flatten() {
@@ -145,6 +148,41 @@ fn cases<'s>(failed: &FailedCases, suite: &'s Suite) -> HashMap<(String, String)
     known.filter_map(|(key, case)| Some((key, case?))).collect()
 }
 
+/// The smallest program of a group, and its normal form.
+struct Found {
+    smallest: Smallest,
+    normal: Normal,
+}
+
+impl Found {
+    fn unreduced(event: &CaseEvent, sign: &Sign) -> Found {
+        let smallest = Smallest::unreduced(event, sign);
+        let normal = Normal::unasked(&smallest);
+        Found { smallest, normal }
+    }
+
+    /// Removes the codes from the expected diagnostics where the engine is not asked for them.
+    fn without_codes(mut self, asked: &Questioner<'_>) -> Found {
+        for deviation in [&mut self.smallest.deviation, &mut self.normal.deviation] {
+            let codes = deviation.expected.iter();
+            let codes = codes.filter_map(|fact| fact.diagnostic()?.registered_code());
+            if asked.judge.plan.needed_for(asked.judge.engine, codes) != Grade::Code {
+                for fact in &mut deviation.expected {
+                    if let Fact::Diagnostic(expected) = fact {
+                        expected.code = None;
+                    }
+                }
+            }
+        }
+        self
+    }
+
+    /// Returns the number of times that the engine was asked.
+    fn questions(&self) -> u64 {
+        self.smallest.questions + self.normal.questions
+    }
+}
+
 /// Asks one engine about the programs of groups.
 struct Asking<'r> {
     engine: &'r dyn Engine,
@@ -156,7 +194,7 @@ struct Asking<'r> {
 
 impl Asking<'_> {
     /// Reduces the programs of these cases, each with at most so many questions.
-    fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<Smallest>, RunError> {
+    fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<Found>, RunError> {
         let judge = CaseJudge {
             plan: self.search.plan,
             sources: &self.search.suite.sources,
@@ -174,9 +212,14 @@ impl Asking<'_> {
             let case = self.cases.get(&(event.id.clone(), event.dialect.clone()));
             match case {
                 Some(case) if tries > 0 && !(self.stop)() => {
-                    Ok(reduce(asked, (case, event), sign, tries, self.stop)?)
+                    let sign = asked.sign(case, sign)?;
+                    let smallest = reduce(asked, (case, event), &sign, tries, self.stop)?;
+                    let left = tries.saturating_sub(smallest.questions).max(tries / 4);
+                    let normal = normal_form(asked, case, &smallest, left, self.stop)?;
+                    let found = Found { smallest, normal };
+                    Ok(found.without_codes(asked))
                 }
-                _ => Ok(Smallest::unreduced(event, sign)),
+                _ => Ok(Found::unreduced(event, sign).without_codes(asked)),
             }
         };
         WorkerPool::new(self.search.plan.jobs).map(shown.iter().copied(), open, work)
@@ -203,8 +246,12 @@ impl Asking<'_> {
         let others: Vec<(&Sign, &CaseEvent)> = others.iter().map(|(sign, event)| (sign, event)).collect();
         let smallest = self.smallest(&others, tries)?;
         for ((member, (_, event)), smallest) in without.iter_mut().zip(others).zip(smallest) {
-            let second = witness(event, &smallest);
-            if member.essence.explains(&Essence::of(&smallest)) && member.has_other_types(&second) {
+            let second = witness(event, &smallest.smallest);
+            if member
+                .essence
+                .explains(&Essence::of(&smallest.smallest, &smallest.normal))
+                && member.has_other_types(&second)
+            {
                 member.cause.second = Some(second);
             }
         }
@@ -251,16 +298,30 @@ struct Member {
 
 impl Member {
     /// Returns the cause of a group, by its smallest program.
-    fn new(group: &Group, smallest: &Smallest, sources: &Sources) -> Member {
-        let essence = Essence::of(smallest);
-        let mut types = types_of(&smallest.program);
+    fn new(group: &Group, found: &Found, sources: &Sources) -> Member {
+        let Found { smallest, normal } = found;
+        let essence = Essence::of(smallest, normal);
+        let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program));
+        // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
+        // that is rejected like one with a mistake.
+        let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
+        let is_derived = hides || normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
+        let shown = match is_derived {
+            true => &normal.as_smallest(smallest),
+            false => smallest,
+        };
+        let is_derived = is_derived || !keeps_claim(&group.shown, smallest);
+        let mut types = types_of(&shown.program);
         types.sort_unstable();
         let cause = Cause {
             engine: group.shown.engine.clone(),
             symptom: essence.class.clone(),
-            construct: essence.features.iter().cloned().collect::<Vec<_>>().join(", "),
-            title: title(smallest),
-            shown: witness(&group.shown, smallest),
+            construct: essence.construct(),
+            title: title(shown),
+            shown: Witness {
+                is_derived,
+                ..witness(&group.shown, shown)
+            },
             second: None,
             types: vec![types.join(", ")],
             reduction: smallest.reduction,
@@ -272,17 +333,18 @@ impl Member {
             rank: rank(&group.shown.basis, &group.shown.engine, sources),
             cause,
             essence,
-            sign: smallest.deviation.sign.clone(),
+            sign: shown.deviation.sign.clone(),
             other: group.second.clone(),
         }
     }
 
-    /// Returns the order of members with one essence, of which the first is shown: claims by their rank, then the smaller
-    /// program.
-    fn preference(&self) -> (bool, u8, usize, &str) {
+    /// Returns the order of members with one essence, of which the first is shown: programs of which the claim of their case
+    /// still speaks, then claims by their rank, then the smaller program.
+    fn preference(&self) -> (bool, bool, u8, usize, &str) {
         let program = &self.cause.shown.program;
         (
             self.cause.reduction == Reduced::Not,
+            self.cause.shown.is_derived,
             self.rank,
             program.len(),
             program,
@@ -299,10 +361,16 @@ impl Member {
 fn merged(mut members: Vec<Member>) -> Vec<Member> {
     // What needs least comes first, since it can only be contained in what comes later; what may be hidden comes last.
     members.sort_by_key(|member| {
-        let Essence { features, hidden, .. } = &member.essence;
+        let Essence {
+            features,
+            labels,
+            hidden,
+            ..
+        } = &member.essence;
         (
             hidden.is_some(),
             features.len(),
+            labels.len(),
             std::cmp::Reverse(member.cause.number()),
         )
     });
@@ -339,6 +407,7 @@ fn witness(event: &CaseEvent, smallest: &Smallest) -> Witness {
         program: smallest.program.clone(),
         expected: smallest.deviation.expected.clone(),
         got: smallest.deviation.got.clone(),
+        is_derived: false,
         reproduction: None,
     }
 }

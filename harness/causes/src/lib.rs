@@ -4,7 +4,8 @@
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `question` |
-//! | groups whose reduced programs have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
+//! | the normal form of each is found by asking for operands alone, plainer literals and other types | `normal`, `operands`, `twins` |
+//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
 //!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
 //! program what must happen; where values are compared, only those count that the case itself asserts and that stay what
@@ -17,6 +18,8 @@
 mod essence;
 mod failed;
 mod find;
+mod normal;
+mod operands;
 mod operations;
 mod question;
 mod reduction;
@@ -24,6 +27,7 @@ mod shape;
 mod sign;
 mod title;
 mod tokens;
+mod twins;
 
 pub use failed::FailedCases;
 pub use find::{CauseProgress, Limits, Search, find};

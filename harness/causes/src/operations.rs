@@ -4,11 +4,10 @@ use crate::shape::{function, own_functions};
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
 
-/// Returns the operators, functions and statements of a program, joined by commas.
-pub(crate) fn operations_of(program: &str) -> String {
+/// Returns the operators, functions and statements of a program.
+pub(crate) fn operations_of(program: &str) -> BTreeSet<String> {
     let tokens = tokens(program);
-    let found = operations(&tokens, &own_functions(&tokens));
-    found.into_iter().collect::<Vec<_>>().join(", ")
+    operations(&tokens, &own_functions(&tokens))
 }
 
 /// Returns the operators, functions and statements among these tokens; an assignment and a field are none.

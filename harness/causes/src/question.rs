@@ -5,7 +5,7 @@ use std::sync::Arc;
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
 use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, ask, ask_stored};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
 /// The maximum number of variables of a program that are looked at.
@@ -36,7 +36,7 @@ impl Questioner<'_> {
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let answers = ask_stored(&mut self.session, case, self.store)?;
-        Ok(self.judged(case, &answers))
+        self.judged(case, answers)
     }
 
     /// Asks the engine about a case, also where it answered before.
@@ -45,20 +45,48 @@ impl Questioner<'_> {
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation_now(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let answers = ask(&mut self.session, case)?;
-        Ok(self.judged(case, &answers))
+        self.judged(case, answers)
     }
 
-    fn judged(&self, case: &Case, answers: &Answers) -> Option<Deviation> {
-        let judged = self.judge.judgement(case, answers);
+    /// Returns the sign of a case, of which the run saw `sign`: one that must be rejected and dies may only have been executed.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn sign(&mut self, case: &Case, sign: &Sign) -> Result<Sign, EngineError> {
+        let died = matches!(sign.symptom, Symptom::Crash(_) | Symptom::Hang);
+        if !died || case.expectation.accepted != Acceptance::Rejected {
+            return Ok(sign.clone());
+        }
+        let seen = self.deviation(case)?;
+        Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
+    }
+
+    fn judged(&mut self, case: &Case, answers: Answers) -> Result<Option<Deviation>, EngineError> {
+        let answers = self.without_execution(case, answers)?;
+        let judged = self.judge.judgement(case, &answers);
         if !judged.verdict.is_discrepancy() {
-            return None;
+            return Ok(None);
         }
         let facts = (&judged.expected[..], &judged.got[..]);
         let strict = self.judge.plan.needed(self.judge.engine, case);
-        Some(Deviation {
+        Ok(Some(Deviation {
             sign: Sign::of(&case.source, judged.verdict, facts, strict),
             expected: judged.expected,
             got: judged.got,
+        }))
+    }
+
+    /// Returns the answers about a program without what came after it was accepted: one that must be rejected and dies only
+    /// when it is executed was accepted wrongly, whatever it does then.
+    fn without_execution(&mut self, case: &Case, answers: Answers) -> Result<Answers, EngineError> {
+        let died = matches!(answers.run, Outcome::Crashed { .. } | Outcome::TimedOut { .. });
+        if !died || case.expectation.accepted != Acceptance::Rejected {
+            return Ok(answers);
+        }
+        let checked = self.session.check(case.dialect, &case.source)?;
+        Ok(match checked {
+            Outcome::Accepted => Answers::of_run(checked),
+            _ => answers,
         })
     }
 }
@@ -66,12 +94,7 @@ impl Questioner<'_> {
 /// Returns the case with another program in its place, made from its own by changes that keep the deviation `sign`. `None`
 /// where the program must do something else than the case's own, so that the document of the case says nothing of it.
 pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Case> {
-    let known = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
-    let is_known = |observation: &&Observation| {
-        let mut names = known.iter();
-        names.any(|name| name.eq_ignore_ascii_case(&observation.name))
-    };
-    let observe: Vec<Observation> = case.observe.iter().filter(is_known).cloned().collect();
+    let observe = known(case, program);
     let request = RunRequest {
         source: program,
         observe: &observe,
@@ -84,6 +107,79 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         observe: observe.into(),
         expectation: Arc::new(expectation),
         ..case.clone()
+    })
+}
+
+/// Returns the observations of a case for which another program has the variable.
+pub(crate) fn known(case: &Case, program: &str) -> Vec<Observation> {
+    let known = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    let is_known = |observation: &&Observation| {
+        let mut names = known.iter();
+        names.any(|name| name.eq_ignore_ascii_case(&observation.name))
+    };
+    case.observe.iter().filter(is_known).cloned().collect()
+}
+
+/// Returns observations of all variables of a program.
+pub(crate) fn all_variables(case: &Case, program: &str) -> Vec<Observation> {
+    let names = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    let all: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
+    let request = RunRequest {
+        source: program,
+        observe: &all,
+        scans: 1,
+        clock: &[],
+        set: &[],
+        ..case.request()
+    };
+    let outcome = stickler_reference::run(&request, Limits::default());
+    let Ok(Outcome::Executed { values }) = outcome else {
+        return all;
+    };
+    let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
+    values.iter().map(of).collect()
+}
+
+/// Returns a case with another program, held to what the reference does with it. `None` where that is neither a rejection nor
+/// values.
+pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observation]) -> Option<Case> {
+    let case = Case {
+        source: program.into(),
+        observe: observe.into(),
+        scans: 1,
+        clock: Arc::default(),
+        set: Arc::default(),
+        ..case.clone()
+    };
+    let expectation = match stickler_reference::run(&case.request(), Limits::default()).ok()? {
+        Outcome::Rejected { diagnostics } => Expectation {
+            accepted: Acceptance::Rejected,
+            diagnostics: diagnostics
+                .iter()
+                .filter_map(|told| {
+                    let (code, line) = (told.registered_code()?, told.line?);
+                    Some(ExpectedDiagnostic { line, code })
+                })
+                .collect(),
+            ..Expectation::default()
+        },
+        Outcome::Executed { values } => Expectation {
+            values: values
+                .into_iter()
+                .map(|(name, value)| ExpectedValue {
+                    name: name.as_str().into(),
+                    after: None,
+                    value,
+                    line: 1,
+                })
+                .collect(),
+            ..Expectation::default()
+        },
+        _ => return None,
+    };
+    Some(Case {
+        expectation: Arc::new(expectation),
+        ..case
     })
 }
 

@@ -102,7 +102,7 @@ pub(crate) fn is_fixed(word: &str) -> bool {
 }
 
 /// Returns for each token whether it stands in a section of variables or of types.
-fn in_declarations(tokens: &[Token<'_>]) -> Vec<bool> {
+pub(crate) fn in_declarations(tokens: &[Token<'_>]) -> Vec<bool> {
     let mut inside = false;
     let of = |token: &Token<'_>| {
         let upper = token.text.to_ascii_uppercase();
@@ -184,14 +184,19 @@ fn type_word(ty: ElementaryType, types: Types) -> String {
     }
 }
 
-/// Returns the name of a function with the types in it replaced by their families: `INT_TO_REAL` is `signed_TO_real`.
+/// Returns the name of a function with the types in it replaced by their families: `INT_TO_REAL` is `signed_TO_real`, and
+/// `TRUNC_LINT` is `TRUNC_signed`.
 pub(crate) fn function(upper: &str) -> String {
     let part = |part: &str| match elementary(part) {
         Some(ty) => type_word(ty, Types::Families),
         None => part.to_owned(),
     };
-    let parts: Vec<String> = upper.split("_TO_").map(part).collect();
-    parts.join("_TO_")
+    let side = |side: &str| match elementary(side) {
+        Some(ty) => type_word(ty, Types::Families),
+        None => side.split('_').map(part).collect::<Vec<_>>().join("_"),
+    };
+    let sides: Vec<String> = upper.split("_TO_").map(side).collect();
+    sides.join("_TO_")
 }
 
 /// Returns the form of a number: its base, and whether it is a real number and how large its exponent is.

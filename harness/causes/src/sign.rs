@@ -29,7 +29,10 @@ impl Sign {
                 token_of(program, reason, facts.1)
             }
             // The document speaks of all these together.
-            Symptom::NotImplemented(_) => operations_of(program),
+            Symptom::NotImplemented(_) => {
+                let operations: Vec<String> = operations_of(program).into_iter().collect();
+                operations.join(", ")
+            }
             Symptom::Text => difference(facts),
             _ => String::new(),
         };
@@ -46,6 +49,19 @@ impl Sign {
         let words = [&self.symptom.word(), told, &self.at].map(str::to_owned);
         let words: Vec<String> = words.into_iter().filter(|word| !word.is_empty()).collect();
         words.join(" ")
+    }
+
+    /// Returns whether the engine rejects a program with a mistake, but says something else of it.
+    pub(crate) const fn is_rejected_otherwise(&self) -> bool {
+        matches!(
+            self.symptom,
+            Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_)
+        )
+    }
+
+    /// Returns whether the engine accepts what must be rejected.
+    pub(crate) const fn accepts(&self) -> bool {
+        matches!(self.symptom, Symptom::NotRejected(_))
     }
 
     /// Returns how much of its types the shape of a program with this sign keeps: what is computed depends on them, what is

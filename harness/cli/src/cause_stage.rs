@@ -5,25 +5,26 @@ use crate::output;
 use crate::progress::Progress;
 use std::time::Duration;
 use stickler_causes::{FailedCases, Limits, Search, find};
-use stickler_run::{Event, Reduced};
+use stickler_engines::Engine;
+use stickler_run::{Event, Plan, Reduced};
 use stickler_types::counted;
 
 /// The part of a run between its last case and its footer.
-pub struct CauseStage {
-    failed: FailedCases,
+pub struct CauseStage<'r> {
+    failed: FailedCases<'r>,
     limits: Option<Limits>,
     footer: Option<Event>,
 }
 
-impl CauseStage {
+impl<'r> CauseStage<'r> {
     /// Prepares the search; with `--no-causes` there is none.
-    pub fn new(arguments: &RunArguments) -> CauseStage {
+    pub fn new(arguments: &RunArguments, plan: &'r Plan, engines: &[&'r dyn Engine]) -> CauseStage<'r> {
         let mut limits = Limits::default();
         if let Some(minutes) = arguments.cause_time {
             limits.time = Duration::from_secs(minutes * 60);
         }
         CauseStage {
-            failed: FailedCases::default(),
+            failed: FailedCases::new(plan, engines),
             limits: (!arguments.no_causes).then_some(limits),
             footer: None,
         }

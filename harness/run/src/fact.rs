@@ -232,7 +232,11 @@ fn write_diagnostic(f: &mut fmt::Formatter<'_>, diagnostic: &Diagnostic) -> fmt:
         Some(line) => write!(f, "line {line}: error ")?,
         None => f.write_str("somewhere: error ")?,
     }
-    let code = diagnostic.code.as_deref().unwrap_or("without a code");
+    let code = match (&diagnostic.code, diagnostic.message.as_str()) {
+        (Some(code), _) => code,
+        (None, "") => return f.write_str("of any code"),
+        (None, _) => "without a code",
+    };
     write!(f, "{}", OneLine(code))?;
     match diagnostic.message.as_str() {
         "" => Ok(()),

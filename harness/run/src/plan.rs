@@ -6,7 +6,7 @@ use jiff::civil::Date;
 use std::collections::BTreeMap;
 use stickler_engines::{EngineError, Identity, Reference};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{Code, DialectName};
 use stickler_workers::{Shard, SpawnError};
 
 /// The plan of a run: which cases it runs and how. The default runs every case of the suite, each engine judged by the best
@@ -110,12 +110,15 @@ impl Plan {
     /// [`Plan::strict`], but the line where the case asks for a code that the engine's version does not have.
     #[must_use]
     pub fn needed(&self, engine: &Identity, case: &Case) -> Grade {
-        let expected = &case.expectation.diagnostics;
+        let expected = case.expectation.diagnostics.iter();
+        self.needed_for(engine, expected.map(|expected| expected.code))
+    }
+
+    /// Returns what [`Plan::needed`] returns, for a case that asks for these codes.
+    #[must_use]
+    pub fn needed_for(&self, engine: &Identity, mut codes: impl Iterator<Item = Code>) -> Grade {
         let strict = self.strict(engine);
-        match expected
-            .iter()
-            .any(|expected| engine.lacks.contains(&expected.code))
-        {
+        match codes.any(|code| engine.lacks.contains(&code)) {
             true => strict.max(Grade::Line),
             false => strict,
         }

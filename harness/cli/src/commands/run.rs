@@ -51,7 +51,7 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
     let cancel = interrupt::cancellation_ending_engines()?;
     let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
-    let mut causes = CauseStage::new(arguments);
+    let mut causes = CauseStage::new(arguments, &plan, &engines);
     let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));
     let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
     let search = Search {

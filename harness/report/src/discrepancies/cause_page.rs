@@ -108,7 +108,11 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
     reproduction(&mut text, about, shown);
-    let expected = format!("Expected, by {}:", cited(shown, overview));
+    let expected = match shown.is_derived {
+        // The claim says nothing of a program that does something else.
+        true => format!("Expected (found through cases of {}):", cited(shown, overview)),
+        false => format!("Expected, by {}:", cited(shown, overview)),
+    };
     block(&mut text, &expected, "", &visible(&Fact::text(&shown.expected)));
     block(&mut text, "Got:", "", &visible(&Fact::text(&shown.got)));
     if let Some(repeats) = cause.flaky {

@@ -55,6 +55,9 @@ pub struct Witness {
     pub expected: Vec<Fact>,
     /// The actual facts.
     pub got: Vec<Fact>,
+    /// Whether the program does other things than the case, so that the claim led to it but says nothing of it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_derived: bool,
     /// The files and commands by which a person sees it without Stickler; `None` where the engine has no tools of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reproduction: Option<Reproduction>,

@@ -1,0 +1,261 @@
+//! The normal form of a small program: the plainest program with which the engine still fails in the same way.
+//!
+//! Two programs with one normal form show one defect, whatever tables and types they come from. A normal form is found by asking
+//! the engine: for an operand alone, for plainer literals, for other types. Only the reference says what must happen with it, so
+//! it decides which cases belong together, and what the title names, and no case is failed by it.
+
+use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
+use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
+use crate::reduction::Smallest;
+use crate::tokens::tokens;
+use crate::twins::{plainer_literals, plainer_types, value_features, with_other_operand, with_same_types};
+use std::collections::BTreeSet;
+use stickler_engines::EngineError;
+use stickler_run::{Fact, Symptom};
+use stickler_suite::Case;
+use stickler_types::Observation;
+
+/// The normal form of a small program.
+#[derive(Clone, PartialEq, Debug)]
+pub(crate) struct Normal {
+    pub(crate) program: String,
+    pub(crate) deviation: Deviation,
+    /// Whether the program is an operand of the small one alone.
+    pub(crate) is_operand: bool,
+    /// Whether quite another type is accepted in the place of the mistake.
+    pub(crate) is_unchecked: bool,
+    /// The properties of values and types without which the engine does not fail.
+    pub(crate) labels: BTreeSet<String>,
+    /// The literals of the small program with which the engine does not fail alone.
+    pub(crate) innocent: Vec<String>,
+    /// The number of times that the engine was asked.
+    pub(crate) questions: u64,
+}
+
+impl Normal {
+    /// Returns the small program itself, where nothing was asked.
+    pub(crate) fn unasked(smallest: &Smallest) -> Normal {
+        Normal {
+            program: smallest.program.clone(),
+            deviation: smallest.deviation.clone(),
+            is_operand: false,
+            is_unchecked: false,
+            labels: BTreeSet::new(),
+            innocent: Vec::new(),
+            questions: 0,
+        }
+    }
+
+    /// Returns the normal form as the program to show in the place of the small one.
+    pub(crate) fn as_smallest(&self, smallest: &Smallest) -> Smallest {
+        Smallest {
+            program: self.program.clone(),
+            deviation: self.deviation.clone(),
+            ..smallest.clone()
+        }
+    }
+}
+
+/// Finds the normal form of the smallest program of a case, with at most so many questions to the engine. `stop` is asked before
+/// each.
+///
+/// # Errors
+/// [`EngineError`] where the engine crashed and cannot be started again.
+pub(crate) fn normal_form(
+    asked: &mut Questioner<'_>,
+    case: &Case,
+    smallest: &Smallest,
+    tries: u64,
+    stop: &dyn Fn() -> bool,
+) -> Result<Normal, EngineError> {
+    let mut search = Search {
+        asked,
+        case,
+        observe: known(case, &smallest.program),
+        left: tries,
+        stop,
+        normal: Normal::unasked(smallest),
+    };
+    let symptom = smallest.deviation.sign.symptom.clone();
+    if smallest.flaky.is_some() {
+        return Ok(search.normal);
+    }
+    match symptom {
+        Symptom::Value | Symptom::Missing => {
+            search.initial_values()?;
+            search.plain_literals()?;
+            search.operands()?;
+            search.plain_types()?;
+            search.plain_literals()?;
+            let labels = value_features(&search.normal.program);
+            search.normal.labels.extend(labels);
+        }
+        Symptom::NotRejected(code) => {
+            search.operands()?;
+            if matches!(code.as_str(), "P4022" | "P4026" | "P4027" | "P4035") {
+                search.unchecked()?;
+            }
+        }
+        Symptom::Rejected(_) => {
+            search.operands()?;
+            search.plain_types()?;
+        }
+        Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
+            search.operands()?;
+            search.valid_twin()?;
+        }
+        _ => {}
+    }
+    let mut normal = search.normal;
+    normal.questions = tries - search.left;
+    Ok(normal)
+}
+
+struct Search<'s, 'e> {
+    asked: &'s mut Questioner<'e>,
+    case: &'s Case,
+    observe: Vec<Observation>,
+    left: u64,
+    stop: &'s dyn Fn() -> bool,
+    normal: Normal,
+}
+
+impl Search<'_, '_> {
+    /// Takes a program as the normal form if the engine fails with it in the same way, and returns whether it does.
+    fn takes(&mut self, program: &str, observe: &[Observation]) -> Result<bool, EngineError> {
+        let found = self.fails(program, observe)?;
+        let same = found.filter(|seen| is_same(&self.normal.deviation, seen));
+        let is_taken = same.is_some();
+        if let Some(deviation) = same {
+            self.normal.program = program.to_owned();
+            self.normal.deviation = deviation;
+            self.observe = observe.to_vec();
+        }
+        Ok(is_taken)
+    }
+
+    /// Returns how the engine fails with a program; `None` where it does not, or where no question is left.
+    fn fails(&mut self, program: &str, observe: &[Observation]) -> Result<Option<Deviation>, EngineError> {
+        if self.left == 0 || (self.stop)() {
+            return Ok(None);
+        }
+        let Some(asked) = as_the_reference(self.case, program, observe) else {
+            return Ok(None);
+        };
+        self.left -= 1;
+        self.asked.deviation(&asked)
+    }
+
+    /// Asks for each operand alone, and takes the first with which the engine fails.
+    fn operands(&mut self) -> Result<(), EngineError> {
+        for Alone { program, ty, literal } in alone(&self.normal.program.clone()) {
+            let before = self.left;
+            if self.takes(&program, &[Observation::last("into", ty.name())])? {
+                self.normal.is_operand = true;
+                self.normal.innocent.clear();
+                return Ok(());
+            }
+            self.normal
+                .innocent
+                .extend(literal.filter(|_| self.left < before));
+        }
+        Ok(())
+    }
+
+    /// Asks for the program without its statements.
+    fn initial_values(&mut self) -> Result<(), EngineError> {
+        let Some(program) = only_initial_values(&self.normal.program) else {
+            return Ok(());
+        };
+        let observe = all_variables(self.case, &program);
+        self.normal.is_operand |= self.takes(&program, &observe)?;
+        Ok(())
+    }
+
+    /// Takes away the sign, the fraction and the size of numbers that the defect does not need.
+    fn plain_literals(&mut self) -> Result<(), EngineError> {
+        for place in 0..tokens(&self.normal.program).len() {
+            let observe = self.observe.clone();
+            for program in plainer_literals(&self.normal.program, place) {
+                if self.takes(&program, &observe)? {
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Replaces types by those that come first among their neighbours.
+    fn plain_types(&mut self) -> Result<(), EngineError> {
+        for twin in plainer_types(&self.normal.program) {
+            let observe: Vec<Observation> = self
+                .observe
+                .iter()
+                .map(|one| Observation {
+                    type_name: twin.changed(&one.type_name).into(),
+                    ..one.clone()
+                })
+                .collect();
+            // A twin of the program before another type was replaced.
+            let program = twin.of(&self.normal.program);
+            if program != self.normal.program {
+                self.takes(&program, &observe)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks whether the place of a mistake is checked at all: whether an operand of quite another type is accepted there too.
+    fn unchecked(&mut self) -> Result<(), EngineError> {
+        let line = self
+            .normal
+            .deviation
+            .expected
+            .iter()
+            .find_map(|fact| fact.diagnostic()?.line);
+        for program in with_other_operand(&self.normal.program, line) {
+            let before = self.left;
+            let seen = self.fails(&program, &[])?;
+            if seen.is_some_and(|seen| is_same(&self.normal.deviation, &seen)) {
+                self.normal.is_unchecked = true;
+            }
+            if self.left < before {
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks for the program with equal types in place of different ones: where that is valid and rejected for the same reason,
+    /// the mistake is not what the engine complains of.
+    fn valid_twin(&mut self) -> Result<(), EngineError> {
+        let twins = with_fitting_operands(&self.normal.program).into_iter();
+        for program in twins.chain(with_same_types(&self.normal.program)) {
+            if self.takes(&program, &[])? {
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Returns whether an engine fails in the same way with another program, which may have the place or the types of another.
+fn is_same(former: &Deviation, seen: &Deviation) -> bool {
+    let of_reading = |reason: &str| reason.starts_with("P0");
+    match (&former.sign.symptom, &seen.sign.symptom) {
+        // Without the mistake the same is said of the same construct.
+        (Symptom::OtherLine(_), Symptom::Rejected(reason)) => {
+            let told = former.got.iter().find_map(Fact::diagnostic);
+            told.is_some_and(|told| told.code.as_ref() == Some(reason))
+        }
+        (Symptom::Rejected(reason), Symptom::Rejected(other)) => {
+            reason == other || !of_reading(reason) && !of_reading(other)
+        }
+        (Symptom::OtherCode { told, .. } | Symptom::Surplus(told), Symptom::Rejected(reason)) => {
+            told == reason
+        }
+        (Symptom::NotRejected(_), Symptom::NotRejected(_))
+        | (Symptom::Value | Symptom::Missing, Symptom::Value) => true,
+        _ => false,
+    }
+}

@@ -1,0 +1,520 @@
+//! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is then
+//! asked before the operation around it is blamed.
+
+use crate::shape::{in_declarations, own_functions};
+use crate::tokens::{Token, TokenKind, tokens};
+use std::collections::{BTreeMap, BTreeSet};
+use stickler_types::ElementaryType;
+
+/// The maximum number of types that a type of one's own is resolved through.
+const MAX_ALIASES: usize = 4;
+
+/// A program that does with one operand what another program does with it among other things.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Alone {
+    pub(crate) program: String,
+    /// The type of the variable `into`, which shows the value of the operand.
+    pub(crate) ty: ElementaryType,
+    /// The literal, where the operand is one.
+    pub(crate) literal: Option<String>,
+}
+
+/// Returns a program with its bodies left out, so that its variables keep what they begin with; `None` where a part of it has no
+/// variables. Each body assigns one variable to itself, since not every compiler takes a body without a statement.
+pub(crate) fn only_initial_values(program: &str) -> Option<String> {
+    let all = tokens(program);
+    let names = Names::new(&all);
+    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let mut text = String::new();
+    let (mut until, mut own) = (0, None);
+    let mut section = None;
+    for (at, token) in all.iter().enumerate() {
+        if token.is("END_VAR") {
+            section = Some(offset(token));
+        } else if names.is_declared_at(at) && all.get(at + 1).is_some_and(|next| next.text == ":") {
+            own = own.or_else(|| names.type_of(token).map(|_| token.text));
+        } else if ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
+            .iter()
+            .any(|end| token.is(end))
+        {
+            let section = section.take()?;
+            text.push_str(program[until..section].trim_end());
+            text.push_str(&match own.take() {
+                Some(own) => format!("\nEND_VAR\n    {own} := {own};\n"),
+                None => "\n    done : BOOL;\nEND_VAR\n    done := TRUE;\n".to_owned(),
+            });
+            until = offset(token);
+        } else if token.is("END_TYPE") {
+            own = None;
+        }
+    }
+    text.push_str(&program[until..]);
+    Some(text)
+}
+
+/// Returns a program with a variable of the right type in the place of each operand that is given to something: a program without
+/// its mistake, where the type of an operand is the mistake.
+pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
+    let all = tokens(program);
+    let names = Names::new(&all);
+    let Some(start) = program
+        .rfind("\nPROGRAM ")
+        .or_else(|| program.starts_with("PROGRAM ").then_some(0))
+    else {
+        return Vec::new();
+    };
+    let Some(section) = program[start..].find("END_VAR").map(|at| start + at) else {
+        return Vec::new();
+    };
+    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let mut found = Vec::new();
+    for (at, token) in all.iter().enumerate() {
+        let ends = all
+            .get(at + 1)
+            .is_some_and(|next| matches!(next.text, ";" | "," | ")"));
+        let words = names.words(&all, at).filter(|_| ends && offset(token) > section);
+        let Some(words) = words else { continue };
+        let (from, until) = (offset(token), offset(token) + token.text.len());
+        found.push(format!(
+            "{}    fitting : {words};\n{}fitting{}",
+            &program[..section],
+            &program[section..from],
+            &program[until..]
+        ));
+    }
+    found
+}
+
+/// Returns the operands of a program alone: literals first, then variables, then calls of conversion functions. The most
+/// general place comes first: an assignment before an initial value.
+pub(crate) fn alone(program: &str) -> Vec<Alone> {
+    let tokens = tokens(program);
+    let names = Names::new(&tokens);
+    let (mut literals, mut variables, mut calls) = (Vec::new(), Vec::new(), Vec::new());
+    for (at, token) in tokens.iter().enumerate() {
+        if let Some(call) = conversion(&tokens, at, &names) {
+            calls.push(call);
+        }
+        let target = names.target(&tokens, at);
+        if let Some(literal) = literal(&tokens, at) {
+            let Some(ty) = target.or_else(|| prefix_type(token)) else {
+                continue;
+            };
+            let plain = literal.split_once('#').filter(|_| prefix_type(token) == Some(ty));
+            literals.extend(plain.map(|(_, plain)| assigned(ty, plain)));
+            literals.push(assigned(ty, &literal));
+            if names.is_declared_at(at) {
+                literals.push(initial(ty, &literal));
+            }
+        } else if let (Some(ty), Some(from)) = (target, names.type_of(token)) {
+            let value = names.initial.get(&token.text.to_ascii_uppercase()).cloned();
+            let value = value.or_else(|| names.some_value(from));
+            variables.push(copied(from, ty, value.as_deref()));
+        }
+        if let Some((from, ty)) = names.met(&tokens, at) {
+            let value = names.some_value(from);
+            variables.push(copied(from, ty, value.as_deref()));
+        }
+        variables.extend(names.mixed(&tokens, at));
+    }
+    let mut found: Vec<Alone> = Vec::new();
+    for one in literals.into_iter().chain(variables).chain(calls) {
+        if found.iter().all(|other| other.program != one.program) && one.program.trim() != program.trim() {
+            found.push(one);
+        }
+    }
+    found
+}
+
+fn assigned(ty: ElementaryType, literal: &str) -> Alone {
+    let name = ty.name();
+    Alone {
+        program: format!(
+            "PROGRAM main\nVAR\n    into : {name};\nEND_VAR\n    into := {literal};\nEND_PROGRAM\n"
+        ),
+        ty,
+        literal: Some(literal.to_owned()),
+    }
+}
+
+fn initial(ty: ElementaryType, literal: &str) -> Alone {
+    let name = ty.name();
+    Alone {
+        program: format!(
+            "PROGRAM main\nVAR\n    data : {name} := {literal};\n    into : {name};\nEND_VAR\n    into := data;\nEND_PROGRAM\n"
+        ),
+        ty,
+        literal: Some(literal.to_owned()),
+    }
+}
+
+fn copied(from: ElementaryType, ty: ElementaryType, value: Option<&str>) -> Alone {
+    let value = value.map(|value| format!(" := {value}")).unwrap_or_default();
+    let (from, into) = (from.name(), ty.name());
+    Alone {
+        program: format!(
+            "PROGRAM main\nVAR\n    data : {from}{value};\n    into : {into};\nEND_VAR\n    into := data;\nEND_PROGRAM\n"
+        ),
+        ty,
+        literal: None,
+    }
+}
+
+/// Returns a call of a conversion function with a variable, for the name of such a function before a bracket.
+fn conversion(tokens: &[Token<'_>], at: usize, names: &Names) -> Option<Alone> {
+    let (from, ty) = converted(tokens.get(at)?)?;
+    if tokens.get(at + 1)?.text != "(" || names.own.contains(&tokens[at].text.to_ascii_uppercase()) {
+        return None;
+    }
+    let operand = literal(tokens, at + 2).or_else(|| {
+        let name = tokens.get(at + 2)?.text.to_ascii_uppercase();
+        names.initial.get(&name).cloned()
+    });
+    let value = operand.map(|value| format!(" := {value}")).unwrap_or_default();
+    let (name, source, into) = (tokens[at].text, from.name(), ty.name());
+    Some(Alone {
+        program: format!(
+            "PROGRAM main\nVAR\n    data : {source}{value};\n    into : {into};\nEND_VAR\n    into := {name}(data);\nEND_PROGRAM\n"
+        ),
+        ty,
+        literal: None,
+    })
+}
+
+/// Returns the types between which a function converts by its name.
+fn converted(token: &Token<'_>) -> Option<(ElementaryType, ElementaryType)> {
+    let upper = token.text.to_ascii_uppercase();
+    let (from, into) = upper
+        .split_once("_TO_")
+        .filter(|_| token.kind == TokenKind::Word)?;
+    Some((ElementaryType::from_name(from)?, ElementaryType::from_name(into)?))
+}
+
+/// Returns the literal that begins at a token, with its sign.
+fn literal(tokens: &[Token<'_>], at: usize) -> Option<String> {
+    let token = tokens.get(at)?;
+    let is_literal = |token: &Token<'_>| {
+        matches!(token.kind, TokenKind::Number | TokenKind::Text | TokenKind::Typed)
+            || token.is("TRUE")
+            || token.is("FALSE")
+    };
+    if is_literal(token) {
+        let ends_signed = |before: &Token<'_>| before.text == "-" && is_sign(tokens, at - 1);
+        let signed = at
+            .checked_sub(1)
+            .is_some_and(|before| ends_signed(&tokens[before]));
+        return (!signed).then(|| token.text.to_owned());
+    }
+    let next = tokens.get(at + 1).filter(|next| next.kind == TokenKind::Number);
+    let next = next.filter(|_| token.text == "-" && is_sign(tokens, at))?;
+    Some(format!("-{}", next.text))
+}
+
+/// Returns whether the minus at this place is the sign of what follows and no subtraction.
+fn is_sign(tokens: &[Token<'_>], at: usize) -> bool {
+    let before = at.checked_sub(1).and_then(|before| tokens.get(before));
+    before.is_some_and(|before| before.kind == TokenKind::Sign && !matches!(before.text, ")" | "]"))
+}
+
+fn prefix_type(token: &Token<'_>) -> Option<ElementaryType> {
+    let (prefix, _) = token
+        .text
+        .split_once('#')
+        .filter(|_| token.kind == TokenKind::Typed)?;
+    ElementaryType::from_literal_prefix(&prefix.to_ascii_uppercase())
+}
+
+/// The names that a program declares.
+struct Names {
+    /// The elementary type of each variable, field, parameter, element of an array and result of a function.
+    types: BTreeMap<String, ElementaryType>,
+    /// The literal with which a variable begins.
+    initial: BTreeMap<String, String>,
+    /// The inputs of each function and function block.
+    inputs: BTreeMap<String, Vec<String>>,
+    /// The type of each variable, field and parameter as it is written.
+    words: BTreeMap<String, String>,
+    own: BTreeSet<String>,
+    declared: Vec<bool>,
+}
+
+impl Names {
+    fn new(tokens: &[Token<'_>]) -> Names {
+        let mut names = Names {
+            types: BTreeMap::new(),
+            initial: BTreeMap::new(),
+            inputs: BTreeMap::new(),
+            words: BTreeMap::new(),
+            own: own_functions(tokens),
+            declared: in_declarations(tokens),
+        };
+        let mut aliases: BTreeMap<String, String> = BTreeMap::new();
+        let (mut unit, mut section) = (String::new(), String::new());
+        for (at, token) in tokens.iter().enumerate() {
+            let upper = token.text.to_ascii_uppercase();
+            if ["FUNCTION", "FUNCTION_BLOCK", "PROGRAM"].contains(&upper.as_str()) {
+                unit = tokens
+                    .get(at + 1)
+                    .map(|name| name.text.to_ascii_uppercase())
+                    .unwrap_or_default();
+                section.clear();
+            } else if upper.starts_with("VAR") && names.declared[at] {
+                section = upper.clone();
+            }
+            let is_head = at > 0 && tokens[at - 1].is("FUNCTION");
+            let is_named = token.kind == TokenKind::Word && (names.declared[at] || is_head);
+            if !is_named
+                || !tokens
+                    .get(at + 1)
+                    .is_some_and(|next| matches!(next.text, ":" | ","))
+            {
+                continue;
+            }
+            let Some(colon) = colon_of(tokens, at) else {
+                continue;
+            };
+            if section == "VAR_INPUT" {
+                names.inputs.entry(unit.clone()).or_default().push(upper.clone());
+            }
+            let ends = |token: &&Token<'_>| !is_head && token.text != ";" && token.text != ":=";
+            let ty: Vec<&Token<'_>> = match is_head {
+                true => tokens.get(colon + 1).into_iter().collect(),
+                false => tokens[colon + 1..].iter().take_while(ends).collect(),
+            };
+            let words: Vec<&str> = ty.iter().map(|word| word.text).collect();
+            names.words.insert(upper.clone(), words.join(" "));
+            let is_array = ty.iter().any(|word| word.is("OF"));
+            if let Some(word) = ty.last().filter(|_| ty.len() == 1 || is_array) {
+                aliases.insert(upper.clone(), word.text.to_ascii_uppercase());
+            }
+            let value = colon + 1 + ty.len() + 1;
+            if let Some(literal) = literal(tokens, value).filter(|_| !is_head) {
+                names.initial.insert(upper, literal);
+            }
+        }
+        for name in aliases.keys() {
+            let mut word = name;
+            for _ in 0..MAX_ALIASES {
+                let Some(next) = aliases.get(word) else { break };
+                word = next;
+                if let Some(ty) = ElementaryType::from_name(word) {
+                    names.types.insert(name.clone(), ty);
+                    break;
+                }
+            }
+        }
+        names
+    }
+
+    fn type_of(&self, token: &Token<'_>) -> Option<ElementaryType> {
+        let is_name = token.kind == TokenKind::Word;
+        self.types
+            .get(&token.text.to_ascii_uppercase())
+            .copied()
+            .filter(|_| is_name)
+    }
+
+    /// Returns the written type of what the token at this place is given to by name.
+    fn words(&self, tokens: &[Token<'_>], at: usize) -> Option<String> {
+        let sign = at.checked_sub(1).filter(|before| tokens[*before].text == ":=")?;
+        let target = tokens.get(sign.checked_sub(1)?)?;
+        self.words.get(&target.text.to_ascii_uppercase()).cloned()
+    }
+
+    fn is_declared_at(&self, at: usize) -> bool {
+        self.declared.get(at).copied().unwrap_or_default()
+    }
+
+    /// Returns the type of what the operand at this place is given to, where nothing else is done with it.
+    fn target(&self, tokens: &[Token<'_>], at: usize) -> Option<ElementaryType> {
+        let mut end = at + 1;
+        if tokens.get(at)?.text == "-" {
+            end += 1;
+        }
+        if !tokens
+            .get(end)
+            .is_none_or(|next| matches!(next.text, ";" | "," | ")" | "]"))
+        {
+            return None;
+        }
+        let before = at.checked_sub(1)?;
+        match tokens[before].text {
+            ":=" => self.assigned(tokens, before),
+            // The first element of a list.
+            "[" if before > 0 && tokens[before - 1].text == ":=" => self.assigned(tokens, before - 1),
+            "(" | "," => {
+                let open = tokens[..at].iter().rposition(|token| token.text == "(")?;
+                let callee = tokens.get(open.checked_sub(1)?)?;
+                let upper = callee.text.to_ascii_uppercase();
+                let number = tokens[open..at].iter().filter(|token| token.text == ",").count();
+                match self.own.contains(&upper) {
+                    true => self.types.get(self.inputs.get(&upper)?.get(number)?).copied(),
+                    false => Some(converted(callee)?.0).filter(|_| number == 0),
+                }
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns a literal of a type: one that a variable of the type begins with, or a number with all of its bits.
+    fn some_value(&self, ty: ElementaryType) -> Option<String> {
+        let mut of_type = self
+            .initial
+            .iter()
+            .filter(|(name, _)| self.types.get(*name) == Some(&ty));
+        let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
+        let plain = match ty.integer_range() {
+            Some((0, most)) => most.to_string(),
+            Some(_) => "-1".to_owned(),
+            None if ty.is_bit_string() => "1".to_owned(),
+            None => "1.5".to_owned(),
+        };
+        let known = of_type.next().map(|(_, literal)| literal.clone());
+        known.or_else(|| is_number.then(|| format!("{}#{plain}", ty.name())))
+    }
+
+    /// Returns the types between which the value of an output, or the result of a conversion function, is converted when it is
+    /// given to a variable of another type, for the arrow or the assignment sign before it.
+    fn met(&self, tokens: &[Token<'_>], at: usize) -> Option<(ElementaryType, ElementaryType)> {
+        let next = tokens.get(at + 1)?;
+        if tokens[at].text == ":=" {
+            let ((_, result), target) = (converted(next)?, self.assigned(tokens, at)?);
+            return (result != target).then_some((result, target));
+        }
+        let output = tokens.get(at.checked_sub(1)?)?;
+        let is_arrow = tokens[at].text == "=>";
+        Some((self.type_of(output)?, self.type_of(tokens.get(at + 1)?)?)).filter(|_| is_arrow)
+    }
+
+    /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
+    fn mixed(&self, tokens: &[Token<'_>], at: usize) -> Vec<Alone> {
+        let operators = ["+", "-", "*", "/", "**", "=", "<>", "<", ">", "<=", ">="];
+        let is_operator = operators.contains(&tokens[at].text) || tokens[at].is("MOD");
+        let operand = |place: Option<usize>| {
+            let token = tokens.get(place?)?;
+            match prefix_type(token) {
+                Some(ty) => Some((ty, Some(token.text.to_owned()))),
+                None => self.type_of(token).map(|ty| (ty, self.some_value(ty))),
+            }
+        };
+        match (operand(at.checked_sub(1)), operand(Some(at + 1))) {
+            (Some((left, first)), Some((right, second))) if is_operator && left != right => {
+                vec![
+                    copied(left, right, first.as_deref()),
+                    copied(right, left, second.as_deref()),
+                ]
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Returns the type of what stands before an assignment sign.
+    fn assigned(&self, tokens: &[Token<'_>], sign: usize) -> Option<ElementaryType> {
+        let mut at = sign.checked_sub(1)?;
+        if self.is_declared_at(sign) {
+            let start = tokens[..sign]
+                .iter()
+                .rposition(|token| matches!(token.text, ";" | "(" | ":"));
+            // Of an initial value the type stands before the sign; of a field within brackets its name does.
+            if let Some(colon) = start.filter(|start| tokens[*start].text == ":") {
+                at = colon.checked_sub(1)?;
+            }
+        } else if tokens[at].text == "]" {
+            at = tokens[..at]
+                .iter()
+                .rposition(|token| token.text == "[")?
+                .checked_sub(1)?;
+        }
+        self.type_of(&tokens[at])
+    }
+}
+
+/// Returns the place of the colon behind a name and those that are declared with it.
+fn colon_of(tokens: &[Token<'_>], at: usize) -> Option<usize> {
+    let mut at = at + 1;
+    loop {
+        match tokens.get(at)?.text {
+            ":" => return Some(at),
+            "," => at += 2,
+            _ => return None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{alone, only_initial_values};
+
+    fn bodies(program: &str) -> Vec<String> {
+        let line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let body = |program: &str| {
+            line(program)
+                .trim_start_matches("PROGRAM main VAR ")
+                .trim_end_matches(" END_PROGRAM")
+                .to_owned()
+        };
+        alone(program).iter().map(|one| body(&one.program)).collect()
+    }
+
+    #[test]
+    fn literals_come_before_variables_and_calls_and_assignments_before_initial_values() {
+        let program = "PROGRAM p VAR m : LREAL := -1.0; r : REAL; END_VAR r := LREAL_TO_REAL(m); END_PROGRAM";
+        assert_eq!(
+            bodies(program),
+            [
+                "into : LREAL; END_VAR into := -1.0;",
+                "data : LREAL := -1.0; into : LREAL; END_VAR into := data;",
+                "data : LREAL := -1.0; into : REAL; END_VAR into := LREAL_TO_REAL(data);",
+            ]
+        );
+    }
+
+    #[test]
+    fn bodies_are_left_out_and_initial_values_stay() {
+        let block = "FUNCTION_BLOCK w\nVAR_OUTPUT\n    v : INT := 7;\nEND_VAR\n    v.0 := FALSE;\nEND_FUNCTION_BLOCK\n\n";
+        let main = "PROGRAM main\nVAR\n    fb : w;\nEND_VAR\n    fb();\nEND_PROGRAM\n";
+        assert_eq!(
+            only_initial_values(&format!("{block}{main}")).as_deref(),
+            Some(
+                "FUNCTION_BLOCK w\nVAR_OUTPUT\n    v : INT := 7;\nEND_VAR\n    v := v;\nEND_FUNCTION_BLOCK\n\nPROGRAM main\nVAR\n    \
+                 fb : w;\n    done : BOOL;\nEND_VAR\n    done := TRUE;\nEND_PROGRAM\n"
+            )
+        );
+        assert_eq!(only_initial_values("PROGRAM main\n    f();\nEND_PROGRAM\n"), None);
+    }
+
+    #[test]
+    fn the_type_of_a_target_is_found_wherever_it_is_declared() {
+        for (program, expected) in [
+            (
+                "TYPE t : SINT; END_TYPE PROGRAM p VAR x : t; END_VAR x := 200; END_PROGRAM",
+                "into : SINT; END_VAR into := 200;",
+            ),
+            (
+                "PROGRAM p VAR a : ARRAY[0..1] OF BYTE := [5, 6]; END_VAR a[0] := a[1]; END_PROGRAM",
+                "into : BYTE; END_VAR into := 5;",
+            ),
+            (
+                "FUNCTION f : INT VAR_INPUT n : REAL; END_VAR f := 1; END_FUNCTION PROGRAM p VAR x : INT; END_VAR x := f(5); END_PROGRAM",
+                "into : REAL; END_VAR into := 5;",
+            ),
+            (
+                "TYPE R : STRUCT f : WORD; END_STRUCT; END_TYPE PROGRAM p VAR r : R := (f := 7); END_VAR r.f := r.f; END_PROGRAM",
+                "into : WORD; END_VAR into := 7;",
+            ),
+            (
+                "PROGRAM p VAR x : DINT; t : TIME; END_VAR t := T#1s + T#2s; x := x - 1; END_PROGRAM",
+                "into : TIME; END_VAR into := T#1s;",
+            ),
+        ] {
+            let found = bodies(program);
+            assert!(found.iter().any(|body| body == expected), "{program}: {found:?}");
+            assert!(
+                !found
+                    .iter()
+                    .any(|body| body.contains(":= 1;") && body.contains("DINT")),
+                "{found:?}"
+            );
+        }
+    }
+}

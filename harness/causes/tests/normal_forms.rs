@@ -1,0 +1,243 @@
+//! Finds which failing cases belong together on engines with one planted defect, by the normal forms of their programs.
+
+use std::sync::Arc;
+use stickler_causes::{FailedCases, Limits, Search, find};
+use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
+use stickler_run::{Cause, Event, Fact, Plan, run};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
+use stickler_types::{Code, DialectName, Observation, Value};
+use stickler_workers::Cancellation;
+
+/// A compiler that runs programs with one defect.
+struct Compiler {
+    identity: Identity,
+    run: fn(&RunRequest<'_>) -> Outcome,
+}
+
+impl Compiler {
+    fn new(run: fn(&RunRequest<'_>) -> Outcome) -> Compiler {
+        let identity = Identity {
+            name: "defective".to_owned(),
+            version: "1".to_owned(),
+            dialects: vec![DialectName::IronplcEd3],
+            abilities: vec![Ability::Execute],
+            grade: Grade::Code,
+            lacks: Vec::new(),
+        };
+        Compiler { identity, run }
+    }
+}
+
+impl Engine for Compiler {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(Running(self.run)))
+    }
+}
+
+struct Running(fn(&RunRequest<'_>) -> Outcome);
+
+impl Session for Running {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        (self.0)(request)
+    }
+
+    fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+        Outcome::Accepted
+    }
+
+    fn render(&mut self, _: DialectName, _: &str) -> Outcome {
+        let reason = "not asked".to_owned();
+        Outcome::Unsupported { reason }
+    }
+}
+
+fn as_the_reference(request: &RunRequest<'_>) -> Outcome {
+    stickler_reference::run(request, stickler_reference::Limits::default())
+        .expect("observed variables are there")
+}
+
+/// Returns a case with a program of these declarations and statements, which must end with a value (`into = REAL#5.0`) or be
+/// rejected (`6 P4035`).
+fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
+    let mut expectation = Expectation::default();
+    let mut observe = Vec::new();
+    if let Some((name, value)) = must.split_once(" = ") {
+        let value = Value::parse(value).expect("a literal");
+        observe.push(Observation::last(name, value.type_name()));
+        expectation.values.push(ExpectedValue {
+            name: name.into(),
+            after: None,
+            value,
+            line: 1,
+        });
+    } else {
+        let (line, code) = must.split_once(' ').expect("a line and a code");
+        expectation.accepted = Acceptance::Rejected;
+        expectation.diagnostics.push(ExpectedDiagnostic {
+            line: line.parse().expect("a number"),
+            code: code.parse().expect("a code"),
+        });
+    }
+    let source = format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n{statements}\nEND_PROGRAM\n");
+    Case {
+        id: id.into(),
+        dialect: DialectName::IronplcEd3,
+        title: "t".into(),
+        basis: format!("document: {id}").into(),
+        summary: None,
+        file: "t.toml".into(),
+        area: "t".into(),
+        line: 1,
+        source: source.into(),
+        scans: 1,
+        tags: Arc::default(),
+        clock: Arc::default(),
+        set: Arc::default(),
+        expectation: Arc::new(expectation),
+        observe: observe.into(),
+        cell: None,
+    }
+}
+
+fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
+    let plan = Plan {
+        jobs: 1,
+        ..Plan::default()
+    };
+    let mut suite = Suite::default();
+    suite.cases = cases;
+    let cancel = Cancellation::new();
+    let engines: [&dyn Engine; 1] = [compiler];
+    let mut failed = FailedCases::new(&plan, &engines);
+    let mut sink = |event: Event| failed.take(&event);
+    run(&plan, &suite, &engines, &mut sink, &cancel).expect("a run");
+    let search = Search {
+        plan: &plan,
+        suite: &suite,
+        engines: &engines,
+        stores: &[],
+        limits: Limits::default(),
+        cancel: &cancel,
+    };
+    find(&failed, &search, &mut |_| {}).expect("causes")
+}
+
+fn titles(found: &[Cause]) -> Vec<(u64, &str)> {
+    found
+        .iter()
+        .map(|cause| (cause.number(), cause.title.as_str()))
+        .collect()
+}
+
+/// Begins LREAL variables without the sign of their initial value.
+fn without_signs(request: &RunRequest<'_>) -> Outcome {
+    let source = request.source.replace("LREAL := -", "LREAL := ");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn an_initial_value_that_fails_alone_is_the_cause_and_not_the_operation_around_it() {
+    let declarations = "m : LREAL := -3.0; n : LREAL := 8.0; into : LREAL;";
+    let cases = vec![
+        case("t::sum", declarations, "into := m + n;", "into = LREAL#5.0"),
+        case("t::product", declarations, "into := m * n;", "into = LREAL#-24.0"),
+    ];
+    let found = causes(&Compiler::new(without_signs), cases);
+    assert_eq!(
+        titles(&found),
+        [(
+            2,
+            "`into := data` (into : LREAL, data : LREAL := -1.0) gives LREAL#1.0, not LREAL#-1.0"
+        )]
+    );
+    assert!(
+        found[0].shown.is_derived,
+        "the claims are about sums and products"
+    );
+}
+
+/// Rounds in conversions to integers, and takes the amount of negative numbers for unsigned ones.
+fn rounding(request: &RunRequest<'_>) -> Outcome {
+    let source = request
+        .source
+        .replace("UINT(-", "UINT(")
+        .replace("UINT#-", "UINT#");
+    let rounded = source
+        .replace("2.75", "3.0")
+        .replace("7.5", "8.0")
+        .replace("1.5", "2.0");
+    as_the_reference(&RunRequest {
+        source: &rounded,
+        ..*request
+    })
+}
+
+#[test]
+fn values_with_a_fraction_and_with_a_sign_are_two_causes_whatever_the_types() {
+    let of = |id: &str, call: &str, value: &str| {
+        let ty = value.split('#').next().expect("a type");
+        let into = format!("into : {ty};");
+        case(id, &into, &format!("into := {call};"), &format!("into = {value}"))
+    };
+    let cases = vec![
+        of("t::a", "REAL_TO_INT(2.75)", "INT#2"),
+        of("t::b", "LREAL_TO_UDINT(7.5)", "UDINT#7"),
+        of("t::c", "REAL_TO_WORD(7.5)", "WORD#7"),
+        of("t::d", "REAL_TO_UINT(-16.0)", "UINT#65520"),
+    ];
+    let found = causes(&Compiler::new(rounding), cases);
+    let numbers: Vec<u64> = found.iter().map(Cause::number).collect();
+    assert_eq!(numbers, [3, 1], "{:?}", titles(&found));
+}
+
+/// Accepts a value of every type for every other, and dies when it runs such a program.
+fn dying(request: &RunRequest<'_>) -> Outcome {
+    match as_the_reference(request) {
+        Outcome::Rejected { .. } => Outcome::Crashed {
+            reason: "the virtual machine ended".to_owned(),
+        },
+        other => other,
+    }
+}
+
+#[test]
+fn a_program_that_must_be_rejected_and_dies_when_it_runs_was_accepted() {
+    let cases = vec![case(
+        "t::a",
+        "from : DINT; into : INT;",
+        "into := from;",
+        "5 P4035",
+    )];
+    let found = causes(&Compiler::new(dying), cases);
+    assert_eq!(found[0].symptom, "accepted P4035");
+    assert_eq!(found[0].shown.got, [Fact::Accepted]);
+}
+
+#[test]
+fn a_code_that_the_engine_lacks_is_not_asked_for() {
+    let cases = || {
+        vec![case(
+            "t::a",
+            "from : DINT; into : INT;",
+            "into := from;",
+            "5 P4035",
+        )]
+    };
+    let mut compiler = Compiler::new(dying);
+    let with = causes(&compiler, cases());
+    compiler.identity.lacks = vec!["P4035".parse::<Code>().expect("a code")];
+    let without = causes(&compiler, cases());
+    let ends = |found: &[Cause], end: &str| found[0].title.ends_with(end);
+    assert!(ends(&with, "not rejected with P4035") && ends(&without, "not rejected"));
+    assert_eq!(
+        without[0].shown.expected[0].to_string(),
+        "line 5: error of any code"
+    );
+}
