@@ -4,7 +4,7 @@
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `question` |
-//! | the normal form of each is found by asking for operands alone, plainer literals and other types | `normal`, `operands`, `twins` |
+//! | the normal form of each is found by asking for operands alone, plainer literals and other types | `normal`, `operands`, `names`, `twins` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
 //!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
@@ -18,6 +18,7 @@
 mod essence;
 mod failed;
 mod find;
+mod names;
 mod normal;
 mod operands;
 mod operations;

@@ -1,13 +1,9 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is then
 //! asked before the operation around it is blamed.
 
-use crate::shape::{in_declarations, own_functions};
-use crate::tokens::{Token, TokenKind, tokens};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::names::{Names, converted, literal, prefix_type};
+use crate::tokens::{Token, tokens};
 use stickler_types::ElementaryType;
-
-/// The maximum number of types that a type of one's own is resolved through.
-const MAX_ALIASES: usize = 4;
 
 /// A program that does with one operand what another program does with it among other things.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -115,7 +111,7 @@ pub(crate) fn alone(program: &str) -> Vec<Alone> {
             let value = names.some_value(from);
             variables.push(copied(from, ty, value.as_deref()));
         }
-        variables.extend(names.mixed(&tokens, at));
+        variables.extend(mixed(&names, &tokens, at));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -181,263 +177,25 @@ fn conversion(tokens: &[Token<'_>], at: usize, names: &Names) -> Option<Alone> {
     })
 }
 
-/// Returns the types between which a function converts by its name.
-fn converted(token: &Token<'_>) -> Option<(ElementaryType, ElementaryType)> {
-    let upper = token.text.to_ascii_uppercase();
-    let (from, into) = upper
-        .split_once("_TO_")
-        .filter(|_| token.kind == TokenKind::Word)?;
-    Some((ElementaryType::from_name(from)?, ElementaryType::from_name(into)?))
-}
-
-/// Returns the literal that begins at a token, with its sign.
-fn literal(tokens: &[Token<'_>], at: usize) -> Option<String> {
-    let token = tokens.get(at)?;
-    let is_literal = |token: &Token<'_>| {
-        matches!(token.kind, TokenKind::Number | TokenKind::Text | TokenKind::Typed)
-            || token.is("TRUE")
-            || token.is("FALSE")
+/// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
+fn mixed(names: &Names, tokens: &[Token<'_>], at: usize) -> Vec<Alone> {
+    let operators = ["+", "-", "*", "/", "**", "=", "<>", "<", ">", "<=", ">="];
+    let is_operator = operators.contains(&tokens[at].text) || tokens[at].is("MOD");
+    let operand = |place: Option<usize>| {
+        let token = tokens.get(place?)?;
+        match prefix_type(token) {
+            Some(ty) => Some((ty, Some(token.text.to_owned()))),
+            None => names.type_of(token).map(|ty| (ty, names.some_value(ty))),
+        }
     };
-    if is_literal(token) {
-        let ends_signed = |before: &Token<'_>| before.text == "-" && is_sign(tokens, at - 1);
-        let signed = at
-            .checked_sub(1)
-            .is_some_and(|before| ends_signed(&tokens[before]));
-        return (!signed).then(|| token.text.to_owned());
-    }
-    let next = tokens.get(at + 1).filter(|next| next.kind == TokenKind::Number);
-    let next = next.filter(|_| token.text == "-" && is_sign(tokens, at))?;
-    Some(format!("-{}", next.text))
-}
-
-/// Returns whether the minus at this place is the sign of what follows and no subtraction.
-fn is_sign(tokens: &[Token<'_>], at: usize) -> bool {
-    let before = at.checked_sub(1).and_then(|before| tokens.get(before));
-    before.is_some_and(|before| before.kind == TokenKind::Sign && !matches!(before.text, ")" | "]"))
-}
-
-fn prefix_type(token: &Token<'_>) -> Option<ElementaryType> {
-    let (prefix, _) = token
-        .text
-        .split_once('#')
-        .filter(|_| token.kind == TokenKind::Typed)?;
-    ElementaryType::from_literal_prefix(&prefix.to_ascii_uppercase())
-}
-
-/// The names that a program declares.
-struct Names {
-    /// The elementary type of each variable, field, parameter, element of an array and result of a function.
-    types: BTreeMap<String, ElementaryType>,
-    /// The literal with which a variable begins.
-    initial: BTreeMap<String, String>,
-    /// The inputs of each function and function block.
-    inputs: BTreeMap<String, Vec<String>>,
-    /// The type of each variable, field and parameter as it is written.
-    words: BTreeMap<String, String>,
-    own: BTreeSet<String>,
-    declared: Vec<bool>,
-}
-
-impl Names {
-    fn new(tokens: &[Token<'_>]) -> Names {
-        let mut names = Names {
-            types: BTreeMap::new(),
-            initial: BTreeMap::new(),
-            inputs: BTreeMap::new(),
-            words: BTreeMap::new(),
-            own: own_functions(tokens),
-            declared: in_declarations(tokens),
-        };
-        let mut aliases: BTreeMap<String, String> = BTreeMap::new();
-        let (mut unit, mut section) = (String::new(), String::new());
-        for (at, token) in tokens.iter().enumerate() {
-            let upper = token.text.to_ascii_uppercase();
-            if ["FUNCTION", "FUNCTION_BLOCK", "PROGRAM"].contains(&upper.as_str()) {
-                unit = tokens
-                    .get(at + 1)
-                    .map(|name| name.text.to_ascii_uppercase())
-                    .unwrap_or_default();
-                section.clear();
-            } else if upper.starts_with("VAR") && names.declared[at] {
-                section = upper.clone();
-            }
-            let is_head = at > 0 && tokens[at - 1].is("FUNCTION");
-            let is_named = token.kind == TokenKind::Word && (names.declared[at] || is_head);
-            if !is_named
-                || !tokens
-                    .get(at + 1)
-                    .is_some_and(|next| matches!(next.text, ":" | ","))
-            {
-                continue;
-            }
-            let Some(colon) = colon_of(tokens, at) else {
-                continue;
-            };
-            if section == "VAR_INPUT" {
-                names.inputs.entry(unit.clone()).or_default().push(upper.clone());
-            }
-            let ends = |token: &&Token<'_>| !is_head && token.text != ";" && token.text != ":=";
-            let ty: Vec<&Token<'_>> = match is_head {
-                true => tokens.get(colon + 1).into_iter().collect(),
-                false => tokens[colon + 1..].iter().take_while(ends).collect(),
-            };
-            let words: Vec<&str> = ty.iter().map(|word| word.text).collect();
-            names.words.insert(upper.clone(), words.join(" "));
-            let is_array = ty.iter().any(|word| word.is("OF"));
-            if let Some(word) = ty.last().filter(|_| ty.len() == 1 || is_array) {
-                aliases.insert(upper.clone(), word.text.to_ascii_uppercase());
-            }
-            let value = colon + 1 + ty.len() + 1;
-            if let Some(literal) = literal(tokens, value).filter(|_| !is_head) {
-                names.initial.insert(upper, literal);
-            }
+    match (operand(at.checked_sub(1)), operand(Some(at + 1))) {
+        (Some((left, first)), Some((right, second))) if is_operator && left != right => {
+            vec![
+                copied(left, right, first.as_deref()),
+                copied(right, left, second.as_deref()),
+            ]
         }
-        for name in aliases.keys() {
-            let mut word = name;
-            for _ in 0..MAX_ALIASES {
-                let Some(next) = aliases.get(word) else { break };
-                word = next;
-                if let Some(ty) = ElementaryType::from_name(word) {
-                    names.types.insert(name.clone(), ty);
-                    break;
-                }
-            }
-        }
-        names
-    }
-
-    fn type_of(&self, token: &Token<'_>) -> Option<ElementaryType> {
-        let is_name = token.kind == TokenKind::Word;
-        self.types
-            .get(&token.text.to_ascii_uppercase())
-            .copied()
-            .filter(|_| is_name)
-    }
-
-    /// Returns the written type of what the token at this place is given to by name.
-    fn words(&self, tokens: &[Token<'_>], at: usize) -> Option<String> {
-        let sign = at.checked_sub(1).filter(|before| tokens[*before].text == ":=")?;
-        let target = tokens.get(sign.checked_sub(1)?)?;
-        self.words.get(&target.text.to_ascii_uppercase()).cloned()
-    }
-
-    fn is_declared_at(&self, at: usize) -> bool {
-        self.declared.get(at).copied().unwrap_or_default()
-    }
-
-    /// Returns the type of what the operand at this place is given to, where nothing else is done with it.
-    fn target(&self, tokens: &[Token<'_>], at: usize) -> Option<ElementaryType> {
-        let mut end = at + 1;
-        if tokens.get(at)?.text == "-" {
-            end += 1;
-        }
-        if !tokens
-            .get(end)
-            .is_none_or(|next| matches!(next.text, ";" | "," | ")" | "]"))
-        {
-            return None;
-        }
-        let before = at.checked_sub(1)?;
-        match tokens[before].text {
-            ":=" => self.assigned(tokens, before),
-            // The first element of a list.
-            "[" if before > 0 && tokens[before - 1].text == ":=" => self.assigned(tokens, before - 1),
-            "(" | "," => {
-                let open = tokens[..at].iter().rposition(|token| token.text == "(")?;
-                let callee = tokens.get(open.checked_sub(1)?)?;
-                let upper = callee.text.to_ascii_uppercase();
-                let number = tokens[open..at].iter().filter(|token| token.text == ",").count();
-                match self.own.contains(&upper) {
-                    true => self.types.get(self.inputs.get(&upper)?.get(number)?).copied(),
-                    false => Some(converted(callee)?.0).filter(|_| number == 0),
-                }
-            }
-            _ => None,
-        }
-    }
-
-    /// Returns a literal of a type: one that a variable of the type begins with, or a number with all of its bits.
-    fn some_value(&self, ty: ElementaryType) -> Option<String> {
-        let mut of_type = self
-            .initial
-            .iter()
-            .filter(|(name, _)| self.types.get(*name) == Some(&ty));
-        let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
-        let plain = match ty.integer_range() {
-            Some((0, most)) => most.to_string(),
-            Some(_) => "-1".to_owned(),
-            None if ty.is_bit_string() => "1".to_owned(),
-            None => "1.5".to_owned(),
-        };
-        let known = of_type.next().map(|(_, literal)| literal.clone());
-        known.or_else(|| is_number.then(|| format!("{}#{plain}", ty.name())))
-    }
-
-    /// Returns the types between which the value of an output, or the result of a conversion function, is converted when it is
-    /// given to a variable of another type, for the arrow or the assignment sign before it.
-    fn met(&self, tokens: &[Token<'_>], at: usize) -> Option<(ElementaryType, ElementaryType)> {
-        let next = tokens.get(at + 1)?;
-        if tokens[at].text == ":=" {
-            let ((_, result), target) = (converted(next)?, self.assigned(tokens, at)?);
-            return (result != target).then_some((result, target));
-        }
-        let output = tokens.get(at.checked_sub(1)?)?;
-        let is_arrow = tokens[at].text == "=>";
-        Some((self.type_of(output)?, self.type_of(tokens.get(at + 1)?)?)).filter(|_| is_arrow)
-    }
-
-    /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
-    fn mixed(&self, tokens: &[Token<'_>], at: usize) -> Vec<Alone> {
-        let operators = ["+", "-", "*", "/", "**", "=", "<>", "<", ">", "<=", ">="];
-        let is_operator = operators.contains(&tokens[at].text) || tokens[at].is("MOD");
-        let operand = |place: Option<usize>| {
-            let token = tokens.get(place?)?;
-            match prefix_type(token) {
-                Some(ty) => Some((ty, Some(token.text.to_owned()))),
-                None => self.type_of(token).map(|ty| (ty, self.some_value(ty))),
-            }
-        };
-        match (operand(at.checked_sub(1)), operand(Some(at + 1))) {
-            (Some((left, first)), Some((right, second))) if is_operator && left != right => {
-                vec![
-                    copied(left, right, first.as_deref()),
-                    copied(right, left, second.as_deref()),
-                ]
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Returns the type of what stands before an assignment sign.
-    fn assigned(&self, tokens: &[Token<'_>], sign: usize) -> Option<ElementaryType> {
-        let mut at = sign.checked_sub(1)?;
-        if self.is_declared_at(sign) {
-            let start = tokens[..sign]
-                .iter()
-                .rposition(|token| matches!(token.text, ";" | "(" | ":"));
-            // Of an initial value the type stands before the sign; of a field within brackets its name does.
-            if let Some(colon) = start.filter(|start| tokens[*start].text == ":") {
-                at = colon.checked_sub(1)?;
-            }
-        } else if tokens[at].text == "]" {
-            at = tokens[..at]
-                .iter()
-                .rposition(|token| token.text == "[")?
-                .checked_sub(1)?;
-        }
-        self.type_of(&tokens[at])
-    }
-}
-
-/// Returns the place of the colon behind a name and those that are declared with it.
-fn colon_of(tokens: &[Token<'_>], at: usize) -> Option<usize> {
-    let mut at = at + 1;
-    loop {
-        match tokens.get(at)?.text {
-            ":" => return Some(at),
-            "," => at += 2,
-            _ => return None,
-        }
+        _ => Vec::new(),
     }
 }
 
