@@ -5,7 +5,7 @@
 
 mod replay;
 
-pub use replay::{Summary, replay, replay_all};
+pub use replay::{ReplaySummary, replay, replay_all};
 pub use stickler_generate::oracles::FuzzTarget;
 
 /// Judges an input for libFuzzer, which takes a panic for a finding and keeps the input.

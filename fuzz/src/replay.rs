@@ -12,7 +12,7 @@ const MAX_INPUT_LEN: u64 = 128 << 20;
 
 /// The result of a replay.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct Summary {
+pub struct ReplaySummary {
     /// Inputs that broke nothing.
     pub held: usize,
     /// Inputs that broke what the target holds them to.
@@ -36,8 +36,8 @@ pub fn replay(target: FuzzTarget) -> ExitCode {
     }
     let summary = replay_all(target, &named, &mut io::stdout().lock(), &mut io::stderr().lock());
     match summary {
-        Ok(Summary { unread: 1.., .. }) => ExitCode::from(2),
-        Ok(Summary { failed: 1.., .. }) => ExitCode::from(1),
+        Ok(ReplaySummary { unread: 1.., .. }) => ExitCode::from(2),
+        Ok(ReplaySummary { failed: 1.., .. }) => ExitCode::from(1),
         Ok(_) => ExitCode::SUCCESS,
         // Nobody reads the output any more.
         Err(_) => ExitCode::from(2),
@@ -54,8 +54,8 @@ pub fn replay_all(
     named: &[impl AsRef<Path>],
     output: &mut dyn Write,
     complaints: &mut dyn Write,
-) -> io::Result<Summary> {
-    let mut summary = Summary::default();
+) -> io::Result<ReplaySummary> {
+    let mut summary = ReplaySummary::default();
     for name in named {
         let files = match inputs(name.as_ref()) {
             Ok(files) => files,
@@ -106,7 +106,7 @@ fn inputs(path: &Path) -> io::Result<Vec<PathBuf>> {
 fn replay_file(
     target: FuzzTarget,
     file: &Path,
-    summary: &mut Summary,
+    summary: &mut ReplaySummary,
     output: &mut dyn Write,
     complaints: &mut dyn Write,
 ) -> io::Result<()> {
@@ -153,7 +153,7 @@ mod tests {
     use super::*;
 
     /// Replays these paths; returns the summary, the output, and the complaints about what could not be read.
-    fn said(paths: &[PathBuf]) -> (Summary, String, String) {
+    fn said(paths: &[PathBuf]) -> (ReplaySummary, String, String) {
         let (mut output, mut complaints) = (Vec::new(), Vec::new());
         let summary = replay_all(FuzzTarget::Parse, paths, &mut output, &mut complaints)
             .expect("vectors take everything");
@@ -172,7 +172,7 @@ mod tests {
         let (summary, output, complaints) = said(&[folder.path().join("none"), empty, input]);
         assert_eq!(
             summary,
-            Summary {
+            ReplaySummary {
                 held: 1,
                 failed: 0,
                 unread: 2

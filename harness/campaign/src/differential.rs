@@ -13,7 +13,7 @@ mod reduction;
 mod renumber;
 mod worker;
 
-pub(crate) use comparison::{Agreement, Disagreement, Question, compare};
+pub(crate) use comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
 pub(crate) use describe::describe;
 pub use engine::EngineUnderTest;
 pub(crate) use engine::ask;

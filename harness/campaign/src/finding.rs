@@ -32,11 +32,11 @@ pub struct Finding {
     /// Whether the disagreement was seen again.
     pub standing: Confirmation,
     /// The place where the input was found, and the course of its reduction.
-    pub origin: Origin,
+    pub origin: FindingOrigin,
     /// A description of what happened, for a person.
     pub message: String,
     /// The result that must come.
-    pub expected: Expected,
+    pub expected: ExpectedBehavior,
     /// The outcome of each engine on the reduced program.
     pub outcomes: Vec<EngineReport>,
     /// Commands for a shell: the first judges the saved program again, the second finds the original again.
@@ -77,7 +77,7 @@ pub enum Confirmation {
 
 /// Where a finding comes from.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-pub struct Origin {
+pub struct FindingOrigin {
     /// The seed of the campaign.
     pub seed: u64,
     /// The place of the input in the row of that seed.
@@ -98,7 +98,7 @@ pub struct Origin {
 /// The result that must come.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(tag = "what", rename_all = "lowercase")]
-pub enum Expected {
+pub enum ExpectedBehavior {
     /// The program is accepted, and at its end its variables have these values.
     Values {
         /// The variables and their values, as typed literals.

@@ -1,6 +1,6 @@
 //! A finding made a case: what must happen, by the evaluator or by the planted error, never by what an engine did.
 
-use crate::finding::{Confirmation, Expected, Finding, ObservedValue};
+use crate::finding::{Confirmation, ExpectedBehavior, Finding, ObservedValue};
 use std::fmt::Write;
 use std::fs;
 use std::io;
@@ -137,15 +137,15 @@ fn case_file(finding: &Finding, words: &CaseHead<'_>) -> Result<(String, String)
         return Err(refused(no_program(finding)));
     };
     let (proposal, marked) = match &finding.expected {
-        Expected::Values { opened, .. } if !opened.is_empty() => {
+        ExpectedBehavior::Values { opened, .. } if !opened.is_empty() => {
             return Err(refused(format!(
                 "no document settles what must happen: {}",
                 opened.join("; ")
             )));
         }
-        Expected::Values { values, basis, .. } => (basis, with_values(program, values)),
-        Expected::Rejected { code, line, basis } => (basis, with_error(program, code, *line)),
-        Expected::Property { .. } => return Err(refused(no_program(finding))),
+        ExpectedBehavior::Values { values, basis, .. } => (basis, with_values(program, values)),
+        ExpectedBehavior::Rejected { code, line, basis } => (basis, with_error(program, code, *line)),
+        ExpectedBehavior::Property { .. } => return Err(refused(no_program(finding))),
     };
     let Some(basis) = words.basis.map(str::to_owned).or_else(|| proposal.clone()) else {
         return Err(refused(
@@ -302,7 +302,7 @@ mod tests {
     fn a_planted_error_becomes_a_mark_on_its_line() {
         let cases = cases();
         let finding = Finding {
-            expected: Expected::Rejected {
+            expected: ExpectedBehavior::Rejected {
                 code: "P4035".to_owned(),
                 line: 5,
                 basis: None,
@@ -336,7 +336,7 @@ mod tests {
         };
         assert!(reason(&edited).contains("was edited"));
         let open = Finding {
-            expected: Expected::Values {
+            expected: ExpectedBehavior::Values {
                 values: Vec::new(),
                 basis: None,
                 opened: vec!["a real divided by zero".to_owned()],
@@ -345,7 +345,7 @@ mod tests {
         };
         assert!(reason(&open).contains("no document settles"));
         let property = Finding {
-            expected: Expected::Property {
+            expected: ExpectedBehavior::Property {
                 claim: "it holds".to_owned(),
             },
             ..finding

@@ -1,7 +1,9 @@
 //! A finding, or an input alone, judged once more.
 
-use crate::differential::{Agreement, Disagreement, EngineUnderTest, Question, ask, compare, describe};
-use crate::finding::{EngineReport, Expected, Finding};
+use crate::differential::{
+    Agreement, EngineDisagreement, EngineUnderTest, JudgedProgram, ask, compare, describe,
+};
+use crate::finding::{EngineReport, ExpectedBehavior, Finding};
 use stickler_engines::{EngineError, EngineSession, Outcome};
 use stickler_generate::oracles::{FuzzTarget, InputOutcome, OracleFailure};
 use stickler_types::{DialectName, Value};
@@ -45,19 +47,19 @@ pub fn replay(finding: &Finding, engines: &[EngineUnderTest<'_>]) -> Result<Repl
 
 /// Asks one engine about the saved program; `None` where the finding expects nothing of a program.
 fn again(
-    expected: &Expected,
+    expected: &ExpectedBehavior,
     program: &str,
     dialect: DialectName,
     engine: EngineUnderTest<'_>,
 ) -> Result<Option<(EngineReport, Option<String>)>, EngineError> {
     let mut session = EngineSession::open(engine.engine)?;
     let (outcome, wrong) = match expected {
-        Expected::Values { values, opened, .. } => {
+        ExpectedBehavior::Values { values, opened, .. } => {
             let values: Vec<(String, Value)> = values
                 .iter()
                 .filter_map(|observed| Some((observed.name.clone(), Value::parse(&observed.value).ok()?)))
                 .collect();
-            let question = Question {
+            let question = JudgedProgram {
                 dialect,
                 text: program,
                 values: &values,
@@ -65,17 +67,17 @@ fn again(
             };
             let outcome = ask(&mut session, question);
             let wrong = match compare(question, &outcome) {
-                Agreement::Disagrees(Disagreement { message, .. }) => Some(message),
+                Agreement::Disagrees(EngineDisagreement { message, .. }) => Some(message),
                 Agreement::Agrees | Agreement::Unsupported => None,
             };
             (outcome, wrong)
         }
-        Expected::Rejected { code, line, .. } => {
+        ExpectedBehavior::Rejected { code, line, .. } => {
             let outcome = session.check(dialect, program)?;
             let wrong = not_rejected_so(&outcome, code, *line);
             (outcome, wrong)
         }
-        Expected::Property { .. } => return Ok(None),
+        ExpectedBehavior::Property { .. } => return Ok(None),
     };
     Ok(Some((describe(engine.info(), &outcome), wrong)))
 }

@@ -1,6 +1,8 @@
 //! Findings for tests.
 
-use crate::finding::{Confirmation, EngineInfo, Expected, FORMAT, Finding, ObservedValue, Origin};
+use crate::finding::{
+    Confirmation, EngineInfo, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+};
 
 /// Returns a finding of an engine of this name.
 pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) -> Finding {
@@ -18,7 +20,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         rule: rule.iter().map(|&part| part.to_owned()).collect(),
         dialect: Some("ironplc-ed3".to_owned()),
         standing: Confirmation::Confirmed,
-        origin: Origin {
+        origin: FindingOrigin {
             seed: 1,
             place: 7,
             open: false,
@@ -28,7 +30,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
             size: lines,
         },
         message: "x: expected INT#5, got INT#6".to_owned(),
-        expected: Expected::Values {
+        expected: ExpectedBehavior::Values {
             values: vec![ObservedValue {
                 name: "x".to_owned(),
                 value: "INT#5".to_owned(),

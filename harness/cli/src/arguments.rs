@@ -17,7 +17,7 @@ pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
 
-use crate::exit::Listing;
+use crate::exit::ExitCodeListing;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use numbers::whole;
@@ -352,7 +352,7 @@ fn dialects() -> impl TypedValueParser<Value = DialectName> {
 }
 
 fn top_level_help() -> String {
-    format!("{TOP_LEVEL_EXAMPLES}\n\n{Listing}")
+    format!("{TOP_LEVEL_EXAMPLES}\n\n{ExitCodeListing}")
 }
 
 const TOP_LEVEL_EXAMPLES: &str = "\

@@ -8,7 +8,7 @@ use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use stickler_configuration::{Configuration, Kind};
+use stickler_configuration::{Configuration, EngineKind};
 use stickler_engines::{
     Compiler, CompilerSearch, DependencyPaths, DescribedEngine, Description, Engine, EngineError, Identity,
     ProcessEngine, ProcessLimits, Reference,
@@ -178,12 +178,12 @@ pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<C
         });
     }
     Some(match configuration.engine(name).map(|entry| &entry.kind) {
-        Some(Kind::Compiler { compiler, places }) => compiler.seek(called, name, places),
-        Some(Kind::Command { line }) => CompilerSearch {
+        Some(EngineKind::Compiler { compiler, places }) => compiler.seek(called, name, places),
+        Some(EngineKind::Command { line }) => CompilerSearch {
             located: Vec::new(),
             engine: start(line, called, configuration),
         },
-        Some(Kind::Described(description)) => described(called, description, configuration),
+        Some(EngineKind::Described(description)) => described(called, description, configuration),
         None => Compiler::from_name(name)?.seek(called, name, &DependencyPaths::default()),
     })
 }

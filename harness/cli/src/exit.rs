@@ -143,9 +143,9 @@ pub struct SpeaksNone {
 }
 
 /// The list of exit codes; its `Display` is the text that `--help` shows.
-pub struct Listing;
+pub struct ExitCodeListing;
 
-impl fmt::Display for Listing {
+impl fmt::Display for ExitCodeListing {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "Exit codes:")?;
         for exit in Exit::ALL {

@@ -38,7 +38,7 @@ impl Draft<'_> {
 }
 
 /// A table of the file, with its name.
-struct Entry<'v, 'i> {
+struct DialectTable<'v, 'i> {
     name: &'v str,
     span: Range<usize>,
     keys: &'v DeTable<'i>,
@@ -57,7 +57,7 @@ pub(crate) fn definitions(
         let (name, span) = (key.get_ref().as_ref(), key.span());
         check_name(name, &span)?;
         let keys = table(&format!("dialects.{name}"), value)?;
-        entries.push(Entry { name, span, keys });
+        entries.push(DialectTable { name, span, keys });
     }
     entries.sort_by_key(|entry| entry.span.start);
     let by_name: BTreeMap<&str, usize> = (0..)
@@ -131,7 +131,7 @@ enum Base {
     Defined(usize, Range<usize>),
 }
 
-fn base(entry: &Entry<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, Mistake> {
+fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, Mistake> {
     let Some(extends) = entry.keys.get("extends") else {
         let message = format!(
             "`[dialects.{}]` does not say which dialect it extends, by `extends = \"…\"`; there are {}",
@@ -162,7 +162,7 @@ fn base(entry: &Entry<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, 
     }
 }
 
-fn in_a_circle(entry: &Entry<'_, '_>, at: &Range<usize>) -> Mistake {
+fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> Mistake {
     let message = format!(
         "`{}` extends itself by way of others; one of them must extend {}",
         entry.name,
@@ -173,7 +173,7 @@ fn in_a_circle(entry: &Entry<'_, '_>, at: &Range<usize>) -> Mistake {
 
 /// Reads one table, whose overrides are added to the definition `start`.
 fn definition(
-    entry: &Entry<'_, '_>,
+    entry: &DialectTable<'_, '_>,
     start: Definition,
     written: &dyn Fn(&Range<usize>) -> String,
 ) -> Result<Definition, Mistake> {
@@ -210,7 +210,7 @@ fn definition(
 /// Returns the definition of the extended dialect under the name of the extending one.
 fn taken_over(
     other: &Definition,
-    entry: &Entry<'_, '_>,
+    entry: &DialectTable<'_, '_>,
     written: &dyn Fn(&Range<usize>) -> String,
 ) -> Definition {
     fn said<T: Copy>(stated: &Stated<T>, name: &str) -> Stated<T> {

@@ -11,16 +11,16 @@ use toml::de::{DeTable, DeValue};
 
 /// An engine that `stickler.toml` names.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct EngineEntry {
     /// The file and line of its table, such as `stickler.toml:4`.
     pub written: String,
     /// The kind of the engine, with its settings.
-    pub kind: Kind,
+    pub kind: EngineKind,
 }
 
 /// The kind of an engine of `stickler.toml`.
 #[derive(Clone, Debug)]
-pub enum Kind {
+pub enum EngineKind {
     /// A compiler with a built-in adapter.
     Compiler {
         /// The compiler.
@@ -42,7 +42,7 @@ const REFERENCE: &str = "reference";
 
 /// The position of the file's tables, for paths and messages.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<'p> {
+pub(crate) struct TableContext<'p> {
     /// The folder of the file, to which relative paths are relative.
     pub(crate) folder: &'p Path,
     /// Formats a position in the file for messages.
@@ -56,26 +56,26 @@ pub(crate) struct Place<'p> {
 pub(crate) fn entry(
     name: &Spanned<impl AsRef<str>>,
     value: &Spanned<DeValue<'_>>,
-    place: Place<'_>,
-) -> Result<(String, Entry), Mistake> {
+    place: TableContext<'_>,
+) -> Result<(String, EngineEntry), Mistake> {
     let span = name.span();
     let name = name.get_ref().as_ref();
     check_name(name, &span)?;
     let keys = table(&format!("engines.{name}"), value)?;
     let kind = match (compiler(name, keys)?, keys.get("command")) {
-        (Some(compiler), _) => Kind::Compiler {
+        (Some(compiler), _) => EngineKind::Compiler {
             compiler,
             places: places(name, compiler, keys, place)?,
         },
         (None, Some(_)) => {
             let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"), &[])?;
-            Kind::Command { line: keys.command }
+            EngineKind::Command { line: keys.command }
         }
         (None, None) if keys.is_empty() => return Err(says_nothing(name, span)),
-        (None, None) => Kind::Described(Box::new(description(name, keys, value.span())?)),
+        (None, None) => EngineKind::Described(Box::new(description(name, keys, value.span())?)),
     };
     let written = (place.written)(&span);
-    Ok((name.to_owned(), Entry { written, kind }))
+    Ok((name.to_owned(), EngineEntry { written, kind }))
 }
 
 /// Checks that a name means nothing else on the command line, and that it can be the name of a file.
@@ -116,7 +116,7 @@ fn places(
     name: &str,
     compiler: Compiler,
     keys: &DeTable<'_>,
-    place: Place<'_>,
+    place: TableContext<'_>,
 ) -> Result<DependencyPaths, Mistake> {
     let mut places = DependencyPaths::default();
     if name != compiler.name() {

@@ -1,7 +1,7 @@
 //! Finds and reads `stickler.toml`.
 
 use crate::dialects::definitions;
-use crate::engines::{Entry, Place, entry};
+use crate::engines::{EngineEntry, TableContext, entry};
 use crate::error::ConfigurationError;
 use crate::table::{Mistake, mistake, table};
 use std::collections::BTreeMap;
@@ -23,7 +23,7 @@ const KEYS: [&str; 2] = ["engines", "dialects"];
 #[derive(Clone, Debug, Default)]
 pub struct Configuration {
     path: Option<PathBuf>,
-    engines: BTreeMap<String, Entry>,
+    engines: BTreeMap<String, EngineEntry>,
     dialects: Vec<DialectName>,
 }
 
@@ -96,7 +96,7 @@ impl Configuration {
 
     /// Returns the engine of this name, if the file has it.
     #[must_use]
-    pub fn engine(&self, name: &str) -> Option<&Entry> {
+    pub fn engine(&self, name: &str) -> Option<&EngineEntry> {
         self.engines.get(name)
     }
 
@@ -107,7 +107,7 @@ impl Configuration {
     }
 
     /// Returns the engines of the file, in the order of their names.
-    pub fn engines(&self) -> impl Iterator<Item = (&str, &Entry)> {
+    pub fn engines(&self) -> impl Iterator<Item = (&str, &EngineEntry)> {
         self.engines.iter().map(|(name, entry)| (name.as_str(), entry))
     }
 }
@@ -117,7 +117,7 @@ fn contents(
     text: &str,
     folder: &Path,
     shown: &Path,
-) -> Result<(BTreeMap<String, Entry>, Vec<DialectName>), Mistake> {
+) -> Result<(BTreeMap<String, EngineEntry>, Vec<DialectName>), Mistake> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let document = document.get_ref();
     if let Some((key, _)) = document
@@ -128,7 +128,7 @@ fn contents(
         return Err(Mistake::unknown_key(key.span(), word, "of the file", &KEYS));
     }
     let written = |span: &Range<usize>| format!("{}:{}", shown.display(), position(text, span.start).0);
-    let place = Place {
+    let place = TableContext {
         folder,
         written: &written,
     };
@@ -147,7 +147,7 @@ fn contents(
 }
 
 /// Defines the dialects of the table `[dialects]`.
-fn dialects(value: &Spanned<DeValue<'_>>, place: Place<'_>) -> Result<Vec<DialectName>, Mistake> {
+fn dialects(value: &Spanned<DeValue<'_>>, place: TableContext<'_>) -> Result<Vec<DialectName>, Mistake> {
     // All of them are right before the first is defined.
     let definitions = definitions(table("dialects", value)?, place.written)?;
     let define = |(definition, span)| {

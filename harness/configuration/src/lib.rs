@@ -16,7 +16,7 @@ mod near;
 mod override_tables;
 mod table;
 
-pub use engines::{Entry, Kind};
+pub use engines::{EngineEntry, EngineKind};
 pub use error::ConfigurationError;
 pub use file::{Configuration, FILE_NAME};
 pub use near::{list, nearest};

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use stickler_configuration::{Configuration, Entry, Kind};
+use stickler_configuration::{Configuration, EngineEntry, EngineKind};
 use stickler_engines::{Compiler, DependencyPaths};
 use stickler_types::definition::Flag;
 use stickler_types::{
@@ -28,9 +28,9 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
                 ironplcvm = \"/opt/old/ironplcvm\"\n";
     fs::write(folder.path().join("stickler.toml"), text).unwrap();
     let configuration = Configuration::find(folder.path()).unwrap();
-    let Some(Entry {
+    let Some(EngineEntry {
         written,
-        kind: Kind::Compiler { compiler, places },
+        kind: EngineKind::Compiler { compiler, places },
     }) = configuration.engine("ironplc")
     else {
         panic!("no compiler")
@@ -43,7 +43,8 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
     let expected = DependencyPaths::default().named("ironplcc", path, "stickler.toml:3".to_owned());
     assert_eq!(*places, expected);
     // Of a second version, environment variables say nothing.
-    let Some(Kind::Compiler { places, .. }) = configuration.engine("old").map(|entry| &entry.kind) else {
+    let Some(EngineKind::Compiler { places, .. }) = configuration.engine("old").map(|entry| &entry.kind)
+    else {
         panic!("no compiler")
     };
     let expected = DependencyPaths::default()
@@ -63,7 +64,7 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
 fn a_command_line_is_an_engine() {
     let configuration = read("[engines.mine]\ncommand = \"python3 adapter.py\"\n").unwrap();
     let kind = configuration.engine("mine").map(|entry| &entry.kind);
-    assert!(matches!(kind, Some(Kind::Command { line }) if line == "python3 adapter.py"));
+    assert!(matches!(kind, Some(EngineKind::Command { line }) if line == "python3 adapter.py"));
 }
 
 #[test]
@@ -168,7 +169,7 @@ fn a_compiler_can_be_described() {
     let (example, _) = example.split_once("```").unwrap();
     let configuration = read(&format!("[engines.described]{example}")).unwrap();
     let kind = configuration.engine("described").map(|entry| &entry.kind);
-    assert!(matches!(kind, Some(Kind::Described(_))), "{kind:?}");
+    assert!(matches!(kind, Some(EngineKind::Described(_))), "{kind:?}");
 }
 
 /// Returns the definition of the only dialect of a file.

@@ -17,5 +17,5 @@ pub use agenda::{AgendaError, Sweep, SweepMethod, agenda};
 pub use converter::Converter;
 pub use domain::{Domain, Operands, Sampling, TextOperands};
 pub use findings::{Difference, MAX_DIFFERENCES, SweepFindings};
-pub use reference::Reference;
+pub use reference::ReferenceFunction;
 pub use run::{SweepProgress, run};

@@ -27,7 +27,7 @@ pub(crate) enum Real {
 ///
 /// Basis: IEC 60559: binary32 and binary64.
 #[derive(Clone, Copy, Debug)]
-struct Format {
+struct FormatParameters {
     /// The number of bits of a significand, including the hidden one.
     precision: u32,
     /// The number of bits of the biased exponent.
@@ -36,20 +36,20 @@ struct Format {
     least_exponent: i32,
 }
 
-const BINARY32: Format = Format {
+const BINARY32: FormatParameters = FormatParameters {
     precision: 24,
     exponent_bits: 8,
     least_exponent: -149,
 };
-const BINARY64: Format = Format {
+const BINARY64: FormatParameters = FormatParameters {
     precision: 53,
     exponent_bits: 11,
     least_exponent: -1074,
 };
 
-impl Format {
+impl FormatParameters {
     /// Returns the format of REAL, or else that of LREAL.
-    const fn of(ty: ElementaryType) -> Format {
+    const fn of(ty: ElementaryType) -> FormatParameters {
         match ty {
             ElementaryType::Real => BINARY32,
             _ => BINARY64,
@@ -80,7 +80,7 @@ impl Format {
 
 /// Decodes the raw form of a REAL, or else that of an LREAL.
 pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
-    let format = Format::of(ty);
+    let format = FormatParameters::of(ty);
     let fraction_bits = format.precision - 1;
     let negative = raw & format.sign(true) != 0;
     let fraction = raw & ((1 << fraction_bits) - 1);
@@ -108,7 +108,7 @@ pub(crate) const fn decode(raw: u64, ty: ElementaryType) -> Real {
 /// Returns whether the next finite number toward zero is only half as far away as the next one on the other side: true of
 /// powers of two, except the least normal number.
 pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
-    let format = Format::of(ty);
+    let format = FormatParameters::of(ty);
     match decode(raw, ty) {
         Real::Finite {
             significand,
@@ -121,13 +121,13 @@ pub(crate) const fn is_lowest_of_binade(raw: u64, ty: ElementaryType) -> bool {
 
 /// Returns the raw form of the one NaN that conversions give: quiet, positive, without a payload.
 pub(crate) const fn not_a_number(to: ElementaryType) -> u64 {
-    let format = Format::of(to);
+    let format = FormatParameters::of(to);
     format.infinity() | 1 << (format.precision - 2)
 }
 
 /// Returns the raw form of an infinity.
 pub(crate) const fn infinite(negative: bool, to: ElementaryType) -> u64 {
-    let format = Format::of(to);
+    let format = FormatParameters::of(to);
     format.infinity() | format.sign(negative)
 }
 
@@ -145,7 +145,7 @@ pub(crate) fn nearest(
     exponent: i32,
     to: ElementaryType,
 ) -> u64 {
-    let format = Format::of(to);
+    let format = FormatParameters::of(to);
     let length = 128 - magnitude.leading_zeros();
     // How many of the low bits go: those beyond the precision, and those below the least exponent.
     let too_long = length.saturating_sub(format.precision);
@@ -175,7 +175,7 @@ pub(crate) fn nearest(
 }
 
 /// Shifts a number so that its significand uses all bits of the format, as far as the least exponent allows.
-fn normalised(significand: u64, exponent: i32, format: Format) -> (u64, i32) {
+fn normalised(significand: u64, exponent: i32, format: FormatParameters) -> (u64, i32) {
     let unused = format.precision - (64 - significand.leading_zeros()).min(format.precision);
     let possible = u32::try_from(exponent - format.least_exponent).unwrap_or(0);
     let shift = unused.min(possible);

@@ -52,17 +52,17 @@ fn main() -> ExitCode {
 }
 
 /// A failure that ends the program before its table.
-struct Failure {
+struct RunFailure {
     code: u8,
     error: anyhow::Error,
 }
 
 /// Gives a failure an exit code, for [`Result::map_err`].
-fn ends_with(code: u8) -> impl Fn(anyhow::Error) -> Failure {
-    move |error| Failure { code, error }
+fn ends_with(code: u8) -> impl Fn(anyhow::Error) -> RunFailure {
+    move |error| RunFailure { code, error }
 }
 
-fn run(arguments: &Arguments) -> Result<u8, Failure> {
+fn run(arguments: &Arguments) -> Result<u8, RunFailure> {
     let folders = if arguments.read.is_empty() {
         tool::find().map_err(ends_with(3))?;
         let prepared = prepared(arguments).map_err(ends_with(2))?;

@@ -6,7 +6,7 @@ use crate::{CaseFileError, Suite};
 
 /// One finding of `stickler lint`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
+pub struct LintFinding {
     /// The severity of the finding.
     pub severity: Severity,
     /// The message and its place.
@@ -24,7 +24,7 @@ pub enum Severity {
 
 /// Reads the suite at `dir`, whose sources may speak for these built-in `engines`; returns its mistakes and warnings, ordered by
 /// file and line.
-pub fn lint(dir: &Path, engines: &[&str]) -> Vec<Finding> {
+pub fn lint(dir: &Path, engines: &[&str]) -> Vec<LintFinding> {
     let mut suite = Suite::load(dir);
     suite.errors.extend(suite.sources.unknown_engines(engines));
     suite.findings()
@@ -32,9 +32,9 @@ pub fn lint(dir: &Path, engines: &[&str]) -> Vec<Finding> {
 
 impl Suite {
     /// Returns the mistakes and warnings for the files of a suite that was loaded as a whole, ordered by file and line.
-    pub fn findings(&self) -> Vec<Finding> {
+    pub fn findings(&self) -> Vec<LintFinding> {
         let finding = |severity| {
-            move |what: &CaseFileError| Finding {
+            move |what: &CaseFileError| LintFinding {
                 severity,
                 what: what.clone(),
             }
@@ -46,7 +46,7 @@ impl Suite {
             false => Vec::new(),
         };
         let warnings = self.remarks.iter().chain(&unused).map(finding(Severity::Warning));
-        let mut findings: Vec<Finding> = errors.chain(warnings).collect();
+        let mut findings: Vec<LintFinding> = errors.chain(warnings).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();
         findings

@@ -1,7 +1,7 @@
 //! Whether the documents say of a call what the probes of its table claim.
 
 use crate::call::Call;
-use crate::table::{Claim, Probe, Table};
+use crate::table::{Probe, ProbeClaim, Table};
 use stickler_exact::{Expected, Operation};
 use stickler_types::{DialectName, ElementaryType};
 
@@ -46,7 +46,7 @@ impl Table {
             for &dialect in &probe.dialects {
                 let expected = call.expected(dialect);
                 let expected = expected.ok_or_else(|| format!("{dialect} has no such function"))?;
-                if probe.claim == Some(Claim::Value)
+                if probe.claim == Some(ProbeClaim::Value)
                     && expected.basis.is_none()
                     && self.has_column("dialects")
                 {
@@ -54,7 +54,7 @@ impl Table {
                     continue;
                 }
                 self.check(probe, call, dialect, &expected)?;
-                let (Some(Claim::Value), Some(basis)) = (probe.claim, expected.basis) else {
+                let (Some(ProbeClaim::Value), Some(basis)) = (probe.claim, expected.basis) else {
                     continue;
                 };
                 let value = expected.value.to_string();
@@ -124,14 +124,14 @@ impl Table {
         let may_record = RECORD_MORE.contains(&self.name.as_str());
         match (probe.claim, expected.basis) {
             (None, _) => Err(format!("`{name}` neither asserts a result nor records one")),
-            (Some(Claim::Value), None) => Err(format!("`{name}` asserts what is open in {dialect}")),
-            (Some(Claim::Open | Claim::NeverFaults), Some(basis)) if !may_record => {
+            (Some(ProbeClaim::Value), None) => Err(format!("`{name}` asserts what is open in {dialect}")),
+            (Some(ProbeClaim::Open | ProbeClaim::NeverFaults), Some(basis)) if !may_record => {
                 Err(format!("`{name}` leaves open in {dialect} what {basis} says"))
             }
-            (Some(Claim::Open), None) if is_named(call, dialect) && !may_record => {
+            (Some(ProbeClaim::Open), None) if is_named(call, dialect) && !may_record => {
                 Err(format!("`{name}` does not say that {dialect} never faults here"))
             }
-            (Some(Claim::NeverFaults), None) if !is_named(call, dialect) => {
+            (Some(ProbeClaim::NeverFaults), None) if !is_named(call, dialect) => {
                 Err(format!("no document of {dialect} names the function"))
             }
             _ => Ok(()),

@@ -1,7 +1,7 @@
 //! The results that IEC 60559 and two's complement suggest where a table only records them.
 
 use crate::folder::CallTable;
-use crate::table::Claim;
+use crate::table::ProbeClaim;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The result that IEC 60559 and two's complement suggest for a call of which a probe asserts nothing.
@@ -28,7 +28,7 @@ impl CallTable {
     pub fn suggestions(&self) -> Vec<Suggestion> {
         let mut suggestions = Vec::new();
         let probes = self.table.probes.iter();
-        for probe in probes.filter(|probe| probe.claim != Some(Claim::Value)) {
+        for probe in probes.filter(|probe| probe.claim != Some(ProbeClaim::Value)) {
             for &dialect in &probe.dialects {
                 let rows = self.calls.iter().zip(&self.rows);
                 suggestions.extend(rows.filter_map(|(call, row)| {

@@ -72,7 +72,7 @@ pub struct Probe {
     /// The name, which stands in ids.
     pub name: String,
     /// The claim of the probe; `None` where its marks alone state it.
-    pub claim: Option<Claim>,
+    pub claim: Option<ProbeClaim>,
     /// The dialects in which it claims that.
     pub dialects: Vec<DialectName>,
     /// The sources that say so, as one text: a dialect's is the first that speaks for it.
@@ -83,7 +83,7 @@ pub struct Probe {
 
 /// The claim of a probe about the result of a call.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Claim {
+pub enum ProbeClaim {
     /// The result is that of the column `expected`: `expect = "{expected}"`.
     Value,
     /// No document says what the result is; it is recorded: `expect = "open"`.
@@ -104,7 +104,7 @@ impl Table {
         let own = keys.basis.unwrap_or_default();
         let probes = keys.probe.into_iter().map(|probe| {
             Ok(Probe {
-                claim: Claim::of(&probe),
+                claim: ProbeClaim::of(&probe),
                 dialects: match &probe.dialects {
                     Some(names) => resolve(names, dialects)?,
                     None => all.clone(),
@@ -215,13 +215,13 @@ impl Table {
     }
 }
 
-impl Claim {
-    fn of(probe: &ProbeKeys) -> Option<Claim> {
+impl ProbeClaim {
+    fn of(probe: &ProbeKeys) -> Option<ProbeClaim> {
         match probe.expect.as_deref() {
-            Some("{expected}") => Some(Claim::Value),
-            Some("open") => Some(Claim::Open),
-            Some("accepted") => Some(Claim::NeverFaults),
-            None if probe.source.contains("(*! ok *)") => Some(Claim::NeverFaults),
+            Some("{expected}") => Some(ProbeClaim::Value),
+            Some("open") => Some(ProbeClaim::Open),
+            Some("accepted") => Some(ProbeClaim::NeverFaults),
+            None if probe.source.contains("(*! ok *)") => Some(ProbeClaim::NeverFaults),
             _ => None,
         }
     }

@@ -6,7 +6,7 @@ use stickler_types::{DialectName, Value};
 
 /// A program that an engine is asked to run, with the values that it must give.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Question<'a> {
+pub(crate) struct JudgedProgram<'a> {
     /// The dialect of the program.
     pub(crate) dialect: DialectName,
     /// The text of the program.
@@ -26,12 +26,12 @@ pub(crate) enum Agreement {
     /// The engine says that it cannot do this.
     Unsupported,
     /// The engine did something else than it must.
-    Disagrees(Disagreement),
+    Disagrees(EngineDisagreement),
 }
 
 /// The way in which an engine did something else than it must.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Disagreement {
+pub(crate) struct EngineDisagreement {
     /// The text of a [`OutcomeSymptom`], which stays the same when the program is made smaller.
     pub(crate) symptom: String,
     /// A message for a person.
@@ -40,7 +40,7 @@ pub(crate) struct Disagreement {
 
 impl Agreement {
     fn disagrees(symptom: OutcomeSymptom, message: impl Into<String>) -> Agreement {
-        Agreement::Disagrees(Disagreement {
+        Agreement::Disagrees(EngineDisagreement {
             symptom: symptom.to_string(),
             message: message.into(),
         })
@@ -57,8 +57,8 @@ impl Agreement {
 
 /// Compares an outcome with what was asked. Where an engine is not bound, only what no program excuses counts: to die, to
 /// hang, to answer nonsense.
-pub(crate) fn compare(question: Question<'_>, outcome: &Outcome) -> Agreement {
-    let Question {
+pub(crate) fn compare(question: JudgedProgram<'_>, outcome: &Outcome) -> Agreement {
+    let JudgedProgram {
         values: expected,
         binds,
         ..

@@ -1,6 +1,6 @@
 //! An engine of a campaign.
 
-use super::comparison::{Agreement, Disagreement, Question, compare};
+use super::comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
 use crate::finding::EngineInfo;
 use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, RunRequest};
 use stickler_types::DialectName;
@@ -34,7 +34,7 @@ impl EngineUnderTest<'_> {
 }
 
 /// Runs a program for one scan and observes all of it. An engine that cannot be started again after a crash has crashed.
-pub(crate) fn ask(session: &mut EngineSession<'_>, question: Question<'_>) -> Outcome {
+pub(crate) fn ask(session: &mut EngineSession<'_>, question: JudgedProgram<'_>) -> Outcome {
     let observe: Vec<Observation> = question
         .values
         .iter()
@@ -55,7 +55,7 @@ pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Re
     const PROGRAM: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := 1;\nEND_PROGRAM\n";
     /// A machine that is short of memory may need a moment.
     const ATTEMPTS: usize = 3;
-    let question = Question {
+    let question = JudgedProgram {
         dialect,
         text: PROGRAM,
         values: &[],
@@ -65,7 +65,9 @@ pub(super) fn lives(session: &mut EngineSession<'_>, dialect: DialectName) -> Re
     for _ in 0..ATTEMPTS {
         let outcome = ask(session, question);
         match compare(question, &outcome) {
-            Agreement::Disagrees(Disagreement { message, .. }) if has_died(&outcome) => reason = message,
+            Agreement::Disagrees(EngineDisagreement { message, .. }) if has_died(&outcome) => {
+                reason = message
+            }
             _ => return Ok(()),
         }
     }

@@ -1,6 +1,6 @@
 //! A program with all that is needed to ask an engine about it.
 
-use super::comparison::Question;
+use super::comparison::JudgedProgram;
 use stickler_generate::evaluate::{Evaluation, EvaluationError, OpenPoint, evaluate};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
@@ -40,8 +40,8 @@ impl EvaluatedProgram {
     }
 
     /// Returns the question that an engine is asked about the program.
-    pub(crate) fn question(&self, is_reference: bool) -> Question<'_> {
-        Question {
+    pub(crate) fn question(&self, is_reference: bool) -> JudgedProgram<'_> {
+        JudgedProgram {
             dialect: self.program.dialect,
             text: &self.text,
             values: &self.values,

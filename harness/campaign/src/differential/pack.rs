@@ -6,7 +6,7 @@
 //!
 //! Basis: harness/engines/README.md (packs).
 
-use super::comparison::Question;
+use super::comparison::JudgedProgram;
 use super::evaluated::EvaluatedProgram;
 use super::renumber::Shift;
 use stickler_generate::model::visit::bodies;
@@ -56,8 +56,8 @@ impl Pack {
     }
 
     /// Returns the question that an engine is asked about the pack.
-    pub(super) fn question(&self) -> Question<'_> {
-        Question {
+    pub(super) fn question(&self) -> JudgedProgram<'_> {
+        JudgedProgram {
             dialect: self.dialect,
             text: &self.text,
             values: &self.values,

@@ -1,12 +1,14 @@
 //! Reduces a mismatch of an engine, runs it once more, and makes a finding of it.
 
-use super::comparison::{Agreement, Disagreement};
+use super::comparison::{Agreement, EngineDisagreement};
 use super::describe::describe;
 use super::engine::has_died;
 use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
-use crate::finding::{Confirmation, EngineReport, Expected, FORMAT, Finding, ObservedValue, Origin};
+use crate::finding::{
+    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+};
 use crate::oracle::Mismatch;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
@@ -59,7 +61,7 @@ impl DifferentialWorker<'_> {
         } else {
             reduced.value
         };
-        let origin = Origin {
+        let origin = FindingOrigin {
             seed: oracle.inputs.seed(),
             place: mismatch.place,
             open: oracle.open,
@@ -118,7 +120,7 @@ impl DifferentialWorker<'_> {
         start: &Program,
         program: Program,
         standing: Confirmation,
-        origin: Origin,
+        origin: FindingOrigin,
     ) -> Finding {
         let original = EvaluatedProgram::new(start.clone())
             .map(|subject| subject.text)
@@ -134,7 +136,7 @@ impl DifferentialWorker<'_> {
             // What was evaluated before can be evaluated again; if not, the original says all that is known.
             Err(word) => (
                 original.clone(),
-                Expected::Property {
+                ExpectedBehavior::Property {
                     claim: word.to_owned(),
                 },
                 Vec::new(),
@@ -151,7 +153,7 @@ impl DifferentialWorker<'_> {
             rule,
             dialect: Some(dialect.as_str().to_owned()),
             standing,
-            origin: Origin {
+            origin: FindingOrigin {
                 size_found: lines(&original),
                 size: lines(&text),
                 ..origin
@@ -191,7 +193,7 @@ impl DifferentialWorker<'_> {
             let (outcome, agreement) = self.hold(other, subject);
             said.push(describe(asked, &outcome));
             match agreement {
-                Agreement::Disagrees(Disagreement {
+                Agreement::Disagrees(EngineDisagreement {
                     symptom,
                     message: text,
                 }) if other == index && symptom == mismatch.symptom => {
@@ -214,12 +216,12 @@ impl DifferentialWorker<'_> {
 }
 
 /// Returns what must happen, by the evaluator.
-pub(crate) fn expected(subject: &EvaluatedProgram, basis: String) -> Expected {
+pub(crate) fn expected(subject: &EvaluatedProgram, basis: String) -> ExpectedBehavior {
     let values = subject.values.iter().map(|(name, value)| ObservedValue {
         name: name.clone(),
         value: value.to_string(),
     });
-    Expected::Values {
+    ExpectedBehavior::Values {
         values: values.collect(),
         basis: subject.opened.is_empty().then_some(basis),
         opened: subject.opened.iter().map(ToString::to_string).collect(),

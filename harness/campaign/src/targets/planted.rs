@@ -1,7 +1,7 @@
 //! A program with a planted error made small: what is around the error goes, and the same kind of error is planted anew.
 
 use crate::basis::of_code;
-use crate::finding::Expected;
+use crate::finding::ExpectedBehavior;
 use arbitrary::Unstructured;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
@@ -25,7 +25,7 @@ pub(super) struct SmallPlant {
     /// The failure of the reduced program.
     pub(super) failure: OracleFailure,
     /// The diagnostic that must come; `None` where it is the sound program that is rejected.
-    pub(super) expected: Option<Expected>,
+    pub(super) expected: Option<ExpectedBehavior>,
 }
 
 /// Makes what an input stands for small, if an error of the same kind can be planted so that it fails alike.
@@ -157,8 +157,8 @@ impl Search<'_> {
 }
 
 impl Found {
-    fn expected(&self) -> Expected {
-        Expected::Rejected {
+    fn expected(&self) -> ExpectedBehavior {
+        ExpectedBehavior::Rejected {
             code: self.planted.code.as_str().to_owned(),
             line: self.line,
             basis: Some(of_code(self.planted.code, self.planted.program.dialect)),

@@ -4,7 +4,7 @@
 use super::planted::{self, SmallPlant};
 use crate::basis::basis;
 use crate::differential::{EvaluatedProgram, expected};
-use crate::finding::Expected;
+use crate::finding::ExpectedBehavior;
 use crate::shrink;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_generate::model::Program;
@@ -31,7 +31,7 @@ pub(super) struct Small {
     /// The dialect of the program, where there is one.
     pub(super) dialect: Option<DialectName>,
     /// The result that the reduced program must have, where it can be computed.
-    pub(super) expected: Option<Expected>,
+    pub(super) expected: Option<ExpectedBehavior>,
 }
 
 impl Small {

@@ -2,7 +2,7 @@
 
 use super::reduced::Small;
 use super::worker::TargetWorker;
-use crate::finding::{Confirmation, Expected, FORMAT, Finding, Origin};
+use crate::finding::{Confirmation, ExpectedBehavior, FORMAT, Finding, FindingOrigin};
 use crate::oracle::Mismatch;
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
 
@@ -21,7 +21,7 @@ impl TargetWorker<'_> {
         // What is not seen again is kept as it was found.
         let failure = small.failure.as_ref().or(found.as_ref());
         let program = text(target, failure, &small.input);
-        let origin = Origin {
+        let origin = FindingOrigin {
             seed: self.oracle.inputs.seed(),
             place: mismatch.place,
             open: false,
@@ -46,7 +46,7 @@ impl TargetWorker<'_> {
             standing,
             origin,
             message,
-            expected: small.expected.unwrap_or_else(|| Expected::Property {
+            expected: small.expected.unwrap_or_else(|| ExpectedBehavior::Property {
                 claim: claim(target).to_owned(),
             }),
             outcomes: Vec::new(),

@@ -4,7 +4,7 @@ use crate::engines::{Defect, Defective};
 use crate::reproducible::{campaign, whole};
 use std::fs;
 use std::path::Path;
-use stickler_campaign::finding::{Confirmation, Expected};
+use stickler_campaign::finding::{Confirmation, ExpectedBehavior};
 use stickler_campaign::{CampaignEnd, CaseHead, EngineUnderTest, Finding, Store, load, promote, replay};
 use stickler_engines::{Engine, Reference};
 use stickler_workers::Shard;
@@ -37,7 +37,7 @@ fn a_program_that_is_computed_wrongly_is_found_and_made_small() {
         .map(|answer| answer.engine.name.as_str())
         .collect();
     assert_eq!(outcomes, ["reference", "defective"]);
-    let Expected::Values { opened, .. } = &finding.expected else {
+    let ExpectedBehavior::Values { opened, .. } = &finding.expected else {
         panic!("values")
     };
     assert_eq!(opened, &Vec::<String>::new());

@@ -8,7 +8,7 @@ use anyhow::Context;
 use std::borrow::Cow;
 use std::env;
 use std::io::{self, Write};
-use stickler_configuration::{Configuration, Kind};
+use stickler_configuration::{Configuration, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
 
 const BOLD: Style = Style::new().bold();
@@ -36,7 +36,7 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
     let (folder, line) = match words {
         [name] if engines::names(&configuration).contains(&name.as_str()) => {
             match configuration.engine(name).map(|entry| &entry.kind) {
-                Some(Kind::Command { line }) => (configuration.folder(), line.clone()),
+                Some(EngineKind::Command { line }) => (configuration.folder(), line.clone()),
                 // An engine that is no process of its own is served by this program.
                 _ => (None, served(name, &configuration)?),
             }

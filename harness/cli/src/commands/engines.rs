@@ -6,7 +6,7 @@ use crate::{engines, interrupt};
 use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
-use stickler_configuration::{Configuration, Kind};
+use stickler_configuration::{Configuration, EngineKind};
 use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency};
 use stickler_types::wrap;
 use stickler_workers::WorkerPool;
@@ -102,9 +102,9 @@ impl<'n> Listed<'n> {
     fn new(name: &'n str, sought: CompilerSearch, configuration: &'n Configuration) -> Listed<'n> {
         let entry = configuration.engine(name);
         let (compiler, project) = match entry.map(|entry| &entry.kind) {
-            Some(Kind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),
-            Some(Kind::Described(description)) => (None, description.project()),
-            Some(Kind::Command { .. }) => (None, None),
+            Some(EngineKind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),
+            Some(EngineKind::Described(description)) => (None, description.project()),
+            Some(EngineKind::Command { .. }) => (None, None),
             None => {
                 let compiler = Compiler::from_name(name);
                 (compiler, compiler.map(Compiler::project))

@@ -6,7 +6,7 @@ use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_engines::Compiler;
-use stickler_suite::{Finding, Severity};
+use stickler_suite::{LintFinding, Severity};
 
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
@@ -31,7 +31,7 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
         .fold(Exit::AsExpected, Exit::worst))
 }
 
-fn write(finding: &Finding, out: &mut dyn Write) -> io::Result<()> {
+fn write(finding: &LintFinding, out: &mut dyn Write) -> io::Result<()> {
     match finding.severity {
         Severity::Error => writeln!(out, "{ERROR}error:{ERROR:#} {}", finding.what),
         Severity::Warning => writeln!(out, "{WARNING}warning:{WARNING:#} {}", finding.what),

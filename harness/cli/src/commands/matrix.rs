@@ -12,7 +12,7 @@ use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-use table::{Documents, EngineAnswers, MatrixTable};
+use table::{DialectMatrix, Documents, EngineAnswers};
 
 /// The probe whose cells form the matrix.
 const PROBE: &str = "assignment";
@@ -110,7 +110,7 @@ fn gather(
     dialect: DialectName,
     documents: Documents,
     engines: &[&NamedEngine],
-) -> anyhow::Result<MatrixTable> {
+) -> anyhow::Result<DialectMatrix> {
     let named = |ty: &ElementaryType| documents.keys().any(|(row, column)| row == ty || column == ty);
     let types: Vec<ElementaryType> = ElementaryType::ALL
         .into_iter()
@@ -128,7 +128,7 @@ fn gather(
         });
     }
     bar.finish();
-    Ok(MatrixTable {
+    Ok(DialectMatrix {
         dialect,
         types,
         documents,

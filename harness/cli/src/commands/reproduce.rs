@@ -11,7 +11,7 @@ use page::{README, ReproductionPage};
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use stickler_configuration::{Configuration, Kind};
+use stickler_configuration::{Configuration, EngineKind};
 use stickler_engines::{
     Ability, Compiler, Description, Engine, NoReproduction, Outcome, Reproduction, RunRequest, shell_quote,
 };
@@ -85,10 +85,10 @@ impl KnownCompiler<'_> {
     fn named<'c>(name: &str, configuration: &'c Configuration) -> anyhow::Result<KnownCompiler<'c>> {
         let entry = configuration.engine(name).map(|entry| &entry.kind);
         match (entry, Compiler::from_name(name)) {
-            (Some(Kind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
+            (Some(EngineKind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
             (None, Some(compiler)) => Ok(KnownCompiler::Adapter(compiler)),
-            (Some(Kind::Described(description)), _) => Ok(KnownCompiler::Described(description)),
-            (Some(Kind::Command { .. }), _) => Err(NoReproduction::NoTools(name.to_owned()).into()),
+            (Some(EngineKind::Described(description)), _) => Ok(KnownCompiler::Described(description)),
+            (Some(EngineKind::Command { .. }), _) => Err(NoReproduction::NoTools(name.to_owned()).into()),
             (None, None) if name == engines::REFERENCE || name.starts_with(engines::COMMAND) => {
                 Err(NoReproduction::NoTools(name.to_owned()).into())
             }

@@ -14,7 +14,7 @@ use std::io::Write;
 use std::time::Instant;
 use stickler_conversions::sweep::{Sampling, Sweep, SweepFindings, SweepMethod, SweepProgress, agenda, run};
 use stickler_conversions::{FunctionDialects, find_function};
-use stickler_types::boundaries::Detail;
+use stickler_types::boundaries::BoundaryDetail;
 use stickler_workers::Cancellation;
 
 /// Sweeps a function between each of its types and by each of its rules, and shows the findings after each sweep.
@@ -33,7 +33,7 @@ pub fn execute(arguments: &SweepArguments, out: &mut dyn Write) -> anyhow::Resul
     let sampling = Sampling {
         inputs: arguments.sample,
         seed: arguments.seed,
-        detail: Detail::Fine,
+        detail: BoundaryDetail::Fine,
     };
     let sweeps = agenda(&function, &having, sampling, SweepMethod::Conversion)?;
     let cancel = interrupt::cancellation()?;

@@ -1,7 +1,7 @@
 //! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
-use super::table::{self, Align, Shown};
+use super::table::{self, Align, NotedCell};
 use super::values::Call;
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
@@ -120,7 +120,7 @@ impl OverviewPage<'_> {
             engines => engines.get(column.engine).map(|identity| identity.name.clone()),
         });
         let dialects: Vec<DialectName> = group.iter().map(|column| column.dialect).collect();
-        let shown = |compared: &ComparedResult| Shown {
+        let shown = |compared: &ComparedResult| NotedCell {
             value: match &compared.got {
                 Ok(value) => untyped(value, result),
                 Err(refusal) => refusal.kind.word().to_owned(),
@@ -265,8 +265,8 @@ fn operand(value: &Value, ty: ElementaryType) -> String {
     }
 }
 
-fn plain(value: String) -> Shown {
-    Shown {
+fn plain(value: String) -> NotedCell {
+    NotedCell {
         value,
         note: String::new(),
         style: Style::new(),

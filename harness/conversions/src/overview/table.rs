@@ -19,7 +19,7 @@ pub enum Align {
 }
 
 /// The content of one cell.
-pub struct Shown {
+pub struct NotedCell {
     /// The value.
     pub value: String,
     /// The note behind the value: a letter, and a mark; may be empty.
@@ -33,7 +33,7 @@ pub struct Column {
     /// The lines of the head.
     pub head: Vec<String>,
     /// The cells, one for each row.
-    pub cells: Vec<Shown>,
+    pub cells: Vec<NotedCell>,
     /// The alignment of the values.
     pub align: Align,
 }
@@ -158,11 +158,11 @@ fn padded(text: &str, to: usize, align: Align) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Align, Column, Shown, write};
+    use super::{Align, Column, NotedCell, write};
     use anstyle::Style;
 
     fn column(head: &[&str], cells: &[(&str, &str)], align: Align) -> Column {
-        let cell = |(value, note): &(&str, &str)| Shown {
+        let cell = |(value, note): &(&str, &str)| NotedCell {
             value: (*value).to_owned(),
             note: (*note).to_owned(),
             style: Style::new(),

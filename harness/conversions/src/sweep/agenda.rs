@@ -3,7 +3,7 @@
 use crate::functions::{NoSuchFunction, find_function};
 use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
-use crate::sweep::reference::Reference;
+use crate::sweep::reference::ReferenceFunction;
 use stickler_exact::{Operation, Signature, choices_of, signatures};
 use stickler_types::{ConversionChoices, DialectName, ElementaryType};
 
@@ -19,7 +19,7 @@ pub struct Sweep {
     /// The inputs of the sweep.
     pub domain: Domain,
     /// The reference's own conversion.
-    pub reference: Reference,
+    pub reference: ReferenceFunction,
 }
 
 /// The reason why a function cannot be swept.
@@ -85,7 +85,7 @@ pub fn agenda(
     for dialect in find_function(function, dialects)?.having {
         let choices = choices_of(dialect);
         for signature in signatures(function, dialect) {
-            let Some(reference) = Reference::find(&signature, dialect) else {
+            let Some(reference) = ReferenceFunction::find(&signature, dialect) else {
                 return Err(AgendaError::NotInReference {
                     function: function.to_owned(),
                     dialect,

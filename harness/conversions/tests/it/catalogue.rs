@@ -6,7 +6,7 @@ use stickler_conversions::NoSuchFunction;
 use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, SweepMethod, agenda};
 use stickler_exact::{Signature, functions};
 use stickler_types::DialectName;
-use stickler_types::boundaries::Detail;
+use stickler_types::boundaries::BoundaryDetail;
 
 /// Sweeps every function of every dialect, each distinct rule once: every input of a source of at most 16 bits, and the
 /// nearest neighbours of the boundaries with a small sample of the others.
@@ -60,7 +60,7 @@ fn the_reference_is_exact_wherever_a_moment_suffices() {
 fn coarse(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
     let sampling = Sampling {
         inputs,
-        detail: Detail::Coarse,
+        detail: BoundaryDetail::Coarse,
         ..Sampling::default()
     };
     agenda(function, &[dialect], sampling, SweepMethod::Conversion).expect("the reference has every function")

@@ -6,14 +6,14 @@ use stickler_conversions::sweep::foreign::{ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
 use stickler_types::DialectName;
-use stickler_types::boundaries::Detail;
+use stickler_types::boundaries::BoundaryDetail;
 use stickler_workers::Cancellation;
 
 fn sweeps(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Sweep> {
     let sampling = Sampling {
         inputs,
         seed: 1,
-        detail: Detail::Coarse,
+        detail: BoundaryDetail::Coarse,
     };
     agenda(function, &[dialect], sampling, SweepMethod::Programs).unwrap_or_default()
 }

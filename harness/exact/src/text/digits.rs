@@ -9,7 +9,7 @@ use stickler_types::ElementaryType;
 
 /// A positive number in decimal digits: `d.ddd * 10^exponent`.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct Decimal {
+pub(super) struct RoundedDecimal {
     /// The digits, each from 0 to 9, the first and the last of them not 0.
     pub(super) digits: Vec<u8>,
     /// The power of ten of the first digit.
@@ -77,7 +77,7 @@ pub(super) fn shortest(
     exponent: i32,
     is_lowest_of_binade: bool,
     ty: ElementaryType,
-) -> Decimal {
+) -> RoundedDecimal {
     // 9 and 17 digits always read back; one more decides to which side the last of them is rounded.
     let most = if ty == ElementaryType::Real { 10 } else { 18 };
     let number = Fraction::binary(significand, exponent);
@@ -170,7 +170,7 @@ impl Interval {
 
 /// Returns the positive number `significand * 2^exponent` with `count` significant digits, at least one, rounded half to
 /// even, without zeros at the end.
-pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Decimal {
+pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> RoundedDecimal {
     let number = Fraction::binary(significand, exponent);
     let places = i32::from(count.max(1)) - 1 - number.decimal_exponent();
     let scaled = number.scaled(places);
@@ -179,13 +179,13 @@ pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Decimal
 }
 
 /// Returns the positive number with these decimal digits times 10^`exponent`.
-fn decimal(written: &str, exponent: i32) -> Decimal {
+fn decimal(written: &str, exponent: i32) -> RoundedDecimal {
     let digits: Vec<u8> = written
         .trim_end_matches('0')
         .bytes()
         .map(|digit| digit - b'0')
         .collect();
-    Decimal {
+    RoundedDecimal {
         digits,
         exponent: exponent + written.len() as i32 - 1,
     }

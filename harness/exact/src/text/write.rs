@@ -1,6 +1,6 @@
 //! Conversions of values to texts.
 
-use super::digits::{self, Decimal};
+use super::digits::{self, RoundedDecimal};
 use crate::calendar;
 use crate::integer;
 use crate::real::{self, Real};
@@ -119,7 +119,7 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
 }
 
 /// Formats a number in the canonical spelling: always with a point, and with an exponent below 1E-4 and from 1E16.
-fn canonical(decimal: &Decimal) -> String {
+fn canonical(decimal: &RoundedDecimal) -> String {
     if (-4..16).contains(&decimal.exponent) {
         let plain = plain(decimal);
         if plain.contains('.') { plain } else { plain + ".0" }
@@ -133,7 +133,7 @@ fn canonical(decimal: &Decimal) -> String {
 }
 
 /// Formats a number as `%.{count}g` of C does: with an exponent below 1E-4 and from 10^count.
-fn as_printf_does(decimal: &Decimal, count: u8) -> String {
+fn as_printf_does(decimal: &RoundedDecimal, count: u8) -> String {
     if (-4..i32::from(count.max(1))).contains(&decimal.exponent) {
         return plain(decimal);
     }
@@ -147,7 +147,7 @@ fn as_printf_does(decimal: &Decimal, count: u8) -> String {
 }
 
 /// Formats all digits without an exponent, and with a point only where digits follow it.
-fn plain(decimal: &Decimal) -> String {
+fn plain(decimal: &RoundedDecimal) -> String {
     let digits = written(&decimal.digits);
     let Ok(whole) = usize::try_from(decimal.exponent + 1) else {
         let zeros = "0".repeat((-decimal.exponent - 1).unsigned_abs() as usize);

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 use stickler_exact::{Signature, expected, signatures};
 use stickler_tabulate::folder;
-use stickler_tabulate::table::{Claim, Table};
+use stickler_tabulate::table::{ProbeClaim, Table};
 use stickler_types::DialectName::{self, IronplcEd3, Matiec};
 use stickler_types::{ElementaryType, Value};
 
@@ -97,7 +97,7 @@ fn conversions_of_conversions_are_done_step_by_step() {
         let asserting = table
             .probes
             .iter()
-            .filter(|probe| probe.claim == Some(Claim::Value));
+            .filter(|probe| probe.claim == Some(ProbeClaim::Value));
         let dialects: Vec<DialectName> = asserting.flat_map(|probe| probe.dialects.clone()).collect();
         assert!(!dialects.is_empty(), "{name}");
         for (row, &dialect) in

@@ -5,43 +5,43 @@ use std::collections::BTreeSet;
 
 /// The number of neighbours that are added to each boundary value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Detail {
+pub enum BoundaryDetail {
     /// Many neighbours: some ten thousand values of a type, for computation within one process.
     Fine,
     /// The nearest neighbours: some thousand values of a type, for an engine that must be asked for each.
     Coarse,
 }
 
-impl Detail {
+impl BoundaryDetail {
     /// Returns how far the neighbourhood of an integer reaches to either side.
     const fn integers(self) -> i128 {
         match self {
-            Detail::Fine => 64,
-            Detail::Coarse => 2,
+            BoundaryDetail::Fine => 64,
+            BoundaryDetail::Coarse => 2,
         }
     }
 
     /// Returns the number of representable numbers on either side of a real one that belong to its neighbourhood.
     const fn reals(self) -> u64 {
         match self {
-            Detail::Fine => 8,
-            Detail::Coarse => 1,
+            BoundaryDetail::Fine => 8,
+            BoundaryDetail::Coarse => 1,
         }
     }
 
     /// Returns the number up to which each half is a boundary of its own.
     const fn halves(self) -> u128 {
         match self {
-            Detail::Fine => 2_048,
-            Detail::Coarse => 8,
+            BoundaryDetail::Fine => 2_048,
+            BoundaryDetail::Coarse => 8,
         }
     }
 
     /// Returns the step from one power of two to the next, where no integer is near.
     const fn powers(self) -> usize {
         match self {
-            Detail::Fine => 1,
-            Detail::Coarse => 16,
+            BoundaryDetail::Fine => 1,
+            BoundaryDetail::Coarse => 16,
         }
     }
 }
@@ -51,7 +51,7 @@ const DAY: i128 = 86_400 * SECOND;
 
 /// Returns the raw forms of a type's boundaries and of their neighbours, each once, in the order of their bits; none for a text.
 #[must_use]
-pub fn neighbourhoods(ty: ElementaryType, detail: Detail) -> Vec<u64> {
+pub fn neighbourhoods(ty: ElementaryType, detail: BoundaryDetail) -> Vec<u64> {
     let raws: BTreeSet<u64> = match ty.family() {
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Character => {
             integers(ty, detail)
@@ -69,7 +69,7 @@ pub fn neighbourhoods(ty: ElementaryType, detail: Detail) -> Vec<u64> {
 
 /// Returns the numbers around zero, the powers of two (which include the limits of every type) and the powers of ten (where
 /// decimal digits run out).
-fn integers(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
+fn integers(ty: ElementaryType, detail: BoundaryDetail) -> BTreeSet<u64> {
     let powers_of_two = (0..=64).map(|n| 1_i128 << n);
     let powers_of_ten = (1..=19).map(|n| 10_i128.pow(n));
     // The greatest digits of one, two … places, in the coded form.
@@ -87,7 +87,7 @@ fn integers(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
 
 /// Returns the numbers around zero, the powers of two, small halves, the limits of the integers and halves beside them, the
 /// largest finite number, the infinity, and NaNs of each kind; and all of them with a minus.
-fn reals(ty: ElementaryType, detail: Detail) -> BTreeSet<u64> {
+fn reals(ty: ElementaryType, detail: BoundaryDetail) -> BTreeSet<u64> {
     let format = RealFormat::of(ty);
     let mut raws = BTreeSet::new();
     let mut around = |raw: u64| {

@@ -21,7 +21,7 @@ const HEAD: usize = 8;
 pub type Documents = BTreeMap<Pair, MatrixWord>;
 
 /// The matrix of one dialect: the words of the documents, and the answers of engines.
-pub struct MatrixTable {
+pub struct DialectMatrix {
     /// The dialect.
     pub dialect: DialectName,
     /// The types of the rows and columns.
@@ -65,7 +65,7 @@ impl EngineAnswers {
     }
 }
 
-impl MatrixTable {
+impl DialectMatrix {
     /// Returns whether any engine contradicts the documents for any pair of types.
     pub fn differs(&self) -> bool {
         self.engines
@@ -183,7 +183,7 @@ fn sign(answer: MatrixAnswer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{Documents, EngineAnswers, MatrixTable};
+    use super::{DialectMatrix, Documents, EngineAnswers};
     use crate::commands::matrix::ask::MatrixAnswer;
     use std::collections::BTreeMap;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn several_engines_stand_in_one_cell_which_is_marked_where_one_of_them_differs() {
-        let matrix = MatrixTable {
+        let matrix = DialectMatrix {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),

@@ -11,7 +11,7 @@ use stickler_conversions::FunctionDialects;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, SweepProgress, agenda};
 use stickler_engines::Engine;
-use stickler_types::boundaries::Detail;
+use stickler_types::boundaries::BoundaryDetail;
 use stickler_workers::Cancellation;
 
 /// Sweeps a function in each of its dialects that the engine speaks, and shows the findings after each sweep.
@@ -30,7 +30,7 @@ pub fn execute(
     let sampling = Sampling {
         inputs: arguments.sample,
         seed: arguments.seed,
-        detail: Detail::Coarse,
+        detail: BoundaryDetail::Coarse,
     };
     let sweeps = agenda(function, &dialects, sampling, SweepMethod::Programs)?;
     let cancel = interrupt::cancellation()?;

@@ -3,7 +3,7 @@
 use super::operands::{Operands, TextOperands};
 use super::{sample, texts};
 use std::ops::Range;
-use stickler_types::boundaries::{Detail, neighbourhoods};
+use stickler_types::boundaries::{BoundaryDetail, neighbourhoods};
 use stickler_types::{ElementaryType, SplitMix64, Value};
 
 /// The size and the seed of a sample.
@@ -15,7 +15,7 @@ pub struct Sampling {
     /// The seed; the same seed gives the same inputs.
     pub seed: u64,
     /// The level of detail of the boundary values, which decides the number of neighbours of each.
-    pub detail: Detail,
+    pub detail: BoundaryDetail,
 }
 
 impl Sampling {
@@ -29,7 +29,7 @@ impl Default for Sampling {
         Sampling {
             inputs: None,
             seed: 1,
-            detail: Detail::Fine,
+            detail: BoundaryDetail::Fine,
         }
     }
 }

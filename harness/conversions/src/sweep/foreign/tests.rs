@@ -8,7 +8,7 @@ use crate::sweep::domain::Sampling;
 use std::ops::Range;
 use stickler_engines::Reference;
 use stickler_exact::{functions, signatures};
-use stickler_types::boundaries::Detail;
+use stickler_types::boundaries::BoundaryDetail;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The first and the last inputs of a stretch.
@@ -37,7 +37,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
                 continue;
             }
             let sampling = Sampling {
-                detail: Detail::Coarse,
+                detail: BoundaryDetail::Coarse,
                 ..Sampling::default()
             };
             for sweep in agenda(function, &[dialect], sampling, SweepMethod::Programs).expect("a function") {

@@ -33,7 +33,7 @@ fn parts(raw: u64, ty: ElementaryType) -> (u64, i32) {
     }
 }
 
-fn shortest_of(raw: u64, ty: ElementaryType) -> Decimal {
+fn shortest_of(raw: u64, ty: ElementaryType) -> RoundedDecimal {
     let (significand, exponent) = parts(raw, ty);
     shortest(significand, exponent, real::is_lowest_of_binade(raw, ty), ty)
 }
@@ -54,7 +54,7 @@ fn read_back(number: u64, exponent: i32, ty: ElementaryType) -> u64 {
 }
 
 /// Returns the digits as one whole number, and the power of ten to multiply it with.
-fn joined(decimal: &Decimal) -> (u64, i32) {
+fn joined(decimal: &RoundedDecimal) -> (u64, i32) {
     let number = decimal
         .digits
         .iter()
