@@ -1,7 +1,7 @@
 //! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
-use crate::judge::{differ_in_blanks_only, judge};
+use crate::judge::{differ_in_blanks_only, judge, lack_places_only};
 use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
@@ -9,6 +9,9 @@ use stickler_suite::{Case, Sources};
 
 /// The basis of the blanks between the words and signs of a rendered line. No document speaks of them.
 const RENDERING: &str = "rule: rendering";
+
+/// The basis of the line of a diagnostic that came without a place. No document promises that every diagnostic has one.
+const PLACES: &str = "rule: every-mistake-is-told";
 
 /// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +31,7 @@ impl CaseJudge<'_> {
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
         let judgement = self.judgement(case, answers);
+        let basis = self.basis(case, &judgement).to_owned();
         let (judgement, baseline) = match self.baseline {
             Some(baseline) => baseline.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
@@ -45,7 +49,7 @@ impl CaseJudge<'_> {
             verdict: judgement.verdict,
             open: case.is_open(),
             grade: judgement.grade,
-            basis: case.basis.to_string(),
+            basis,
             file: case.file.to_string(),
             line: (!passed).then_some(case.line),
             area: case.area.to_string(),
@@ -78,12 +82,23 @@ impl CaseJudge<'_> {
 
     /// Returns whether the basis of what was missed binds the engine.
     fn binds(&self, case: &Case, missed: &Judgement) -> bool {
-        let basis = match differ_in_blanks_only(&missed.expected, &missed.got) {
-            true => RENDERING,
-            false => &case.basis,
-        };
-        let claim = (basis, case.dialect);
+        let claim = (self.basis(case, missed), case.dialect);
         binds(claim, self.engine, self.sources, self.plan.strict_rules)
+    }
+
+    /// Returns the basis of a judgement: that of the case, but a rule of Stickler where nothing was missed but what only the rule
+    /// asks for.
+    fn basis<'c>(&self, case: &'c Case, judgement: &Judgement) -> &'c str {
+        let (expected, got) = (&judgement.expected[..], &judgement.got[..]);
+        match judgement.verdict {
+            Verdict::Fail | Verdict::Differs if differ_in_blanks_only(expected, got) => RENDERING,
+            Verdict::Fail | Verdict::Differs
+                if lack_places_only(expected, got, self.plan.needed(self.engine, case)) =>
+            {
+                PLACES
+            }
+            _ => &case.basis,
+        }
     }
 }
 

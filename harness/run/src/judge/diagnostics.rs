@@ -73,6 +73,38 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
     }
 }
 
+/// Returns whether the actual facts of a rejection miss nothing of the expected ones but places: each expected diagnostic came,
+/// or has a counterpart without a line; with the same code, where `needed` asks for codes.
+#[must_use]
+pub fn lack_places_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
+    let diagnostics = |facts: &[Fact]| facts.iter().map(|fact| fact.diagnostic().cloned()).collect();
+    let (Some(mut missing), Some(mut extra)): (Option<Vec<Diagnostic>>, Option<Vec<Diagnostic>>) =
+        (diagnostics(expected), diagnostics(got))
+    else {
+        return false;
+    };
+    match needed {
+        Grade::Code => missing.retain(|wanted| {
+            let met = |told: &Diagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
+            let met = extra.iter().position(met);
+            met.map(|at| extra.remove(at)).is_none()
+        }),
+        Grade::Line => {
+            let lines: Vec<Option<u32>> = extra.iter().map(|told| told.line).collect();
+            extra.retain(|told| missing.iter().all(|wanted| wanted.line != told.line));
+            missing.retain(|wanted| !lines.contains(&wanted.line));
+        }
+        Grade::Rejected => return false,
+    }
+    let codes = |diagnostics: &[Diagnostic]| {
+        let mut codes: Vec<Option<String>> = diagnostics.iter().map(|one| one.code.clone()).collect();
+        codes.sort();
+        codes
+    };
+    let same_codes = needed == Grade::Line || codes(&missing) == codes(&extra);
+    !missing.is_empty() && !extra.is_empty() && same_codes && extra.iter().all(|told| told.line.is_none())
+}
+
 /// Returns whether a diagnostic names one of these lines, given in ascending order.
 pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
     let on = |diagnostic: &Diagnostic| {

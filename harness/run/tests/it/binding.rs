@@ -1,12 +1,12 @@
 //! Tests of whom the source of an expectation binds: a miss that binds fails, any other differs.
 
-use crate::fixtures::{Puppet, executed, expecting, suite, timeless_run, values};
+use crate::fixtures::{Puppet, executed, expecting, rejected, rejection, suite, timeless_run, values};
 use std::path::Path;
 use std::time::Duration;
 use stickler_engines::{Engine, Outcome};
 use stickler_run::{
-    Answers, Baseline, Blessing, CaseEvent, CaseJudge, ChangeKind, EngineRun, Event, Fact, Plan, Rendering,
-    Verdict, bless,
+    Answers, Baseline, Blessing, CaseEvent, CaseJudge, ChangeKind, EngineRun, Event, Fact, Grade, Plan,
+    Rendering, Verdict, bless,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedText, Sources, Suite};
 use stickler_types::DialectName;
@@ -147,6 +147,61 @@ fn blanks_of_a_rendered_line_are_a_rule_whatever_the_source() {
         assert_eq!(verdict("ironplc", wanted, rendered), came, "{rendered}");
     }
     assert_eq!(verdict("reference", "r := a + b;", "r := a+b;"), Fail);
+}
+
+#[test]
+fn a_place_that_is_not_told_is_a_rule_whatever_the_source() {
+    use Verdict::{Differs, Fail};
+    let judged = |plan: &Plan, engine: &str, wanted: &[&'static str], told: &[&'static str]| {
+        let mut suite = citing(IRONPLC);
+        suite.cases[0].expectation = rejection(wanted).into();
+        let told = told.to_vec();
+        let case = judged(plan, &suite, &Puppet::new(engine, move |_| rejected(&told)));
+        (case.verdict, case.basis)
+    };
+    let rule = || (Differs, "rule: every-mistake-is-told".to_owned());
+    let failed = || (Fail, IRONPLC.to_owned());
+    let plan = Plan::default();
+    for (wanted, told, came) in [
+        (&["6 P4025"][..], &["- P4025"][..], rule()),
+        (&["6 P4025"], &["- P4026"], failed()),
+        (&["6 P4025"], &["- -"], failed()),
+        (&["6 P4025"], &["7 P4025"], failed()),
+        (&["6 P4025"], &["6 P4025", "- P4025"], failed()),
+        (&["6 P4025"], &["- P4025", "- P4026"], failed()),
+        (&["6 P4025"], &["- P4025", "7 P4025"], failed()),
+        (&["6 P4025"], &[], failed()),
+        (&["6 P4025", "7 P4026"], &["6 P4025", "- P4026"], rule()),
+        (&["6 P4025", "7 P4026"], &["- P4026"], failed()),
+    ] {
+        assert_eq!(
+            judged(&plan, "ironplc", wanted, told),
+            came,
+            "{wanted:?} {told:?}"
+        );
+    }
+    let strict = |grade, strict_rules| Plan {
+        strict: Some(grade),
+        strict_rules,
+        ..Plan::default()
+    };
+    // Where lines are judged alone, no code is asked for.
+    let by_line = strict(Grade::Line, false);
+    for (wanted, told, came) in [
+        (&["6 P4025"][..], &["- P4026"][..], rule()),
+        (&["6 P4025", "7 P4026"], &["6 -", "- -"], rule()),
+        (&["6 P4025"], &["6 -", "- -"], failed()),
+        (&["6 P4025"], &["7 -"], failed()),
+    ] {
+        assert_eq!(
+            judged(&by_line, "ironplc", wanted, told),
+            came,
+            "{wanted:?} {told:?}"
+        );
+    }
+    let bound = judged(&strict(Grade::Code, true), "ironplc", &["6 P4025"], &["- P4025"]);
+    assert_eq!((bound.0, bound.1), (Fail, rule().1));
+    assert_eq!(judged(&plan, "reference", &["6 P4025"], &["- P4025"]).0, Fail);
 }
 
 #[test]
