@@ -5,7 +5,7 @@ use crate::failed::{FailedCases, Group};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
 use crate::question::{Questioner, with_program};
-use crate::reduction::{Smallest, reduce};
+use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
 use crate::title::title;
@@ -73,7 +73,7 @@ pub struct CauseProgress {
 /// Finds the causes of the failing cases of a run, those that explain most cases first.
 ///
 /// Every group of failing cases belongs to a cause, also where the limits left no question for it; such a cause is
-/// [`Reduced::Not`]. `progress` hears of each wave of groups.
+/// [`Reduced::Partly`]. `progress` hears of each wave of groups.
 ///
 /// # Errors
 /// [`RunError::Engine`] where an engine cannot be opened, [`RunError::Workers`] where the system gives no threads.
@@ -156,7 +156,10 @@ struct Found {
 
 impl Found {
     fn unreduced(event: &CaseEvent, sign: &Sign) -> Found {
-        let smallest = Smallest::unreduced(event, sign);
+        let mut smallest = Smallest::unreduced(event, sign);
+        if is_reducible(&sign.symptom) {
+            smallest.reduction = Reduced::Partly;
+        }
         let normal = Normal::unasked(&smallest);
         Found { smallest, normal }
     }
@@ -340,10 +343,14 @@ impl Member {
 
     /// Returns the order of members with one essence, of which the first is shown: programs of which the claim of their case
     /// still speaks, then claims by their rank, then the smaller program.
-    fn preference(&self) -> (bool, bool, u8, usize, &str) {
+    fn preference(&self) -> (u8, bool, u8, usize, &str) {
         let program = &self.cause.shown.program;
         (
-            self.cause.reduction == Reduced::Not,
+            match self.cause.reduction {
+                Reduced::Smallest => 0,
+                Reduced::Partly => 1,
+                Reduced::Not => 2,
+            },
             self.cause.shown.is_derived,
             self.rank,
             program.len(),

@@ -151,7 +151,7 @@ fn repeated(
 
 /// Returns whether programs with this symptom are made smaller. A hang would take the whole time limit of each question;
 /// what a compiler renders, and what it answers beside the point, is plain without a smaller program.
-const fn is_reducible(symptom: &Symptom) -> bool {
+pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
     !matches!(symptom, Symptom::Hang | Symptom::Error(_) | Symptom::Text)
 }
 

@@ -12,7 +12,7 @@ use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, Reduced, Totals};
 use stickler_types::{counted, grouped};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
@@ -222,6 +222,14 @@ fn causes(overview: &Overview, page: &mut Page) {
             counted(cases, "case", "cases")
         ));
     }
+    let partly = found.iter().filter(|cause| cause.reduction == Reduced::Partly);
+    let partly = partly.count() as u64;
+    if partly > 0 {
+        page.add(&format!(
+            "\nThe search ended before the programs of {} were as small as possible; several may have one cause.\n",
+            counted(partly, "cause", "causes")
+        ));
+    }
 }
 
 fn failure(case: &CaseEvent, overview: &Overview) -> String {
@@ -325,7 +333,7 @@ mod tests {
     use super::{MAX_BYTES, markdown};
     use crate::overview::Overview;
     use crate::sample;
-    use stickler_run::{CaseEvent, Event, Verdict};
+    use stickler_run::{CaseEvent, Event, Reduced, Verdict};
 
     fn page(events: &[Event]) -> String {
         let mut overview = Overview::default();
@@ -411,9 +419,15 @@ mod tests {
         let causes = [("`a` gives 1", Verdict::Fail), ("known", Verdict::Xfail)];
         let footer = run.len() - 1;
         for (title, verdict) in causes {
-            run.insert(footer, Event::Cause(sample::cause(title, 7, verdict)));
+            let mut cause = sample::cause(title, 7, verdict);
+            cause.reduction = Reduced::Partly;
+            run.insert(footer, Event::Cause(cause));
         }
         let text = page(&run);
+        assert!(
+            text.contains("\nThe search ended before the programs of 1 cause were as small"),
+            "{text}"
+        );
         let row = "| 7 | \\`a\\` gives 1 | reference | ironplc-type-conversions: Integer widening |\n";
         assert!(text.contains(row), "{text}");
         assert!(!text.contains("known"), "{text}");

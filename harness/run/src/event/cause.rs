@@ -67,11 +67,10 @@ pub struct Witness {
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Reduced {
-    /// No reduction was tried: the engine answered otherwise when it was asked again, the questions were spent, or nothing
-    /// can be left out.
+    /// The program is as it was: the engine answered otherwise when it was asked again, or nothing can be left out.
     #[default]
     Not,
-    /// The questions for it were spent before it was as small as it can be.
+    /// The questions or the time for it were spent before it was as small as it can be, or before anything was asked.
     Partly,
     /// No smaller program was found.
     Smallest,
