@@ -90,6 +90,10 @@ const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 // The tests of STruC++.
 const STRUCPP_TIME: &str = "strucpp-tests: tests/st-validation/data_types/test_time_types.st";
 
+// The tests of RuSTy.
+const RUSTY_NUMBERS: &str = "rusty-tests: libs/stdlib/tests/num_conversion_tests.rs";
+const RUSTY_BITS: &str = "rusty-tests: libs/stdlib/tests/bit_conversion_tests.rs";
+
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
@@ -108,6 +112,7 @@ enum Rules {
     Matiec,
     Plcnext,
     Strucpp,
+    Rusty,
 }
 
 impl Rules {
@@ -117,16 +122,17 @@ impl Rules {
             BuiltIn::Matiec => Rules::Matiec,
             BuiltIn::Plcnext => Rules::Plcnext,
             BuiltIn::Strucpp => Rules::Strucpp,
+            BuiltIn::Rusty => Rules::Rusty,
         }
     }
 
-    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext
-    /// and STruC++, whose documents do not state it.
+    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext,
+    /// STruC++ and RuSTy, whose documents do not state it.
     fn documented(self, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
         match self {
             Rules::Ironplc => Some(ironplc),
             Rules::Matiec => Some(matiec),
-            Rules::Plcnext | Rules::Strucpp => None,
+            Rules::Plcnext | Rules::Strucpp | Rules::Rusty => None,
         }
     }
 
@@ -162,6 +168,9 @@ impl Call<'_> {
     fn of_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
+            (Signed | Unsigned, Signed | Unsigned) if self.rules == Rules::Rusty => Some(RUSTY_NUMBERS),
+            (BitString, BitString) if self.rules == Rules::Rusty => Some(RUSTY_BITS),
+            (BitString, Signed | Unsigned) if self.rules == Rules::Rusty => Some(BITS_AND_NUMBERS),
             (Signed | Unsigned, Signed | Unsigned) => self.rules.documented(IRONPLC_INTEGERS, RANGE),
             (BitString, Signed | Unsigned) => self.rules.documented(BITS_AND_NUMBERS, RANGE),
             (Signed | Unsigned, BitString) => self.of_integer_to_bits(raw),
@@ -222,7 +231,7 @@ impl Call<'_> {
             Rules::Matiec => Some(NAMING),
             Rules::Plcnext => Some(MILLISECONDS_RULE),
             Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
-            Rules::Strucpp => Some(MILLISECONDS_RULE),
+            Rules::Strucpp | Rules::Rusty => Some(MILLISECONDS_RULE),
         }
     }
 

@@ -38,6 +38,10 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             rounding: Rounding::HalfToEven,
             ..ironplc
         },
+        BuiltIn::Rusty => ConversionChoices {
+            rounding: Rounding::HalfAwayFromZero,
+            ..ironplc
+        },
         BuiltIn::Strucpp => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
             text_reading: TextReading::LeadingNumber,

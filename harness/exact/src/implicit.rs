@@ -14,7 +14,7 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 ///
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
-/// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++.
+/// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -36,6 +36,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         BuiltIn::Matiec => MatrixWord::No,
         BuiltIn::Plcnext => plcnext(from, to),
         BuiltIn::Strucpp => strucpp(from, to),
+        BuiltIn::Rusty => rusty(from, to),
     }
 }
 
@@ -81,27 +82,54 @@ fn plcnext(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     })
 }
 
+/// Returns the answer of RuSTy's tests and its page on data types. A downcast is accepted with a warning, and nothing is said of the value, so it is
+/// open; so is what no test names.
+fn rusty(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use ElementaryType::{Char, String};
+    let is_magnitude =
+        |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string() || ty.is_duration();
+    let is_text = |ty: ElementaryType| matches!(ty.family(), Family::Text | Family::Character);
+    // "The long pendants LTIME, LTOD, LDATE and LDT are mere aliases to the original types."
+    if from.long_form() == Some(to) || to.long_form() == Some(from) {
+        return MatrixWord::Yes;
+    }
+    match (from, to) {
+        (String | Char, _) if is_magnitude(to) => MatrixWord::No,
+        (_, String | Char) if is_magnitude(from) || is_text(from) => MatrixWord::No,
+        _ => match keeps_its_value(from, to) {
+            true => MatrixWord::Yes,
+            false => MatrixWord::Open,
+        },
+    }
+}
+
 /// Returns the answer of STruC++'s page on its type system and of its tests. What narrows is accepted with a warning, and nothing is said of the
 /// value, so it is open; so is what neither the page nor a test names.
 fn strucpp(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    // A test rejects a STRING that is assigned to an INT.
+    if from == ElementaryType::String && to.is_integer() {
+        return MatrixWord::No;
+    }
+    match keeps_its_value(from, to) {
+        true => MatrixWord::Yes,
+        false => MatrixWord::Open,
+    }
+}
+
+/// Returns whether a value widens within its category, or from a bit string to an integer, or from an integer to a real that holds it.
+///
+/// Basis: strucpp-architecture: Type System ("SINT -> INT -> DINT -> LINT"); strucpp-tests: tests/semantic/type-utils.test.ts (INT to REAL, DINT to
+/// LREAL, BYTE to DWORD, BYTE to INT); rusty-tests: src/validation/tests/assignment_validation_tests.rs (without a warning).
+fn keeps_its_value(from: ElementaryType, to: ElementaryType) -> bool {
     use Family::{BitString, Real, Signed, Unsigned};
     let widens = from.bits() < to.bits();
     match (from.family(), to.family()) {
-        // "Implicit widening: SINT -> INT -> DINT -> LINT"; the tests have INT to REAL, DINT to LREAL, BYTE to DWORD and BYTE to INT.
         (Signed, Signed)
         | (Unsigned, Unsigned)
         | (Real, Real)
-        | (BitString, BitString | Signed | Unsigned)
-            if widens =>
-        {
-            MatrixWord::Yes
-        }
-        (Signed | Unsigned, Real) if from.bits() <= 16 || (widens && to == ElementaryType::Lreal) => {
-            MatrixWord::Yes
-        }
-        // A test rejects a STRING that is assigned to an INT.
-        _ if from == ElementaryType::String && to.is_integer() => MatrixWord::No,
-        _ => MatrixWord::Open,
+        | (BitString, BitString | Signed | Unsigned) => widens,
+        (Signed | Unsigned, Real) => from.bits() <= 16 || (widens && to == ElementaryType::Lreal),
+        _ => false,
     }
 }
 

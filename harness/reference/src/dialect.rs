@@ -92,6 +92,7 @@ impl Dialect {
             BuiltIn::Matiec => Dialect::matiec(),
             BuiltIn::Plcnext => Dialect::plcnext(),
             BuiltIn::Strucpp => Dialect::strucpp(),
+            BuiltIn::Rusty => Dialect::rusty(),
         };
         match name.definition() {
             None => base,
@@ -247,6 +248,20 @@ impl Dialect {
         }
     }
 
+    /// RuSTy: numbers and bit strings stand for each other, downcasts are a warning, and a real becomes the nearest integer.
+    ///
+    /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs, tests/lit/single/conversion/to_num.st;
+    /// rusty-direct-variables: Constant based Direct Access; what they leave open is accepted.
+    #[must_use]
+    pub const fn rusty() -> Dialect {
+        Dialect {
+            name: DialectName::Rusty,
+            widening: Widening::Numbers,
+            conversions: COMMON_CHOICES.with_rounding(Rounding::HalfAwayFromZero),
+            ..Dialect::plcnext()
+        }
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -269,7 +284,10 @@ mod tests {
     #[test]
     fn the_second_edition_lacks_the_types_of_the_third() {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
-        assert_eq!(DialectName::ALL.map(has), [false, true, true, false, true, true]);
+        assert_eq!(
+            DialectName::ALL.map(has),
+            [false, true, true, false, true, true, true]
+        );
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
     }
 

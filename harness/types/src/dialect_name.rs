@@ -23,6 +23,8 @@ pub enum DialectName {
     Plcnext,
     /// STruC++, as its documentation and the tests in its repository document it.
     Strucpp,
+    /// RuSTy, as its book and the tests in its repository document it.
+    Rusty,
     /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition does
     /// not state otherwise.
     Defined(DefinedDialect),
@@ -44,6 +46,8 @@ pub enum BuiltIn {
     Plcnext,
     /// [`DialectName::Strucpp`].
     Strucpp,
+    /// [`DialectName::Rusty`].
+    Rusty,
 }
 
 /// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
@@ -60,13 +64,14 @@ static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
 impl DialectName {
     /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
     /// dialects ([`DialectName::defined`]) are not included.
-    pub const ALL: [DialectName; 6] = [
+    pub const ALL: [DialectName; 7] = [
         DialectName::IronplcEd2,
         DialectName::IronplcEd3,
         DialectName::IronplcRusty,
         DialectName::Matiec,
         DialectName::Plcnext,
         DialectName::Strucpp,
+        DialectName::Rusty,
     ];
 
     /// Returns the name of the dialect, such as `ironplc-ed2`.
@@ -78,6 +83,7 @@ impl DialectName {
             DialectName::Matiec => "matiec",
             DialectName::Plcnext => "plcnext",
             DialectName::Strucpp => "strucpp",
+            DialectName::Rusty => "rusty",
             DialectName::Defined(defined) => defined.definition.name.as_str(),
         }
     }
@@ -91,6 +97,7 @@ impl DialectName {
             DialectName::Matiec => BuiltIn::Matiec,
             DialectName::Plcnext => BuiltIn::Plcnext,
             DialectName::Strucpp => BuiltIn::Strucpp,
+            DialectName::Rusty => BuiltIn::Rusty,
             DialectName::Defined(defined) => defined.definition.base,
         }
     }
@@ -145,6 +152,7 @@ impl BuiltIn {
             BuiltIn::Matiec => DialectName::Matiec,
             BuiltIn::Plcnext => DialectName::Plcnext,
             BuiltIn::Strucpp => DialectName::Strucpp,
+            BuiltIn::Rusty => DialectName::Rusty,
         }
     }
 }

@@ -251,7 +251,7 @@ fn every_command_knows_the_dialect() {
     );
     shows(&with(&["sweep", "SINT_TO_INT"]), 0, "mine");
     shows(&with(&["matrix"]), 0, "0 differ");
-    shows(&["engines", "reference"], 0, "plcnext, strucpp, mine");
+    shows(&["engines", "reference"], 0, "plcnext, strucpp, rusty, mine");
     shows(
         &["show", "widening/integer::assignment(SINT,INT)@mine"],
         0,

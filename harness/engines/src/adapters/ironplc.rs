@@ -142,7 +142,7 @@ fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
         BuiltIn::IronplcEd2 => Ok("iec61131-3-ed2"),
         BuiltIn::IronplcEd3 => Ok("iec61131-3-ed3"),
         BuiltIn::IronplcRusty => Ok("rusty"),
-        BuiltIn::Matiec | BuiltIn::Plcnext | BuiltIn::Strucpp => Err(Outcome::Unsupported {
+        BuiltIn::Matiec | BuiltIn::Plcnext | BuiltIn::Strucpp | BuiltIn::Rusty => Err(Outcome::Unsupported {
             reason: format!("it does not speak {dialect}"),
         }),
     }

@@ -89,8 +89,7 @@ impl Rusty {
             identity: Identity {
                 name: called.to_owned(),
                 version: short(&version),
-                // RuSTy documents no dialect of Stickler; this dialect has what IronPLC takes over from RuSTy.
-                dialects: vec![DialectName::IronplcRusty],
+                dialects: vec![DialectName::Rusty],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler's codes classify mistakes otherwise than the registry does.
                 grade: Grade::Line,
@@ -263,7 +262,7 @@ fn unsupported(reason: &str) -> Outcome {
 
 fn speaks(dialect: DialectName) -> Result<(), Outcome> {
     match dialect.base() {
-        BuiltIn::IronplcRusty => Ok(()),
+        BuiltIn::Rusty => Ok(()),
         _ => Err(unsupported(&format!("it does not speak {dialect}"))),
     }
 }

@@ -17,7 +17,7 @@ fn dialect(compiler: Compiler) -> DialectName {
         Compiler::Ironplc => DialectName::IronplcEd3,
         Compiler::Matiec => DialectName::Matiec,
         Compiler::Strucpp => DialectName::Strucpp,
-        Compiler::Rusty => DialectName::IronplcRusty,
+        Compiler::Rusty => DialectName::Rusty,
     }
 }
 

@@ -32,7 +32,15 @@ fn each_dialect_has_as_many_functions_as_can_be_counted() {
     let [second, third] = [counted(1, 0), counted(2, 2)];
     assert_eq!(
         totals,
-        [second + 5, third + 7, third + 7, second + 1, third + 7, third + 7]
+        [
+            second + 5,
+            third + 7,
+            third + 7,
+            second + 1,
+            third + 7,
+            third + 7,
+            third + 7
+        ]
     );
     assert_eq!([second + 5, third + 7], [506, 731]);
 }

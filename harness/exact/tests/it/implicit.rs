@@ -6,7 +6,7 @@ use stickler_exact::implicit;
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
-const FILES: [&str; 12] = [
+const FILES: [&str; 13] = [
     "integer",
     "integer-to-real",
     "real",
@@ -19,6 +19,7 @@ const FILES: [&str; 12] = [
     "plcnext-beyond-the-table",
     "matiec",
     "strucpp",
+    "rusty",
 ];
 
 type Cell = (ElementaryType, ElementaryType, DialectName);

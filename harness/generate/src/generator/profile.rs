@@ -48,6 +48,7 @@ static PROFILES: [LazyLock<DialectProfile>; DialectName::ALL.len()] = [
     LazyLock::new(|| DialectProfile::build(DialectName::Matiec)),
     LazyLock::new(|| DialectProfile::build(DialectName::Plcnext)),
     LazyLock::new(|| DialectProfile::build(DialectName::Strucpp)),
+    LazyLock::new(|| DialectProfile::build(DialectName::Rusty)),
 ];
 
 impl DialectProfile {
@@ -84,7 +85,11 @@ impl DialectProfile {
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
         match self.dialect.base() {
-            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty | BuiltIn::Strucpp => open,
+            BuiltIn::IronplcEd2
+            | BuiltIn::IronplcEd3
+            | BuiltIn::IronplcRusty
+            | BuiltIn::Strucpp
+            | BuiltIn::Rusty => open,
             BuiltIn::Matiec | BuiltIn::Plcnext => true,
         }
     }
@@ -103,7 +108,8 @@ impl DialectProfile {
             Family::Character => false,
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match (context, self.dialect) {
-                (TypeContext::Exact, _) | (_, DialectName::Plcnext | DialectName::Strucpp) => false,
+                (TypeContext::Exact, _)
+                | (_, DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty) => false,
                 (TypeContext::Initial | TypeContext::Operand, _) => true,
                 (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
                 _ => false,

@@ -77,7 +77,8 @@ pub fn wider_operand(left: ElementaryType, right: ElementaryType) -> ElementaryT
 /// Every number, bit string and BOOL into every number and bit string, also where that narrows; a bit string into BOOL, which a condition takes; a type
 /// and its long form, which is open.
 ///
-/// Basis: strucpp-architecture: Type System ("Narrowing conversions produce warnings, not errors"); strucpp-tests:
+/// Basis: strucpp-architecture: Type System ("Narrowing conversions produce warnings, not errors"); rusty-tests:
+/// src/validation/tests/assignment_validation_tests.rs; strucpp-tests:
 /// tests/semantic/type-validation.test.ts (conditions).
 fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
     let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
@@ -168,6 +169,7 @@ mod tests {
         assert_eq!(pairs(DialectName::Plcnext), 42);
         // 14 numbers and bit strings into each other, BOOL into them, bit strings into BOOL, short and long forms.
         assert_eq!(pairs(DialectName::Strucpp), 14 * 13 + 14 + 4 + 8);
+        assert_eq!(pairs(DialectName::Rusty), pairs(DialectName::Strucpp));
     }
 
     #[test]

@@ -14,6 +14,7 @@ use stickler_types::DialectName;
 const RULE: &str = "rule: not-stated";
 const STANDARD: &str = "iec-61131-3: 6.3.4";
 const IRONPLC: &str = "ironplc-bit-access: Syntax";
+const RUSTY: &str = "rusty-datatypes: Date and Time";
 const STRUCPP: &str = "strucpp-architecture: Type System";
 
 /// Returns a suite of one case with this basis, and the sources of Stickler's own suite.
@@ -73,6 +74,8 @@ fn a_miss_fails_where_the_source_binds_and_differs_elsewhere() {
         ("strucpp", IRONPLC, Differs),
         ("strucpp", STRUCPP, Fail),
         ("ironplc", STRUCPP, Differs),
+        ("rusty", RUSTY, Fail),
+        ("strucpp", RUSTY, Differs),
         ("strucpp", STANDARD, Fail),
         ("strucpp", RULE, Differs),
         // Its author lists the dialect.

@@ -71,7 +71,10 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
-    if matches!(original.dialect, DialectName::Plcnext | DialectName::Strucpp) {
+    if matches!(
+        original.dialect,
+        DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty
+    ) {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());
