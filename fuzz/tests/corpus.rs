@@ -2,56 +2,34 @@
 //!
 //! `cargo test -p stickler-fuzz --test corpus -- parse` replays one target's.
 
-use libtest_mimic::{Arguments, Failed, Trial};
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use std::{fs, io};
+use std::fs;
+use std::path::Path;
 use stickler_fuzz::FuzzTarget;
 
-/// The targets, each with the name of its folder in `corpus/` and of its tests.
-const CORPORA: [(FuzzTarget, &str); 8] = [
-    (FuzzTarget::Parse, "parse"),
-    (FuzzTarget::Literal, "literal"),
-    (FuzzTarget::Convert, "convert"),
-    (FuzzTarget::Check, "check"),
-    (FuzzTarget::Execute, "execute"),
-    (FuzzTarget::CaseFile, "case_file"),
-    (FuzzTarget::Protocol, "protocol"),
-    (FuzzTarget::Differential, "differential"),
-];
-
-fn main() -> io::Result<ExitCode> {
-    let arguments = Arguments::from_args();
-    let mut trials = Vec::new();
-    for (target, name) in CORPORA {
-        for path in files(name)? {
-            let input = path.file_name().unwrap_or_default().display().to_string();
-            trials.push(Trial::test(format!("{name}::{input}"), move || {
-                replay(target, &path)
-            }));
-        }
+fn replay(target: FuzzTarget, path: &Path) -> datatest_stable::Result<()> {
+    let data = fs::read(path)?;
+    match target.judge(&data) {
+        Ok(_) => Ok(()),
+        Err(failure) => Err(failure.to_string().into()),
     }
-    Ok(libtest_mimic::run(&arguments, trials).exit_code())
 }
 
-/// Returns the files of a corpus in the order of their names, without hidden ones.
-fn files(name: &str) -> io::Result<Vec<PathBuf>> {
-    let folder = Path::new("../corpus").join(name);
-    let mut paths = Vec::new();
-    let entries = fs::read_dir(&folder)
-        .map_err(|error| io::Error::new(error.kind(), format!("{}: {error}", folder.display())))?;
-    for entry in entries {
-        let entry = entry?;
-        if entry.file_type()?.is_file() && !entry.file_name().as_encoded_bytes().starts_with(b".") {
-            paths.push(entry.path());
-        }
-    }
-    paths.sort();
-    assert!(!paths.is_empty(), "{} has no files", folder.display());
-    Ok(paths)
+macro_rules! corpora {
+    ($($name:ident = $target:ident in $root:literal,)*) => {
+        $(fn $name(path: &Path) -> datatest_stable::Result<()> {
+            replay(FuzzTarget::$target, path)
+        })*
+        datatest_stable::harness! { $({ test = $name, root = $root, pattern = r"^[^.][^/]*$" },)* }
+    };
 }
 
-fn replay(target: FuzzTarget, path: &Path) -> Result<(), Failed> {
-    target.judge(&fs::read(path)?)?;
-    Ok(())
+corpora! {
+    parse = Parse in "../corpus/parse",
+    literal = Literal in "../corpus/literal",
+    convert = Convert in "../corpus/convert",
+    check = Check in "../corpus/check",
+    execute = Execute in "../corpus/execute",
+    case_file = CaseFile in "../corpus/case_file",
+    protocol = Protocol in "../corpus/protocol",
+    differential = Differential in "../corpus/differential",
 }

@@ -4,16 +4,13 @@
 //! `cargo test -p stickler-run --test conformance -- widening` runs the files whose path contains `widening`;
 //! the command line (`cargo run --release`) runs the same cases with reports.
 
-use libtest_mimic::{Arguments, Failed, Trial};
 use similar::TextDiff;
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::fmt::{self, Write};
+use std::path::Path;
 use stickler_engines::{EngineSession, Reference};
 use stickler_run::{Fact, Grade, Judgement, Plan, RunError, Verdict, ask, judge};
 use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
-use walkdir::WalkDir;
 
 /// The number of cases that a worker is given at a time.
 const BATCH_LEN: usize = 64;
@@ -21,39 +18,8 @@ const BATCH_LEN: usize = 64;
 /// The path of the suite from this crate's folder, in which cargo runs tests.
 const ROOT: &str = "../../conformance-cases";
 
-/// The files that describe the suite; every other file of their kind is a case file.
-const DESCRIPTIONS: [&str; 3] = ["dialects.toml", "sources.toml", "suite.toml"];
-
-fn main() -> Result<ExitCode, walkdir::Error> {
-    let arguments = Arguments::from_args();
-    let trials = case_files()?.into_iter().map(|path| {
-        let below = path.strip_prefix(ROOT).unwrap_or(&path);
-        let name = format!("conforms::{}", below.display());
-        Trial::test(name, move || conforms(&path))
-    });
-    Ok(libtest_mimic::run(&arguments, trials.collect()).exit_code())
-}
-
-/// Returns the paths of all case files, in the order of their names.
-fn case_files() -> Result<Vec<PathBuf>, walkdir::Error> {
-    let mut paths = Vec::new();
-    for entry in WalkDir::new(ROOT).sort_by_file_name() {
-        let entry = entry?;
-        let path = entry.path();
-        let is_description = DESCRIPTIONS.iter().any(|name| path == Path::new(ROOT).join(name));
-        let is_case_file = path
-            .extension()
-            .is_some_and(|kind| kind == "st" || kind == "toml");
-        if entry.file_type().is_file() && is_case_file && !is_description {
-            paths.push(entry.into_path());
-        }
-    }
-    assert!(!paths.is_empty(), "{ROOT} has no case files");
-    Ok(paths)
-}
-
 /// Requires the reference to pass every case of the file, by code and line.
-fn conforms(path: &Path) -> Result<(), Failed> {
+fn conforms(path: &Path) -> datatest_stable::Result<()> {
     let (cases, errors) = load_file(Path::new(ROOT), path);
     let reference = Reference::new();
     let judged: Vec<Vec<Option<String>>> = WorkerPool::new(0).map(
@@ -75,13 +41,30 @@ fn conforms(path: &Path) -> Result<(), Failed> {
         return Ok(());
     }
     let failed = complaints.len();
-    Err(format!(
+    let text = format!(
         "{failed} of {} cases failed\n\n{}",
         cases.len(),
         complaints.join("\n")
-    )
-    .into())
+    );
+    Err(Box::new(Complaints(text)))
 }
+
+/// A failure that prints as lines: datatest-stable shows an error by its `Debug`, which for a text is one long line.
+struct Complaints(String);
+
+impl fmt::Debug for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl fmt::Display for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Complaints {}
 
 /// Describes a case that does not pass.
 fn complaint(session: &mut EngineSession<'_>, case: &Case) -> Result<Option<String>, RunError> {
@@ -114,4 +97,9 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
     }
     let _ = writeln!(text, "  again: {}", Plan::default().rerun(case, "reference"));
     text
+}
+
+datatest_stable::harness! {
+    // `dialects.toml`, `sources.toml` and `suite.toml` describe the suite; every other file of these kinds is a case file.
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|sources|suite)\.toml$).*\.(st|toml)$" },
 }
