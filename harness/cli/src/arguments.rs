@@ -335,7 +335,7 @@ fn grades() -> impl TypedValueParser<Value = Grade> {
     PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
 }
 
-/// The dialects that there are now. Those of stickler.toml are there once that was read.
+/// The dialects that there are now: those of stickler.toml once that file was read.
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
     let shown = |dialect: DialectName| {
         let value = PossibleValue::new(dialect.as_str());

@@ -86,7 +86,8 @@ impl Value {
     ///
     /// A prefix that names no elementary type names an enumeration. `REAL` and `LREAL` also have `NaN`, `Infinity` and
     /// `-Infinity`, in any case. What a variable holds that should not is spelled so that no two values look alike: a date with
-    /// a time of that day, `DATE#2024-02-29-12:00:00`, and a time of day outside the day as a duration, `TOD#86400000000000ns`. The text must contain nothing but the literal, not even blanks.
+    /// a time of that day, `DATE#2024-02-29-12:00:00`, and a time of day outside the day as a duration, `TOD#86400000000000ns`.
+    /// The text must contain nothing but the literal, not even blanks.
     ///
     /// # Errors
     /// A [`LiteralError`] with its offset in `literal`; `Overflow` where the type has no such value.

@@ -1,6 +1,6 @@
 //! Splits a program into words and signs, just enough to know where its main program begins and ends.
 //!
-//! It knows no grammar, so that it finds the main program of a program that only one compiler accepts as well as of any other.
+//! No grammar takes part, so that the main program is also found in a text that only one compiler accepts.
 
 use std::ops::Range;
 
