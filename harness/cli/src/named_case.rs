@@ -59,6 +59,15 @@ fn is_named(case: &Case, name: &str) -> bool {
 }
 
 fn no_such_case(suite: &Suite, name: &str) -> String {
+    let elsewhere = in_other_dialects(suite, name);
+    if let Some((id, dialect)) = name.rsplit_once('@')
+        && !elsewhere.is_empty()
+    {
+        return format!(
+            "the case `{id}` is not in the dialect {dialect}; did you mean one of these?\n  {}",
+            elsewhere.join("\n  ")
+        );
+    }
     let close = suggestions(suite, name);
     if close.is_empty() {
         return format!("there is no case `{name}`; `stickler list` lists all");
@@ -67,6 +76,13 @@ fn no_such_case(suite: &Suite, name: &str) -> String {
         "there is no case `{name}`; did you mean one of these?\n  {}",
         close.join("\n  ")
     )
+}
+
+/// Returns the keys of the case whose id stands before the `@` of a name.
+fn in_other_dialects(suite: &Suite, name: &str) -> Vec<String> {
+    let id = name.rsplit_once('@').map_or("", |(id, _)| id);
+    let cases = suite.cases.iter().filter(|case| &*case.id == id);
+    cases.map(Case::key).collect()
 }
 
 /// Returns the ids that contain the name, or else the ids with the most similar spelling.
