@@ -6,8 +6,9 @@ use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
 
-/// The literals that are tried in the place of an expression of unknown type; the reference decides which are valid there.
-const PLAIN: [&str; 7] = ["FALSE", "0", "0.0", "''", "T#0s", "TRUE", "1"];
+/// The literals that are tried in the place of an expression of unknown type; the reference decides which are valid there. A real
+/// number comes before an integer, which may stand for one.
+const PLAIN: [&str; 7] = ["FALSE", "0.0", "0", "''", "T#0s", "TRUE", "1"];
 
 /// A literal of each type that could be part of a type mismatch.
 const TYPED: [&str; 8] = [

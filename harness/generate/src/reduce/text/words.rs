@@ -49,13 +49,18 @@ fn string_length(bytes: &[u8]) -> usize {
     bytes.len()
 }
 
-/// Returns the ranges of words, and of every other character that is no blank by itself.
+/// Returns the ranges of words, and of every other character that is no blank by itself. A number with a fraction and an exponent
+/// is one word: a part of it is another kind of literal.
 pub(super) fn words(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     let mut in_word = false;
     for (at, character) in text.char_indices() {
         let end = at + character.len_utf8();
-        let is_word = character.is_alphanumeric() || character == '_' || character == '#';
+        let continues = || {
+            let word = found.last().map_or("", |last| &text[last.clone()]);
+            in_word && continues_number(word, character, &text[end..])
+        };
+        let is_word = character.is_alphanumeric() || character == '_' || character == '#' || continues();
         match found.last_mut() {
             Some(last) if is_word && in_word => last.end = end,
             _ if character.is_whitespace() => {}
@@ -64,6 +69,18 @@ pub(super) fn words(text: &str) -> Vec<Range<usize>> {
         in_word = is_word;
     }
     found
+}
+
+/// Returns whether a sign belongs to the number that a word begins: the point of a fraction, the sign of an exponent.
+fn continues_number(word: &str, sign: char, behind: &str) -> bool {
+    let digits = word.rsplit('#').next().unwrap_or_default();
+    let is_number = digits.starts_with(|first: char| first.is_ascii_digit());
+    let is_part = match sign {
+        '.' => !digits.contains('.'),
+        '+' | '-' => digits.contains('.') && digits.ends_with(['E', 'e']),
+        _ => false,
+    };
+    is_number && is_part && behind.starts_with(|next: char| next.is_ascii_digit())
 }
 
 #[cfg(test)]
@@ -82,5 +99,11 @@ mod tests {
         let text = "x := INT#5;";
         let found: Vec<&str> = words(text).into_iter().map(|at| &text[at]).collect();
         assert_eq!(found, ["x", ":", "=", "INT#5", ";"]);
+        let text = "-1.5E-3+REAL#0.5 a[1..2] x1.3 2-3";
+        let found: Vec<&str> = words(text).into_iter().map(|at| &text[at]).collect();
+        let expected = [
+            "-", "1.5E-3", "+", "REAL#0.5", "a", "[", "1", ".", ".", "2", "]", "x1", ".", "3", "2", "-", "3",
+        ];
+        assert_eq!(found, expected);
     }
 }
