@@ -11,7 +11,7 @@ use crate::sign::Sign;
 use crate::title::title;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
-use stickler_engines::{Ability, Engine, EngineSession, Reproduction};
+use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
 use stickler_run::{
     AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, Verdict,
     Witness, shown_by,
@@ -22,6 +22,9 @@ use stickler_workers::{Cancellation, WorkerPool};
 /// The number of groups that are reduced before the questions that are left are counted. It does not depend on the number
 /// of threads, so that the same groups are reduced on every machine.
 const WAVE: usize = 32;
+
+/// The maximum number of characters that are kept of what the commands of a reproduction print.
+const MAX_PRINTED: usize = 10_000;
 
 /// The limits of a search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -119,9 +122,7 @@ pub fn find(
         }
         let mut causes = merged(members);
         asking.second_witnesses(&mut causes, left)?;
-        for member in &mut causes {
-            member.cause.shown.reproduction = asking.reproduction(member);
-        }
+        asking.reproduce(&mut causes)?;
         found.extend(causes);
     }
     found.sort_by(|one, other| {
@@ -263,8 +264,22 @@ impl Asking<'_> {
 }
 
 impl Asking<'_> {
-    /// Returns the files and commands by which a person sees the deviation of the shown program on the engine.
-    fn reproduction(&self, member: &Member) -> Option<Reproduction> {
+    /// Finds the files and commands by which a person sees each deviation on the engine, and what these print.
+    fn reproduce(&self, causes: &mut [Member]) -> Result<(), RunError> {
+        let open = || Ok::<_, RunError>(());
+        let work = |(): &mut (), member: &Member| Ok::<_, RunError>(self.reproduction(member));
+        let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
+        for (member, found) in causes.iter_mut().zip(found) {
+            if let Some((reproduction, printed)) = found {
+                member.cause.shown.reproduction = Some(reproduction);
+                member.cause.shown.printed = printed;
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled.
+    fn reproduction(&self, member: &Member) -> Option<(Reproduction, String)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
         let whole = || Some(case.without_marks());
@@ -282,7 +297,13 @@ impl Asking<'_> {
             Symptom::Crash(_) | Symptom::Hang => Ability::Execute,
             _ => shown_by(&case),
         };
-        self.engine.reproduce(&case.request(), ability).ok()
+        let request = case.request();
+        if self.search.cancel.is_requested() {
+            return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
+        }
+        let (reproduction, output) = reproduce_and_run(self.engine, &request, ability).ok()?;
+        let printed = output.map_or_else(|reason| reason, |output| output.text);
+        Some((reproduction, beginning(&printed)))
     }
 }
 
@@ -328,7 +349,7 @@ impl Member {
             second: None,
             types: vec![types.join(", ")],
             reduction: smallest.reduction,
-            flaky: smallest.flaky,
+            flaky: smallest.flaky.clone(),
             cases: group.cases.clone(),
         };
         Member {
@@ -416,7 +437,13 @@ fn witness(event: &CaseEvent, smallest: &Smallest) -> Witness {
         got: smallest.deviation.got.clone(),
         is_derived: false,
         reproduction: None,
+        printed: String::new(),
     }
+}
+
+/// Returns the beginning of a text.
+fn beginning(text: &str) -> String {
+    text.chars().take(MAX_PRINTED).collect()
 }
 
 /// Returns the rank of a claim among those that a cause contradicts: what the makers of the engine say themselves comes first,

@@ -3,7 +3,7 @@
 //! | step | done by |
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
-//! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `question` |
+//! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `constructs`, `question` |
 //! | the normal form of each is found by asking for operands alone, plainer literals and other types | `normal`, `operands`, `names`, `twins` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
 //!
@@ -15,6 +15,7 @@
 //! where a limit of time ends the search.
 #![forbid(unsafe_code)]
 
+mod constructs;
 mod essence;
 mod failed;
 mod find;

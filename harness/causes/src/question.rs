@@ -36,14 +36,14 @@ impl Questioner<'_> {
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let answers = ask_stored(&mut self.session, case, self.store)?;
-        self.judged(case, answers)
+        Ok(self.judged(case, answers)?.1)
     }
 
-    /// Asks the engine about a case, also where it answered before.
+    /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
-    pub(crate) fn deviation_now(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
+    pub(crate) fn again(&mut self, case: &Case) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
         let answers = ask(&mut self.session, case)?;
         self.judged(case, answers)
     }
@@ -61,19 +61,20 @@ impl Questioner<'_> {
         Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
     }
 
-    fn judged(&mut self, case: &Case, answers: Answers) -> Result<Option<Deviation>, EngineError> {
+    fn judged(&mut self, case: &Case, answers: Answers) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
         let answers = self.without_execution(case, answers)?;
         let judged = self.judge.judgement(case, &answers);
         if !judged.verdict.is_discrepancy() {
-            return Ok(None);
+            return Ok((judged.got, None));
         }
         let facts = (&judged.expected[..], &judged.got[..]);
         let strict = self.judge.plan.needed(self.judge.engine, case);
-        Ok(Some(Deviation {
+        let deviation = Deviation {
             sign: Sign::of(&case.source, judged.verdict, facts, strict),
             expected: judged.expected,
-            got: judged.got,
-        }))
+            got: judged.got.clone(),
+        };
+        Ok((judged.got, Some(deviation)))
     }
 
     /// Returns the answers about a program without what came after it was accepted: one that must be rejected and dies only

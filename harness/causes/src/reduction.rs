@@ -1,11 +1,11 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
+use crate::constructs::Constructs;
 use crate::question::{Deviation, Questioner, with_program};
 use crate::sign::Sign;
-use crate::tokens::{TokenKind, tokens};
 use stickler_engines::EngineError;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
-use stickler_run::{CaseEvent, Fact, Reduced, Repeats, Symptom};
+use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::Case;
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
@@ -61,10 +61,10 @@ pub(crate) fn reduce(
     let mut error = None;
     let mut questions = 0;
     let start = unreduced.program.clone();
-    let begins_empty = has_empty_statement(&start);
+    let constructs = Constructs::of(&start);
     let found = {
         let mut interesting = |program: &str| {
-            if error.is_some() || !is_whole(program) || (has_empty_statement(program) && !begins_empty) {
+            if error.is_some() || (program != start && !constructs.may_become(&Constructs::of(program))) {
                 return Interestingness::Invalid;
             }
             let Some(smaller) = with_program(case, sign, program) else {
@@ -72,7 +72,9 @@ pub(crate) fn reduce(
             };
             questions += 1;
             match asked.deviation(&smaller) {
-                Ok(seen) => Interestingness::from(seen.is_some_and(|seen| sign.is_kept_by(&seen.sign))),
+                Ok(seen) => Interestingness::from(seen.is_some_and(|seen| {
+                    sign.is_kept_by(&seen.sign) && (has_fault(&event.got) || !has_fault(&seen.got))
+                })),
                 Err(failed) => {
                     error = Some(failed);
                     Interestingness::Invalid
@@ -111,6 +113,11 @@ pub(crate) fn reduce(
     }
 }
 
+/// Returns whether a program stopped with a fault, as one does that is accepted and divides by a variable which lost its value.
+fn has_fault(got: &[Fact]) -> bool {
+    got.iter().any(|fact| matches!(fact, Fact::Fault { .. }))
+}
+
 /// Runs the case with the smallest program several times, and fills in what the engine does with it.
 fn repeated(
     asked: &mut Questioner<'_>,
@@ -118,59 +125,67 @@ fn repeated(
     sign: &Sign,
     smallest: Smallest,
 ) -> Result<Smallest, EngineError> {
-    let mut seen = Vec::new();
-    let mut most = REPEATS;
-    while (seen.len() as u32) < most {
-        let deviation = asked.deviation_now(case)?;
-        seen.push(deviation.filter(|seen| sign.is_kept_by(&seen.sign)));
-        if seen.last() == Some(&None) {
-            most = REPEATS_OF_CHANCE;
-        }
+    let mut found = None;
+    let mut repeats = Repeats::default();
+    while repeats.of < REPEATS || (is_by_chance(&repeats) && repeats.of < REPEATS_OF_CHANCE) {
+        let (got, deviation) = asked.again(case)?;
+        let deviation = deviation.filter(|seen| sign.is_kept_by(&seen.sign));
+        repeats.of += 1;
+        repeats.seen += u32::from(deviation.is_some());
+        count(&mut repeats.outcomes, got);
+        found = found.or(deviation);
     }
-    let of = seen.len() as u32;
-    let questions = smallest.questions + u64::from(of);
-    let mut deviations = seen.into_iter().flatten();
-    let Some(deviation) = deviations.next() else {
+    let questions = smallest.questions + u64::from(repeats.of);
+    let Some(deviation) = found else {
         // Seen once, in the run.
-        let flaky = Some(Repeats { seen: 1, of: of + 1 });
+        (repeats.seen, repeats.of) = (1, repeats.of + 1);
+        count(&mut repeats.outcomes, smallest.deviation.got.clone());
         return Ok(Smallest {
-            flaky,
+            flaky: Some(repeats),
             questions,
             reduction: Reduced::Not,
             ..smallest
         });
     };
-    let shown = 1 + deviations.count() as u32;
     Ok(Smallest {
         deviation,
-        flaky: (shown < of).then_some(Repeats { seen: shown, of }),
+        flaky: is_by_chance(&repeats).then_some(repeats),
         questions,
         ..smallest
     })
+}
+
+/// Returns whether runs of one program did not all have the deviation, or had it in several forms.
+fn is_by_chance(repeats: &Repeats) -> bool {
+    repeats.seen < repeats.of || repeats.outcomes.len() > 1
+}
+
+/// Adds an outcome to a list.
+fn count(outcomes: &mut Vec<RepeatedOutcome>, got: Vec<Fact>) {
+    let is_same = |one: &&mut RepeatedOutcome| {
+        one.got.len() == got.len() && one.got.iter().zip(&got).all(|(one, other)| is_alike(one, other))
+    };
+    match outcomes.iter_mut().find(is_same) {
+        Some(one) => one.runs += 1,
+        None => outcomes.push(RepeatedOutcome { got, runs: 1 }),
+    }
+}
+
+/// Returns whether two facts say the same but for words, which may name processes, addresses and times.
+fn is_alike(one: &Fact, other: &Fact) -> bool {
+    match (one, other) {
+        (Fact::Crashed { .. }, Fact::Crashed { .. }) | (Fact::TimedOut { .. }, Fact::TimedOut { .. }) => true,
+        (Fact::Diagnostic(one), Fact::Diagnostic(other)) => {
+            (&one.code, one.line) == (&other.code, other.line)
+        }
+        _ => one == other,
+    }
 }
 
 /// Returns whether programs with this symptom are made smaller. A hang would take the whole time limit of each question;
 /// what a compiler renders, and what it answers beside the point, is plain without a smaller program.
 pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
     !matches!(symptom, Symptom::Hang | Symptom::Error(_) | Symptom::Text)
-}
-
-/// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
-/// them for that alone, whatever else was wrong with it.
-fn is_whole(program: &str) -> bool {
-    let tokens = tokens(program);
-    let mut has_variables = false;
-    for pair in tokens.windows(2) {
-        let opens = pair[0].kind == TokenKind::Word && pair[0].text.to_ascii_uppercase().starts_with("VAR");
-        let closes = ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
-            .iter()
-            .any(|end| pair[1].is(end));
-        if opens && pair[1].is("END_VAR") || closes && pair[0].is("END_VAR") {
-            return false;
-        }
-        has_variables |= pair[0].is("END_VAR");
-    }
-    has_variables
 }
 
 /// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
@@ -215,17 +230,9 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     facts
 }
 
-/// Returns whether a program has a statement that is a semicolon alone, which not every compiler accepts.
-fn has_empty_statement(program: &str) -> bool {
-    let before = [";", "END_VAR", "DO", "THEN", "ELSE", "REPEAT"];
-    let tokens = tokens(program);
-    let mut pairs = tokens.windows(2);
-    pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{has_empty_statement, is_whole, moved, without_marks};
+    use super::{moved, without_marks};
     use stickler_run::Fact;
 
     #[test]
@@ -243,19 +250,5 @@ mod tests {
             moved(&[fault(5), fault(1), Fact::Accepted], &lines),
             [fault(2), fault(1), Fact::Accepted]
         );
-    }
-
-    #[test]
-    fn a_program_without_variables_or_statements_is_none_to_ask_about() {
-        assert!(is_whole("PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM"));
-        assert!(!is_whole("PROGRAM p VAR x : INT; END_VAR END_PROGRAM"));
-        assert!(!is_whole("PROGRAM p VAR END_VAR x := 1; END_PROGRAM"));
-        assert!(!is_whole("PROGRAM p x := 1; END_PROGRAM"));
-        assert!(has_empty_statement(
-            "PROGRAM p VAR x : INT; END_VAR ; END_PROGRAM"
-        ));
-        assert!(!has_empty_statement(
-            "PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM"
-        ));
     }
 }

@@ -304,8 +304,10 @@ fn what_comes_by_chance_is_told_as_such() {
         .iter()
         .find(|cause| cause.title.contains("the dice"))
         .expect("a cause");
-    let repeats = chance.flaky.expect("it does not come each time");
+    let repeats = chance.flaky.as_ref().expect("it does not come each time");
     assert!(repeats.seen < repeats.of, "{repeats:?}");
+    let runs: u32 = repeats.outcomes.iter().map(|outcome| outcome.runs).sum();
+    assert!(repeats.outcomes.len() > 1 && runs == repeats.of, "{repeats:?}");
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use std::time::Duration;
 use stickler_causes::{FailedCases, Limits, Search, find};
 use stickler_engines::Engine;
-use stickler_run::{Event, Plan, Reduced};
+use stickler_run::{Event, Plan};
 use stickler_types::counted;
 
 /// The part of a run between its last case and its footer.
@@ -60,10 +60,7 @@ impl<'r> CauseStage<'r> {
                 output::note(format!("the causes could not be searched for: {error}"));
                 Vec::new()
             });
-            let left = causes
-                .iter()
-                .filter(|cause| cause.reduction == Reduced::Partly)
-                .count() as u64;
+            let left = causes.iter().filter(|cause| cause.is_partly_reduced()).count() as u64;
             if left > 0 {
                 let programs = counted(left, "program", "programs");
                 output::note(format!(

@@ -17,6 +17,7 @@ mod printed;
 mod probe_variable;
 mod readable;
 mod rename;
+mod reproduction;
 mod rounds;
 mod rusty;
 mod source;

@@ -3,6 +3,7 @@
 use crate::{Grade, NoReproduction, Reproduction};
 use serde::{Deserialize, Serialize};
 use std::fmt;
+use std::path::PathBuf;
 use stickler_types::{Code, DialectName, Outcome, RunRequest};
 
 /// An implementation that runs programs: the reference, or a real compiler behind an adapter.
@@ -18,13 +19,6 @@ pub trait Engine: Send + Sync {
     /// [`EngineError`] where the engine cannot be started (exit code 3 of the command line).
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError>;
 
-    /// Returns the command line by which a person gives a program to this engine without Stickler: for a POSIX shell,
-    /// with `file` (a name that needs no quotes) in the current folder. `None` where there is none.
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        let _ = (dialect, file);
-        None
-    }
-
     /// Returns the files and commands by which a person runs a program on this engine without Stickler, and sees the values
     /// that `request` observes. `ability` tells what is run: [`Ability::Check`] shows whether the program is accepted,
     /// [`Ability::Execute`] and [`Ability::Scans`] execute it, [`Ability::Render`] prints it as normalised source.
@@ -35,6 +29,12 @@ pub trait Engine: Send + Sync {
     fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
         let _ = (request, ability);
         Err(NoReproduction::NoTools(self.identity().name.clone()))
+    }
+
+    /// Returns the programs and folders of the engine on this machine, by the variables that name them in its reproductions.
+    /// What is missing is at its usual place.
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        Vec::new()
     }
 
     /// Returns a digest of everything that decides the engine's answers: its programs, their parts, their options, and how they

@@ -34,7 +34,9 @@ pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
 pub use grade::Grade;
 pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_processes};
 pub use reference::Reference;
-pub use reproduction::{NoReproduction, Reproduction, ReproductionFile, ReproductionTool};
+pub use reproduction::{
+    NoReproduction, Reproduction, ReproductionFile, ReproductionTool, ScriptOutput, reproduce_and_run,
+};
 pub use session::EngineSession;
 pub use shell::shell_quote;
 pub use stickler_types::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};

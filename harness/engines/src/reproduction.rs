@@ -2,7 +2,7 @@
 
 use crate::adapters::{ProbeVariable, without_colours};
 use crate::process::{Folder, ToolLimits, run_tool_with};
-use crate::{Outcome, shell_quote};
+use crate::{Ability, Engine, Outcome, RunRequest, shell_quote};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -132,12 +132,10 @@ impl Reproduction {
         if !self.tools.is_empty() {
             text.push_str("# Set a variable where a program or folder of the compiler is elsewhere.\n");
         }
-        for ReproductionTool { variable, default } in &self.tools {
-            // Writing into a String does not fail.
-            let _ = writeln!(text, "{variable}=\"${{{variable}:-{default}}}\"");
-        }
+        text.push_str(&self.assignments());
         text.push_str("set -e\ncd \"$(dirname \"$0\")\"\n");
         for command in &self.commands {
+            // Writing into a String does not fail.
             let _ = writeln!(text, "{command}");
         }
         ReproductionFile {
@@ -161,25 +159,89 @@ impl Reproduction {
         Ok(names)
     }
 
-    /// Writes everything into a private folder and runs the script there, under the limits that every compiler gets; `variables`
-    /// name the compiler's programs and folders. Returns what the commands printed, without colours and without the path of the
-    /// folder.
+    /// Returns the text of a shell that sets the variables and runs the commands in the folder of the files.
+    #[must_use]
+    pub fn commands_with_tools(&self) -> String {
+        self.assignments() + &self.commands.join(" &&\n")
+    }
+
+    fn assignments(&self) -> String {
+        let assign = |ReproductionTool { variable, default }: &_| {
+            format!("{variable}=\"${{{variable}:-{default}}}\"\n")
+        };
+        self.tools.iter().map(assign).collect()
+    }
+
+    /// Writes everything into a private folder and runs the script there, under the limits that every compiler gets; `tools`
+    /// are those of the [engine](Engine::tools).
     ///
     /// # Errors
     /// A fragment that says why the script did not end.
-    pub fn run(&self, variables: &[(String, PathBuf)]) -> Result<String, String> {
+    pub fn run(&self, tools: &[(String, PathBuf)]) -> Result<ScriptOutput, String> {
         let folder = Folder::new()?;
         self.write(folder.path()).map_err(|error| error.to_string())?;
         // One stream keeps the output in the order in which it is printed.
         let arguments = ["-c", "exec sh ./run.sh 2>&1"];
         let limits = ToolLimits::default();
         let ended = run_tool_with(Path::new("sh"), &arguments, folder.path(), &limits, |start| {
-            start.envs(variables.iter().map(|(name, path)| (name, path)));
+            start.envs(tools.iter().map(|(name, path)| (name, path)));
         });
         let ended = ended.map_err(|outcome| outcome.to_string())?;
         let inside = format!("{}/", folder.path().display());
-        Ok(without_colours(&ended.stdout).replace(&inside, ""))
+        let text = without_colours(&ended.stdout).replace(&inside, "");
+        Ok(ScriptOutput {
+            text: without_places(text, tools),
+            succeeded: ended.status.success(),
+        })
     }
+}
+
+/// The result of the commands of a reproduction.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ScriptOutput {
+    /// The text that the commands printed, without colours and without paths of this machine.
+    pub text: String,
+    /// Whether every command succeeded.
+    pub succeeded: bool,
+}
+
+/// Returns a text with the variables of tools in the place of their paths.
+fn without_places(mut text: String, tools: &[(String, PathBuf)]) -> String {
+    let mut tools: Vec<&(String, PathBuf)> = tools.iter().collect();
+    // A folder comes after what lies in it.
+    tools.sort_by_key(|(_, path)| std::cmp::Reverse(path.as_os_str().len()));
+    for (variable, path) in tools {
+        // A path of one name, such as `cc` or `/`, may stand for something else.
+        if path.components().count() > 2 {
+            text = text.replace(&*path.to_string_lossy(), &format!("${variable}"));
+        }
+    }
+    text
+}
+
+/// Reproduces a request on an engine that is here, and runs the commands. What the compiler alone rejects, or crashes at, is
+/// shown by the compiler alone, without what an execution needs. The second value says what the commands printed, or why they
+/// did not end.
+///
+/// # Errors
+/// As [`Engine::reproduce`].
+pub fn reproduce_and_run(
+    engine: &dyn Engine,
+    request: &RunRequest<'_>,
+    ability: Ability,
+) -> Result<(Reproduction, Result<ScriptOutput, String>), NoReproduction> {
+    let run = |ability| {
+        let reproduction = engine.reproduce(request, ability)?;
+        let output = reproduction.run(&engine.tools());
+        Ok((reproduction, output))
+    };
+    if matches!(ability, Ability::Execute | Ability::Scans) {
+        let (reproduction, output) = run(Ability::Check)?;
+        if !output.as_ref().is_ok_and(|output| output.succeeded) {
+            return Ok((reproduction, output));
+        }
+    }
+    run(ability)
 }
 
 #[cfg(unix)]

@@ -20,6 +20,11 @@ impl<'a> Basis<'a> {
             section: section.trim(),
         }
     }
+
+    /// Returns whether the basis is one of Stickler's own rules.
+    pub fn is_rule(&self) -> bool {
+        self.source == "rule"
+    }
 }
 
 impl Ord for Basis<'_> {

@@ -8,7 +8,7 @@ mod totals;
 mod verdict;
 
 pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
-pub use cause::{Cause, ExplainedCases, Reduced, Repeats, Witness};
+pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Witness};
 pub use source::SourceHeader;
 pub use totals::Totals;
 pub use verdict::Verdict;
@@ -113,8 +113,8 @@ pub struct EngineHeader {
     /// The template of the command that runs a case on this engine again; [`EngineHeader::rerun`] fills in the case.
     #[serde(default)]
     pub rerun: String,
-    /// By dialect, the command that gives [`PROGRAM`] to this engine without Stickler; dialects for which the engine states
-    /// no such command are missing.
+    /// By dialect, the commands that give [`PROGRAM`] to this engine without Stickler; dialects for which the engine states
+    /// none are missing.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub commands: BTreeMap<String, String>,
 }

@@ -15,8 +15,9 @@ use known::Known;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
-use stickler_engines::{Engine, EngineError};
+use stickler_engines::{Ability, Engine, EngineError, Reproduction, RunRequest};
 use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Reorder, SpawnError, Supervisor, WorkerPool};
 
 /// Runs the cases that the plan selects on every engine that speaks their dialect.
@@ -272,7 +273,17 @@ fn engine_header(plan: &Plan, engine: &dyn Engine) -> EngineHeader {
         commands: identity
             .dialects
             .iter()
-            .filter_map(|dialect| Some((dialect.to_string(), engine.own_command(*dialect, PROGRAM)?)))
+            .filter_map(|dialect| Some((dialect.to_string(), commands(engine, *dialect)?)))
             .collect(),
     }
+}
+
+/// Returns the commands that give [`PROGRAM`] to an engine without Stickler: those that also run it, where they need no other
+/// file, and otherwise those that only check it.
+fn commands(engine: &dyn Engine, dialect: DialectName) -> Option<String> {
+    let request = RunRequest::once(dialect, "PROGRAM main\n    ;\nEND_PROGRAM\n", &[]);
+    let shown = [Ability::Execute, Ability::Check].into_iter();
+    let mut shown = shown.filter_map(|ability| engine.reproduce(&request, ability).ok());
+    let alone = |shown: &Reproduction| matches!(&shown.files[..], [program] if program.name == PROGRAM);
+    Some(shown.find(alone)?.commands_with_tools())
 }

@@ -6,19 +6,17 @@ mod subject;
 use crate::arguments::ReproduceArguments;
 use crate::exit::Exit;
 use crate::{engines, interrupt, output};
-use anyhow::{Context, bail};
+use anyhow::{Context, anyhow, bail};
 use page::{README, ReproductionPage};
 use std::fs;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use stickler_configuration::{Configuration, EngineKind};
 use stickler_engines::{
-    Ability, Compiler, Description, Engine, NoReproduction, Outcome, Reproduction, RunRequest, shell_quote,
+    Ability, Compiler, Description, Engine, NoReproduction, Reproduction, RunRequest, reproduce_and_run,
+    shell_quote,
 };
 use subject::ReproducedProgram;
-
-/// The variable of a script for the folder of `stickler.toml`.
-const HERE: &str = "HERE";
 
 /// Writes the program, the files around it, the script and a README; runs the script where the compiler is here.
 ///
@@ -30,21 +28,23 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
     let configuration = engines::configuration()?;
     let compiler = KnownCompiler::named(&arguments.engine, &configuration)?;
     let subjects = ReproducedProgram::all(arguments)?;
-    let (subject, reproduction) = first_shown(&subjects, &compiler, &arguments.engine)?;
+    let shown = first_shown(&subjects, &compiler, &arguments.engine);
+    let (subject, reproduction) = shown.map_err(|error| match in_other_dialect(arguments, &compiler) {
+        Some(key) => anyhow!("{error}; it shows `{key}`"),
+        None => error,
+    })?;
     let folder = &arguments.folder;
     make_empty(folder)?;
     let here = Here::find(&arguments.engine, &configuration);
-    let outcome = here.as_ref().and_then(|here| here.outcome(subject));
-    let reproduction = match outcome {
-        Some(outcome) => compiler.reproduce(&subject.request(), subject.ability(Some(&outcome)))?,
-        None => reproduction,
+    let (reproduction, printed) = match &here {
+        Some(here) => here.shown(subject)?,
+        None => (reproduction, None),
     };
     if let [_, _, ..] = subjects[..] {
         output::note(format!("this is the case in {}", subject.dialect()));
     }
     let unwritten = || format!("cannot write to {}", folder.display());
     let names = reproduction.write(folder).with_context(unwritten)?;
-    let printed = here.as_ref().and_then(|here| here.printed(&reproduction));
     let page = ReproductionPage {
         subject,
         engine: &arguments.engine,
@@ -124,6 +124,14 @@ fn first_shown<'s>(
     bail!("{engine} does not show this program{reason}")
 }
 
+/// Returns the key of a case that was named with a dialect, in another dialect in which the compiler shows it.
+fn in_other_dialect(arguments: &ReproduceArguments, compiler: &KnownCompiler<'_>) -> Option<String> {
+    let (id, _) = arguments.case.rsplit_once('@')?;
+    let subjects = ReproducedProgram::of_case(id, arguments).ok()?;
+    let (subject, _) = first_shown(&subjects, compiler, &arguments.engine).ok()?;
+    Some(subject.heading().0)
+}
+
 /// Makes a folder, which must be empty where it is there.
 fn make_empty(folder: &Path) -> anyhow::Result<()> {
     let shown = folder.display();
@@ -138,23 +146,13 @@ fn make_empty(folder: &Path) -> anyhow::Result<()> {
 /// A compiler that is here.
 struct Here {
     engine: Box<dyn Engine>,
-    /// The variables of scripts that name its programs and folders.
-    variables: Vec<(String, PathBuf)>,
 }
 
 impl Here {
     /// Finds the compiler; says on stderr why not where it is not here.
     fn find(name: &str, configuration: &Configuration) -> Option<Here> {
-        let search = engines::seek(name, name, configuration)?;
-        let located = search.located.into_iter();
-        let mut variables: Vec<_> = located.map(|found| (found.shell_variable, found.path)).collect();
-        variables.extend(
-            configuration
-                .folder()
-                .map(|here| (HERE.to_owned(), here.to_owned())),
-        );
-        match search.engine {
-            Ok(engine) => Some(Here { engine, variables }),
+        match engines::seek(name, name, configuration)?.engine {
+            Ok(engine) => Some(Here { engine }),
             Err(error) => {
                 output::note(format!("the files are not tried: {error}"));
                 None
@@ -166,16 +164,18 @@ impl Here {
         &self.engine.identity().version
     }
 
-    /// Returns what the engine does with a program, which decides what of it is worth showing.
-    fn outcome(&self, subject: &ReproducedProgram) -> Option<Outcome> {
-        Some(self.engine.session().ok()?.run(&subject.request()))
-    }
-
-    /// Runs the script of a reproduction; says on stderr why not where it does not end.
-    fn printed(&self, reproduction: &Reproduction) -> Option<String> {
-        let printed = reproduction.run(&self.variables);
-        printed
-            .map_err(|reason| output::note(format!("run.sh: {reason}")))
+    /// Returns the reproduction of a program, by what the engine does with it, and what its script prints; says on stderr why
+    /// not where it does not end.
+    fn shown(&self, subject: &ReproducedProgram) -> Result<(Reproduction, Option<String>), NoReproduction> {
+        let request = subject.request();
+        let outcome = self
+            .engine
+            .session()
             .ok()
+            .map(|mut session| session.run(&request));
+        let ability = subject.ability(outcome.as_ref());
+        let (reproduction, printed) = reproduce_and_run(&*self.engine, &request, ability)?;
+        let printed = printed.map_err(|reason| output::note(format!("run.sh: {reason}")));
+        Ok((reproduction, printed.ok().map(|printed| printed.text)))
     }
 }

@@ -80,6 +80,11 @@ impl Language {
         self.words().libraries
     }
 
+    /// Returns the compiler of the language.
+    pub(super) const fn compiler(self) -> Dependency {
+        self.words().compiler
+    }
+
     /// Returns the name of the file of a driver.
     pub(super) const fn driver(self) -> &'static str {
         self.words().driver
@@ -149,6 +154,11 @@ impl Builder {
             builder.headers.display(),
             first_error(&ended)
         ))
+    }
+
+    /// Returns the path of the compiler.
+    pub(super) fn compiler(&self) -> &Path {
+        &self.compiler
     }
 
     /// Returns a digest of everything that decides what the compiler builds; `None` where that cannot be known.

@@ -23,6 +23,11 @@ impl Dependency {
     pub(super) fn shell_variable(&self) -> &'static str {
         self.variable.strip_prefix("STICKLER_").unwrap_or(self.variable)
     }
+
+    /// Returns the variable of scripts with the path of the dependency on this machine.
+    pub(super) fn at(&self, path: &Path) -> (String, PathBuf) {
+        (self.shell_variable().to_owned(), path.to_owned())
+    }
 }
 
 /// The paths of the programs and folders of one compiler, as a person named them.
@@ -65,8 +70,6 @@ impl DependencyPaths {
 pub struct FoundDependency {
     /// The [key](Dependency::key) of the dependency.
     pub key: &'static str,
-    /// The variable that names the dependency in the scripts of [reproductions](crate::Reproduction).
-    pub shell_variable: String,
     /// The absolute path of the dependency.
     pub path: PathBuf,
     /// The way in which the dependency was found.
@@ -205,7 +208,6 @@ impl<'p> DependencySearch<'p> {
     fn keep(&mut self, dependency: Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
         self.located.push(FoundDependency {
             key: dependency.key,
-            shell_variable: dependency.shell_variable().to_owned(),
             path: path.clone(),
             by,
         });
@@ -299,7 +301,6 @@ mod tests {
         let by = FoundBy::Configuration("stickler.toml:4".to_owned());
         let located = FoundDependency {
             key: "compiler",
-            shell_variable: "NO_SUCH_COMPILER".to_owned(),
             path: there,
             by,
         };

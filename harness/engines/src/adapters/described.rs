@@ -29,7 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
-use template::{Filling, Placeholder, Template};
+use template::{HERE, Placeholder, Template};
 use values::Printed;
 
 /// A compiler whose command line a table describes.
@@ -134,12 +134,7 @@ fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option
         }
         _ => (program, FoundBy::Configuration("stickler.toml".to_owned())),
     };
-    Ok(Some(FoundDependency {
-        key,
-        shell_variable: reproduction::variable(&path.file_stem().unwrap_or_default().to_string_lossy()),
-        path,
-        by,
-    }))
+    Ok(Some(FoundDependency { key, path, by }))
 }
 
 fn abilities(description: &Description) -> Vec<Ability> {
@@ -195,33 +190,10 @@ impl Engine for DescribedEngine {
         self.description.reproduce(request, ability)
     }
 
-    /// Returns the commands of the table, one after the other.
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        let description = &self.description;
-        let word = description.word(dialect)?;
-        let run = description.run.as_ref();
-        let first = match run {
-            Some(_) => description.compile.as_ref(),
-            None => description.check.as_ref().or(description.compile.as_ref()),
-        };
-        let filling = Filling {
-            file,
-            dialect: word,
-            folder: Path::new("."),
-            scans: 1,
-            // The folder of the table differs from machine to machine.
-            here: Path::new(""),
-        };
-        let templates = first.iter().flat_map(|commands| &commands.0).chain(run);
-        let commands = templates.map(|template| {
-            let (program, arguments) = template.0.filled(&filling);
-            let program = program.file_name()?.to_str()?.to_owned();
-            let words = std::iter::once(program.as_str()).chain(arguments.iter().map(String::as_str));
-            shlex::try_join(words).ok()
-        });
-        commands
-            .collect::<Option<Vec<String>>>()
-            .map(|commands| commands.join(" && "))
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        let programs = DescribedEngine::programs(&self.description, &self.here).into_iter();
+        let programs = programs.map(|found| (reproduction::program_variable(&found.path), found.path));
+        programs.chain([(HERE.to_owned(), self.here.clone())]).collect()
     }
 }
 

@@ -105,11 +105,8 @@ impl Engine for Ironplc {
         reproduce(request, ability)
     }
 
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        let dialect = dialect_name(dialect).ok()?;
-        Some(format!(
-            "ironplcc compile --dialect {dialect} {file} -o program.iplc && ironplcvm run program.iplc --scans 1 --dump-vars -"
-        ))
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        vec![COMPILER.at(&self.compiler), MACHINE.at(&self.machine)]
     }
 }
 

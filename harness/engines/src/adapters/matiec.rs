@@ -148,9 +148,13 @@ impl Engine for Matiec {
         reproduce(request, ability)
     }
 
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        // The path of the library differs from machine to machine.
-        (dialect.base() == BuiltIn::Matiec).then(|| format!("iec2c -i -I lib -T . {file}"))
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        let tools = [
+            (COMPILER, self.compiler.as_path()),
+            (LIBRARY, self.library.as_path()),
+            (builder::CC, self.builder.compiler()),
+        ];
+        tools.map(|(tool, path)| tool.at(path)).to_vec()
     }
 }
 

@@ -197,11 +197,14 @@ impl Engine for Rusty {
         reproduce(request, ability)
     }
 
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        // The path of the library differs from machine to machine.
-        self.identity
-            .speaks(dialect)
-            .then(|| format!("plc --check {file} -i 'include/*.st'"))
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        let tools = [
+            (COMPILER, self.compiler.as_path()),
+            (DECLARATIONS, &self.declarations),
+            (LIBRARY, &self.library),
+            (builder::CC, self.builder.compiler()),
+        ];
+        tools.map(|(tool, path)| tool.at(path)).to_vec()
     }
 }
 

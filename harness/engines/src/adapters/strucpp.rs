@@ -59,6 +59,7 @@ pub(super) struct Strucpp {
     translator: CommandLine,
     builder: Builder,
     node: PathBuf,
+    command: PathBuf,
     package: PathBuf,
     /// The folder of the compiler's run-time headers.
     headers: PathBuf,
@@ -86,6 +87,7 @@ impl Strucpp {
         let script = folder.write("translator.mjs", TRANSLATOR)?;
         let arguments = [script, package.join("dist/index.js")];
         Ok(Strucpp {
+            command,
             node: node.clone(),
             package: package.clone(),
             identity: Identity {
@@ -192,9 +194,15 @@ impl Engine for Strucpp {
         reproduce(request, ability)
     }
 
-    fn own_command(&self, dialect: DialectName, file: &str) -> Option<String> {
-        let speaks = self.identity.speaks(dialect);
-        speaks.then(|| format!("strucpp --no-default-libs {file} -o program.cpp --build --cxx-flags -w"))
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        let tools = [
+            (NODE, self.node.as_path()),
+            (COMPILER, &self.command),
+            (builder::CXX, self.builder.compiler()),
+        ];
+        let headers = (reproduction::HEADERS.to_owned(), self.headers.clone());
+        let tools = tools.map(|(tool, path)| tool.at(path));
+        tools.into_iter().chain([headers]).collect()
     }
 }
 

@@ -2,8 +2,8 @@
 
 use std::io::Write;
 use stickler_engines::{
-    Ability, Compiler, DependencyPaths, FoundDependency, NoReproduction, Observation, Outcome, Reproduction,
-    RunRequest,
+    Ability, Compiler, Engine, NoReproduction, Observation, Outcome, Reproduction, RunRequest,
+    reproduce_and_run,
 };
 use stickler_types::DialectName;
 
@@ -29,11 +29,10 @@ fn observe(asked: &[(&str, &str, Option<u32>)]) -> Vec<Observation> {
     asked.iter().map(observation).collect()
 }
 
-/// Returns the paths of a compiler; prints why it is skipped where it is not here.
-fn here(compiler: Compiler) -> Option<Vec<FoundDependency>> {
-    let search = compiler.seek(compiler.name(), compiler.name(), &DependencyPaths::default());
-    match search.engine {
-        Ok(_) => Some(search.located),
+/// Returns a compiler; prints why it is skipped where it is not here.
+fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
+    match compiler.engine(compiler.name()) {
+        Ok(engine) => Some(engine),
         Err(error) => {
             // Not `eprintln`, which nobody sees when the test passes.
             let _ = writeln!(std::io::stderr(), "skipped: {error}");
@@ -43,11 +42,16 @@ fn here(compiler: Compiler) -> Option<Vec<FoundDependency>> {
 }
 
 /// Runs the script of a reproduction. Returns all that it printed.
-fn run(reproduction: &Reproduction, located: &[FoundDependency]) -> String {
-    let variable = |found: &FoundDependency| (found.shell_variable.clone(), found.path.clone());
-    let variables: Vec<_> = located.iter().map(variable).collect();
-    let printed = reproduction.run(&variables).unwrap();
+fn run(reproduction: &Reproduction, engine: &dyn Engine) -> String {
+    let tools = engine.tools();
+    let printed = reproduction.run(&tools).unwrap().text;
     assert!(!printed.contains("/stickler-"), "{printed}");
+    for (variable, path) in tools {
+        assert!(
+            !printed.contains(&*path.to_string_lossy()),
+            "{variable}: {printed}"
+        );
+    }
     printed
 }
 
@@ -67,8 +71,8 @@ fn a_script_prints_the_values_of_a_program_without_stickler() {
             ..RunRequest::once(dialect(compiler), SOURCE, &observe)
         };
         let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
-        let Some(located) = here(compiler) else { continue };
-        let printed = run(&reproduction, &located);
+        let Some(engine) = here(compiler) else { continue };
+        let printed = run(&reproduction, &*engine);
         let expected: &[&str] = match compiler {
             Compiler::Ironplc => &[
                 "n: -1",
@@ -100,15 +104,28 @@ fn a_script_prints_the_values_of_a_program_without_stickler() {
 fn a_script_shows_whether_a_program_is_accepted() {
     let wrong = SOURCE.replace("n - 1", "n - unknown");
     for compiler in Compiler::ALL {
-        let Some(located) = here(compiler) else { continue };
+        let Some(engine) = here(compiler) else { continue };
         for (source, accepted) in [(SOURCE, true), (&wrong, false)] {
             let request = RunRequest::once(dialect(compiler), source, &[]);
-            let reproduction = compiler.reproduce(&request, Ability::Check).unwrap();
+            // What is rejected is shown without what an execution needs.
+            let asked = if accepted {
+                Ability::Check
+            } else {
+                Ability::Execute
+            };
+            let (reproduction, output) = reproduce_and_run(&*engine, &request, asked).unwrap();
+            assert_eq!(
+                reproduction,
+                compiler.reproduce(&request, Ability::Check).unwrap()
+            );
             assert_eq!(reproduction.files[0].text, source);
-            let printed = run(&reproduction, &located);
-            let success = ["The program is accepted.", "Compilation successful!"];
-            let says = success.iter().any(|line| printed.contains(line));
-            assert_eq!(says, accepted, "{printed}\n{reproduction:#?}");
+            assert_eq!(output.unwrap().succeeded, accepted);
+            let printed = run(&reproduction, &*engine);
+            assert_eq!(
+                printed.contains("The program is accepted."),
+                accepted,
+                "{printed}\n{reproduction:#?}"
+            );
             // Of `program.st:10`, wherever a compiler says it.
             assert_eq!(printed.contains("10"), !accepted, "{printed}");
         }
@@ -138,13 +155,11 @@ fn a_configuration_of_the_program_is_used() {
     let observe = observe(&[("seen", "INT", None), ("seen", "INT", Some(1))]);
     // RuSTy documents no configurations.
     for compiler in [Compiler::Ironplc, Compiler::Matiec, Compiler::Strucpp] {
-        let search = compiler.seek(compiler.name(), compiler.name(), &DependencyPaths::default());
-        let Some(located) = here(compiler) else { continue };
+        let Some(engine) = here(compiler) else { continue };
         let request = RunRequest {
             scans: 2,
             ..RunRequest::once(dialect(compiler), source, &observe)
         };
-        let engine = search.engine.unwrap();
         let Outcome::Executed { values } = engine.session().unwrap().run(&request) else {
             panic!("{} does not execute it", compiler.name())
         };
@@ -159,7 +174,7 @@ fn a_configuration_of_the_program_is_used() {
             compiler.name()
         );
         let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
-        let printed = run(&reproduction, &located);
+        let printed = run(&reproduction, &*engine);
         for value in ["42", "44"] {
             assert!(printed.contains(value), "{printed}\n{reproduction:#?}");
         }

@@ -1,6 +1,6 @@
 //! Writes the page of a cause, and its line in the list of an engine's pages.
 
-use super::page::{block, called, not_compared};
+use super::page::{block, called, expected_and_got, not_compared};
 use crate::basis::Basis;
 use crate::overview::Overview;
 use crate::summary::{code, inline, linked};
@@ -8,12 +8,16 @@ use crate::text::visible;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
-    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, Reduced, SourceHeader, Witness,
+    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats, SourceHeader,
+    Witness,
 };
 use stickler_types::{counted, grouped};
 
 /// The maximum number of lines in the table of cases; the others are counted.
 const MAX_LISTED: usize = 40;
+
+/// The maximum number of lines that are shown of what the commands print.
+const MAX_PRINTED: usize = 40;
 
 /// Returns the beginning of the list of an engine's causes. `unexplained` is the number of failing cases that belong to none.
 pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: &[&Cause], unexplained: u64) -> String {
@@ -28,10 +32,7 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: &[&Cause],
         "{pages}, one for each cause: what one mend would probably put right. The smallest program of each was found by asking \
          the compiler. A page is ready to be sent to those who write the compiler, once somebody has read it.\n\n"
     );
-    let unreduced = causes
-        .iter()
-        .filter(|cause| cause.reduction == Reduced::Partly)
-        .count() as u64;
+    let unreduced = causes.iter().filter(|cause| cause.is_partly_reduced()).count() as u64;
     if unreduced > 0 {
         let programs = counted(unreduced, "program was", "programs were");
         let _ = write!(
@@ -108,19 +109,14 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
     reproduction(&mut text, about, shown);
-    let expected = match shown.is_derived {
+    let by = match shown.is_derived {
         // The claim says nothing of a program that does something else.
         true => format!("Expected (found through cases of {}):", cited(shown, overview)),
         false => format!("Expected, by {}:", cited(shown, overview)),
     };
-    block(&mut text, &expected, "", &visible(&Fact::text(&shown.expected)));
-    block(&mut text, "Got:", "", &visible(&Fact::text(&shown.got)));
-    if let Some(repeats) = cause.flaky {
-        let _ = write!(
-            text,
-            "**By chance:** this came in {} of {} runs of the same program.\n\n",
-            repeats.seen, repeats.of
-        );
+    expected_and_got(&mut text, &by, (&shown.basis, &shown.expected, &shown.got));
+    if let Some(repeats) = &cause.flaky {
+        by_chance(&mut text, repeats);
     }
     if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
         let strict = about.map_or(Grade::Code, |about| about.strict);
@@ -136,6 +132,22 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
         None => writeln!(text, "."),
     };
     text
+}
+
+/// Adds the outcomes of a program with which the compiler does not do the same each time.
+fn by_chance(text: &mut String, repeats: &Repeats) {
+    let Repeats { seen, of, outcomes } = repeats;
+    let _ = write!(
+        text,
+        "**By chance:** this came in {seen} of {of} runs of the same program.\n\n"
+    );
+    for RepeatedOutcome { got, runs } in outcomes {
+        let shown = visible(&Fact::text(got)).replace('\n', "; ");
+        let _ = writeln!(text, "- {runs} of {of}: {}", code(&shown));
+    }
+    if !outcomes.is_empty() {
+        text.push('\n');
+    }
 }
 
 /// Adds the program, and what has to be done to see what the compiler does with it.
@@ -166,16 +178,20 @@ fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Witness
             &visible(&file.text),
         );
     }
-    let mut commands = String::new();
-    for tool in &reproduction.tools {
-        let _ = writeln!(
-            commands,
-            "{}=\"${{{}:-{}}}\"",
-            tool.variable, tool.variable, tool.default
-        );
+    block(text, "and run", "sh", &reproduction.commands_with_tools());
+    if !shown.printed.is_empty() {
+        block(text, "That prints", "", &visible(&first_lines(&shown.printed)));
     }
-    commands.push_str(&reproduction.commands.join(" &&\n"));
-    block(text, "and run", "sh", &commands);
+}
+
+/// Returns the first lines of a text, and how many follow.
+fn first_lines(text: &str) -> String {
+    let mut lines = text.lines();
+    let first: Vec<&str> = lines.by_ref().take(MAX_PRINTED).collect();
+    let left = lines.count() as u64;
+    let more = (left > 0).then(|| format!("… {}", counted(left, "more line", "more lines")));
+    let lines = first.into_iter().map(str::to_owned).chain(more);
+    lines.collect::<Vec<_>>().join("\n")
 }
 
 /// Returns the claim with the source that makes it, as a link where that has an address of the web.

@@ -1,6 +1,7 @@
 //! Writes the page of a cluster, and the list of an engine's pages.
 
 use super::{Cluster, Key};
+use crate::basis::Basis;
 use crate::engine;
 use crate::summary::{code, fence, inline};
 use crate::text::{noted, visible};
@@ -64,9 +65,8 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
         Some(command) => block(&mut text, "and run", "sh", command),
         None => text.push_str("and give it to the compiler.\n\n"),
     }
-    let basis = format!("Expected, by *{}*:", inline(&case.basis));
-    block(&mut text, &basis, "", &visible(&Fact::text(&case.expected)));
-    block(&mut text, "Got:", "", &visible(&Fact::text(&case.got)));
+    let by = format!("Expected, by *{}*:", inline(&case.basis));
+    expected_and_got(&mut text, &by, (&case.basis, &case.expected, &case.got));
     let _ = write!(text, "Lines are those of `{PROGRAM}`. ");
     if key.symptom.is_of_a_rejection() {
         text.push_str(not_compared(about.map_or(Grade::Code, |about| about.strict)));
@@ -82,6 +82,23 @@ pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster:
         code(&engine::rerun(about, case))
     );
     text
+}
+
+/// Adds the expected and the actual facts; `by` stands before the expected ones. Of a compiler that crashes, a rule of Stickler demands
+/// no more than an answer.
+pub(super) fn expected_and_got(
+    text: &mut String,
+    by: &str,
+    (basis, expected, got): (&str, &[Fact], &[Fact]),
+) {
+    let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
+    if got.iter().any(no_answer) && Basis::of(basis).is_rule() {
+        block(text, "Expected:", "", "an answer, no crash");
+    } else {
+        let expected = visible(&Fact::text(expected));
+        block(text, by, "", &expected);
+    }
+    block(text, "Got:", "", &visible(&Fact::text(got)));
 }
 
 /// Returns the sentence about the parts of a diagnostic that were not compared.

@@ -5,7 +5,9 @@ use crate::overview::Overview;
 use crate::sample::{self, error, names, told, value};
 use std::fs;
 use std::path::Path;
-use stickler_run::{CaseEvent, Event, ExplainedCases, Fact, Grade, Repeats, Verdict, Witness};
+use stickler_run::{
+    CaseEvent, Event, ExplainedCases, Fact, Grade, RepeatedOutcome, Repeats, Verdict, Witness,
+};
 
 fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
     CaseEvent {
@@ -168,7 +170,12 @@ fn a_cause_has_a_page_that_stands_for_itself() {
     let mut run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
     let footer = run.pop().expect("a footer");
     let mut cause = sample::cause("`into := from` gives 128", 2, Verdict::Fail);
-    cause.flaky = Some(Repeats { seen: 7, of: 20 });
+    let outcome = |got, runs| RepeatedOutcome { got: vec![got], runs };
+    cause.flaky = Some(Repeats {
+        seen: 7,
+        of: 20,
+        outcomes: vec![outcome(value("into", "INT#128"), 7), outcome(Fact::Accepted, 13)],
+    });
     cause.types = vec!["SINT, INT".to_owned(), "INT, DINT".to_owned()];
     cause.second = Some(Witness {
         program: "PROGRAM n END_PROGRAM\n".to_owned(),
@@ -218,6 +225,9 @@ into = INT#128
 ```
 
 **By chance:** this came in 7 of 20 runs of the same program.
+
+- 7 of 20: `` into = INT#128 ``
+- 13 of 20: `` accepted ``
 
 Another program shows the same:
 

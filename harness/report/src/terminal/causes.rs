@@ -5,7 +5,7 @@ use crate::overview::Overview;
 use crate::text::{shortened, visible};
 use std::collections::BTreeSet;
 use std::io::{self, Write};
-use stickler_run::{Cause, Reduced};
+use stickler_run::Cause;
 use stickler_types::{counted, grouped};
 
 /// The maximum number of causes that are shown.
@@ -64,13 +64,13 @@ fn about(cause: &Cause) -> String {
             counted(claims.len() as u64 - 1, "other claim", "other claims")
         ));
     }
-    if let Some(repeats) = cause.flaky {
+    if let Some(repeats) = &cause.flaky {
         text.push_str(&format!(
             "; by chance, in {} of {} runs",
             repeats.seen, repeats.of
         ));
     }
-    if cause.reduction == Reduced::Partly {
+    if cause.is_partly_reduced() {
         text.push_str("; not as small as it could be");
     }
     text
@@ -96,7 +96,11 @@ mod tests {
                 .causes
                 .push(sample::cause(&format!("cause {number}"), number, Verdict::Fail));
         }
-        overview.causes[21].flaky = Some(Repeats { seen: 3, of: 20 });
+        overview.causes[21].flaky = Some(Repeats {
+            seen: 3,
+            of: 20,
+            ..Repeats::default()
+        });
         overview.causes.push(sample::cause("known", 99, Verdict::Xfail));
         let text = shown(&overview);
         let start = "\

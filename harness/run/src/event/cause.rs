@@ -31,7 +31,7 @@ pub struct Cause {
     pub types: Vec<String>,
     /// The extent to which the shown program was reduced.
     pub reduction: Reduced,
-    /// The number of runs in which the engine deviated on the shown program; `None` where it did so in each.
+    /// The outcomes of several runs of the shown program; `None` where they were all the same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flaky: Option<Repeats>,
     /// The cases that fail for this cause, by probe, dialect, claim and verdict, in the order of the suite.
@@ -61,6 +61,9 @@ pub struct Witness {
     /// The files and commands by which a person sees it without Stickler; `None` where the engine has no tools of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reproduction: Option<Reproduction>,
+    /// The text that the commands of the reproduction print, without paths of the machine; empty where nobody ran them.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub printed: String,
 }
 
 /// The extent to which a program was reduced.
@@ -76,13 +79,25 @@ pub enum Reduced {
     Smallest,
 }
 
-/// The number of runs in which a deviation was seen, of a number of runs.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+/// The outcomes of several runs of one program with which an engine does not do the same each time.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct Repeats {
-    /// The number of runs in which the deviation was seen.
+    /// The number of runs in which the engine deviated in the way of the cause.
     pub seen: u32,
     /// The number of all runs.
     pub of: u32,
+    /// Each outcome that was seen, in the order in which they came.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outcomes: Vec<RepeatedOutcome>,
+}
+
+/// An outcome of several runs of one program.
+#[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+pub struct RepeatedOutcome {
+    /// The facts of the outcome.
+    pub got: Vec<Fact>,
+    /// The number of runs with this outcome.
+    pub runs: u32,
 }
 
 /// A number of cases with a probe, dialect, claim and verdict in common.
@@ -118,6 +133,12 @@ impl Cause {
     #[must_use]
     pub fn differs(&self) -> bool {
         self.cases.iter().all(|some| some.verdict == Verdict::Differs)
+    }
+
+    /// Returns whether the questions were spent before the shown program was as small as it can be.
+    #[must_use]
+    pub fn is_partly_reduced(&self) -> bool {
+        self.reduction == Reduced::Partly
     }
 
     /// Returns whether two causes are the same, found in two parts of a run.
@@ -205,7 +226,11 @@ mod tests {
     #[test]
     fn what_came_by_chance_gives_way_to_what_comes_each_time() {
         let mut whole = cause("short", 1);
-        whole.flaky = Some(Repeats { seen: 3, of: 10 });
+        whole.flaky = Some(Repeats {
+            seen: 3,
+            of: 10,
+            ..Repeats::default()
+        });
         whole.merge(cause("longer", 1));
         assert_eq!((whole.title.as_str(), whole.flaky), ("longer", None));
     }

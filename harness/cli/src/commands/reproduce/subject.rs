@@ -45,7 +45,18 @@ impl ReproducedProgram {
                 arguments.case
             );
         }
-        let named = NamedCase::load(&arguments.case, arguments.cases.as_deref())?;
+        ReproducedProgram::of_case(&arguments.case, arguments)
+    }
+
+    /// Returns a case in each of its dialects, or in the one that its name ends in.
+    ///
+    /// # Errors
+    /// No such case.
+    pub(super) fn of_case(
+        name: &str,
+        arguments: &ReproduceArguments,
+    ) -> anyhow::Result<Vec<ReproducedProgram>> {
+        let named = NamedCase::load(name, arguments.cases.as_deref())?;
         let cases = named.cases().into_iter();
         Ok(cases
             .map(|case| ReproducedProgram::Case {
@@ -94,8 +105,8 @@ impl ReproducedProgram {
         }
     }
 
-    /// Returns the ability that shows what matters of the program; `outcome` is what the engine does, where it is here. A
-    /// rejection shows in a check, and what becomes of an accepted program only when it is executed.
+    /// Returns the ability that shows what matters of the program; `outcome` is what the engine does, where it is here. What
+    /// becomes of an accepted program shows only when it is executed.
     pub(super) fn ability(&self, outcome: Option<&Outcome>) -> Ability {
         let usual = match self {
             ReproducedProgram::Case { case, .. } => shown_by(case),
@@ -104,7 +115,6 @@ impl ReproducedProgram {
         };
         match (usual, outcome) {
             (Ability::Render, _) => Ability::Render,
-            (_, Some(Outcome::Rejected { .. })) => Ability::Check,
             (_, Some(Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Faulted { .. })) => {
                 Ability::Execute
             }

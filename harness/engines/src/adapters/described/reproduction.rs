@@ -89,8 +89,13 @@ fn with(mut reproduction: Reproduction, command: &ShellCommand) -> Reproduction 
     reproduction.command(format!("{called} {arguments}").trim_end().to_owned())
 }
 
+/// Returns the name of the variable for the program of a path.
+pub(super) fn program_variable(path: &Path) -> String {
+    variable(&path.file_stem().unwrap_or_default().to_string_lossy())
+}
+
 /// Returns the name of the variable for a program.
-pub(super) fn variable(program: &str) -> String {
+fn variable(program: &str) -> String {
     let letter = |letter: char| match letter {
         letter if letter.is_ascii_alphanumeric() => letter.to_ascii_uppercase(),
         _ => '_',

@@ -39,18 +39,6 @@ fn ask(engine: &dyn Engine, what: &str, observe: &[(&str, &str, Option<u32>)], s
 }
 
 #[test]
-fn its_own_command_is_that_of_its_table_without_the_places_of_this_machine() {
-    let (_, folder) = stand_in();
-    let described = engine(IRONPLC, &folder);
-    let command = described.own_command(DialectName::IronplcEd2, "program.st");
-    assert_eq!(
-        command.as_deref(),
-        Some("ironplcc check --dialect iec61131-3-ed2 program.st")
-    );
-    assert_eq!(described.own_command(DialectName::Matiec, "program.st"), None);
-}
-
-#[test]
 fn the_checking_half_of_ironplc_needs_no_code() {
     let (adapter, folder) = stand_in();
     let described = engine(IRONPLC, &folder);

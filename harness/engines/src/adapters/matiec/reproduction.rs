@@ -2,11 +2,12 @@
 
 use super::driver::{before, calls, configured, has, is_time, place, translated};
 use super::{COMPILER, HEADER, LIBRARY, added_configuration};
-use crate::adapters::builder::{CC, Language};
+use crate::adapters::builder::Language;
 use crate::adapters::printed::{self, Kind};
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::readable::{self, Expression, Main};
-use crate::adapters::source::{MainProgram, main_program, own_configuration};
+use crate::adapters::reproduction;
+use crate::adapters::source::{MainProgram, own_configuration};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 
@@ -22,11 +23,9 @@ pub(in crate::adapters) fn reproduce(
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
     super::speaks(request.dialect)?;
-    match (ability, main_program(request.source)) {
-        (Ability::Render, _) => Err(super::no_rendering().into()),
-        (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
-        (Ability::Check, _) | (_, None) => Ok(translation(request.source.to_owned()).accepted()),
-    }
+    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
+        execution(request, main)
+    })
 }
 
 /// Returns the reproduction that only translates a program.
@@ -46,18 +45,11 @@ fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproductio
     let probes = ProbeVariables::of(request);
     let mut program = with_shown_probes(request, main, probes.list())?;
     program.push_str(&added_configuration(request.source, main));
-    let cc = CC.shell_variable();
     let library = LIBRARY.shell_variable();
-    let driver = Language::C.driver();
-    let options = command_line(Language::C.options().iter().copied());
+    let inputs = format!("-I \"${library}/C\" -I . {}", Language::C.driver());
     let libraries = command_line(Language::C.libraries().iter().copied());
-    Ok(translation(program)
-        .tool(cc, CC.name)
-        .file(driver, text(request, main, &probes)?)
-        .command(format!(
-            "\"${cc}\" {options} -I \"${library}/C\" -I . {driver} -o driver {libraries}"
-        ))
-        .command("./driver"))
+    let driver = text(request, main, &probes)?;
+    Ok(translation(program).driver(Language::C, driver, &inputs, &libraries))
 }
 
 /// Returns the driver.

@@ -2,10 +2,11 @@
 
 use super::driver::{HEADER, initialise, kinds, of_c, shown_as};
 use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE};
-use crate::adapters::builder::{CC, Language};
+use crate::adapters::builder::Language;
 use crate::adapters::printed::Kind;
 use crate::adapters::readable::{self, Expression, Main};
-use crate::adapters::source::{MainProgram, main_program, words};
+use crate::adapters::reproduction;
+use crate::adapters::source::{MainProgram, words};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 use std::collections::BTreeMap;
@@ -27,14 +28,11 @@ pub(in crate::adapters) fn reproduce(
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
     super::speaks(request.dialect)?;
-    match (ability, main_program(request.source)) {
-        (Ability::Render, _) => Err(super::no_rendering().into()),
-        (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
-        (Ability::Check, _) | (_, None) => {
-            // Some mistakes are only found when the object file is made.
-            Ok(compilation(request.source.to_owned(), &[PROGRAM], &OBJECT).accepted())
-        }
-    }
+    // Some mistakes are only found when the object file is made.
+    let translation = |program| compilation(program, &[PROGRAM], &OBJECT);
+    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
+        execution(request, main)
+    })
 }
 
 /// Returns the reproduction that only compiles a program.
@@ -60,22 +58,19 @@ fn beside(folder: &str) -> String {
 
 fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
     let kinds = kinds(request)?;
-    let (library, cc) = (LIBRARY.shell_variable(), CC.shell_variable());
+    let library = LIBRARY.shell_variable();
     // Access to the variables of a program is a warning for each, which is one line then.
     let one_line = ["--error-format=clang"];
     let options: Vec<&str> = OBJECT.into_iter().chain(one_line).collect();
-    let driver = Language::C.driver();
-    let c_options = command_line(Language::C.options().iter().copied());
-    Ok(compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &options)
-        .tool(library, &beside("lib"))
-        .tool(cc, CC.name)
-        .file(FUNCTIONS, functions(request, &renamed(&main.name), &kinds))
-        .file(driver, text(request, &kinds))
-        .command(format!(
-            "\"${cc}\" {c_options} {driver} {OBJECT_FILE} -o driver -L \"${library}\" -Wl,-rpath,\"${library}\" \
-             -liec61131std -lm -lpthread -ldl -no-pie"
-        ))
-        .command("./driver"))
+    let inputs = format!("{} {OBJECT_FILE}", Language::C.driver());
+    let libraries =
+        format!("-L \"${library}\" -Wl,-rpath,\"${library}\" -liec61131std -lm -lpthread -ldl -no-pie");
+    Ok(
+        compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &options)
+            .tool(library, &beside("lib"))
+            .file(FUNCTIONS, functions(request, &renamed(&main.name), &kinds))
+            .driver(Language::C, text(request, &kinds), &inputs, &libraries),
+    )
 }
 
 /// Returns a text without the name at which a C program begins.

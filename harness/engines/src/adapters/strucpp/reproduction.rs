@@ -2,17 +2,18 @@
 
 use super::driver::{VALUE_OF, before, instance, kinds, place};
 use super::{COMPILER, DIALECT, NODE};
-use crate::adapters::builder::{CXX, Language};
+use crate::adapters::builder::Language;
 use crate::adapters::printed::Kind;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::readable::{self, Expression, Main};
-use crate::adapters::source::{MainProgram, main_program};
-use crate::reproduction::{PROGRAM, command_line};
+use crate::adapters::reproduction;
+use crate::adapters::source::MainProgram;
+use crate::reproduction::PROGRAM;
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 use stickler_types::ElementaryType;
 
 /// The variable for the folder of the compiler's run-time headers.
-const HEADERS: &str = "STRUCPP_INCLUDE";
+pub(super) const HEADERS: &str = "STRUCPP_INCLUDE";
 
 /// Returns the reproduction of a request.
 ///
@@ -28,14 +29,12 @@ pub(in crate::adapters) fn reproduce(
             request.dialect
         )));
     }
-    match (ability, main_program(request.source)) {
-        (Ability::Render, _) => Err(super::no_rendering().into()),
-        (Ability::Execute | Ability::Scans, Some(main)) => execution(request, &main),
-        (Ability::Check, _) | (_, None) => Ok(translation(request.source.to_owned())),
-    }
+    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
+        execution(request, main)
+    })
 }
 
-/// Returns the reproduction that only translates a program; the compiler says itself that it accepts it.
+/// Returns the reproduction that only translates a program.
 fn translation(program: String) -> Reproduction {
     let (node, compiler) = (NODE.shell_variable(), COMPILER.shell_variable());
     Reproduction::of(PROGRAM, program)
@@ -49,20 +48,13 @@ fn translation(program: String) -> Reproduction {
 fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
     let probes = ProbeVariables::of(request);
     let program = with_shown_probes(request, main, probes.list())?;
-    let (compiler, cxx) = (COMPILER.shell_variable(), CXX.shell_variable());
-    let driver = Language::Cpp.driver();
-    let options = command_line(Language::Cpp.options().iter().copied());
+    let compiler = COMPILER.shell_variable();
+    let headers = format!("$(dirname \"$(readlink -f \"${compiler}\")\")/../../src/runtime/include");
+    let inputs = format!("-I \"${HEADERS}\" -I . {}", Language::Cpp.driver());
+    let driver = text(request, main, &probes)?;
     Ok(translation(program)
-        .tool(
-            HEADERS,
-            &format!("$(dirname \"$(readlink -f \"${compiler}\")\")/../../src/runtime/include"),
-        )
-        .tool(cxx, CXX.name)
-        .file(driver, text(request, main, &probes)?)
-        .command(format!(
-            "\"${cxx}\" {options} -I \"${HEADERS}\" -I . {driver} -o driver"
-        ))
-        .command("./driver"))
+        .tool(HEADERS, &headers)
+        .driver(Language::Cpp, driver, &inputs, ""))
 }
 
 /// Returns the driver.

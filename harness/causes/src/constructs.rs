@@ -1,0 +1,315 @@
+//! The constructs of a program that its reduction must not exchange for others: a smaller program shows the same defect only where
+//! the construct at fault is still there, and nothing came in that the whole program does not have.
+
+use crate::shape::{in_declarations, is_fixed};
+use crate::tokens::{Token, TokenKind, tokens};
+use std::collections::{BTreeMap, BTreeSet};
+use stickler_types::ElementaryType;
+
+/// The constructs of a program.
+#[derive(Debug)]
+pub(crate) struct Constructs {
+    /// The forms of its literals: real numbers, based integers, the prefixes of typed literals, the quotes of texts, truth values.
+    literals: BTreeSet<String>,
+    /// The ways in which its statements use each name, in capitals: by itself, an element, a bit, a field.
+    uses: BTreeMap<String, BTreeSet<String>>,
+    /// The names that are declared with an elementary type, in capitals.
+    elementary: BTreeSet<String>,
+    /// Whether a list of initial values repeats something zero times.
+    repeats_nothing: bool,
+    /// Whether a statement is a semicolon alone, which not every compiler accepts.
+    has_empty_statement: bool,
+    /// Whether every section of variables has one and every body has a statement, which some compilers demand.
+    is_whole: bool,
+}
+
+impl Constructs {
+    /// Returns the constructs of a program.
+    pub(crate) fn of(program: &str) -> Constructs {
+        let tokens = tokens(program);
+        Constructs {
+            literals: literals(&tokens),
+            uses: uses(&tokens),
+            elementary: elementary(&tokens),
+            repeats_nothing: repeats_nothing(&tokens),
+            has_empty_statement: has_empty_statement(&tokens),
+            is_whole: is_whole(&tokens),
+        }
+    }
+
+    /// Returns whether a program with these constructs may become one with the constructs `smaller`.
+    pub(crate) fn may_become(&self, smaller: &Constructs) -> bool {
+        smaller.is_whole
+            && (self.has_empty_statement || !smaller.has_empty_statement)
+            && (self.repeats_nothing || !smaller.repeats_nothing)
+            && smaller.literals.is_subset(&self.literals)
+            && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
+    }
+
+    /// Returns whether no use of a name lost a subscript, a bit or a field, as `a[1]` would become `a`. A variable that has an
+    /// elementary type now has lost those of its former type.
+    fn keeps_uses(&self, name: &str, smaller: &Constructs) -> bool {
+        let (Some(before), Some(now)) = (self.uses.get(name), smaller.uses.get(name)) else {
+            return true;
+        };
+        let is_unwrapped = smaller.elementary.contains(name) && !self.elementary.contains(name);
+        let is_cut = |way: &String| {
+            !before.contains(way) && before.iter().any(|longer| longer.starts_with(way.as_str()))
+        };
+        is_unwrapped || !now.iter().any(is_cut)
+    }
+}
+
+/// Returns the forms of the literals; bounds, subscripts, bits and numbers of repetitions are none.
+fn literals(tokens: &[Token<'_>]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    // For each open bracket, whether it holds values.
+    let mut lists = Vec::new();
+    for (at, token) in tokens.iter().enumerate() {
+        let before = at.checked_sub(1).and_then(|before| tokens.get(before));
+        match token.text {
+            "[" => lists.push(before.is_some_and(|before| matches!(before.text, ":=" | "," | "(" | "["))),
+            "]" => {
+                lists.pop();
+            }
+            _ => {}
+        }
+        let is_value = lists.last() != Some(&false)
+            && before.is_none_or(|before| before.text != ".")
+            && tokens.get(at + 1).is_none_or(|next| next.text != "(");
+        if is_value {
+            found.extend(literal(token));
+        }
+    }
+    found
+}
+
+/// Returns the form of a literal.
+fn literal(token: &Token<'_>) -> Option<String> {
+    let prefix = |text: &str| {
+        let (prefix, _) = text.split_once('#')?;
+        Some(format!("{}#", prefix.to_ascii_uppercase()))
+    };
+    match token.kind {
+        TokenKind::Number => {
+            let plain = if token.text.contains('.') {
+                "real"
+            } else {
+                "integer"
+            };
+            Some(prefix(token.text).unwrap_or_else(|| plain.to_owned()))
+        }
+        TokenKind::Typed => prefix(token.text),
+        TokenKind::Text => token.text.get(..1).map(str::to_owned),
+        // A truth value may stand for what has the type BOOL, or must have it.
+        TokenKind::Word => ["TRUE", "FALSE", "BOOL", "IF", "ELSIF", "WHILE", "UNTIL"]
+            .iter()
+            .any(|word| token.is(word))
+            .then(|| "truth value".to_owned()),
+        TokenKind::Partial | TokenKind::Sign => None,
+    }
+}
+
+/// Returns the ways in which the statements use each name, such as ` [] .bit` for a bit of an element.
+fn uses(tokens: &[Token<'_>]) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let declared = in_declarations(tokens);
+    for (at, token) in tokens.iter().enumerate() {
+        let is_field = at > 0 && tokens[at - 1].text == ".";
+        if token.kind == TokenKind::Word && !declared[at] && !is_field && !is_fixed(token.text) {
+            let ways = found.entry(token.text.to_ascii_uppercase()).or_default();
+            ways.insert(way(&tokens[at + 1..]));
+        }
+    }
+    found
+}
+
+/// Returns the way in which a name is used, by the tokens behind it.
+fn way(behind: &[Token<'_>]) -> String {
+    let mut way = String::new();
+    let mut rest = behind;
+    loop {
+        rest = match rest {
+            [open, ..] if open.text == "[" => {
+                way.push_str(" []");
+                &rest[behind_brackets(rest)..]
+            }
+            [point, what, ..] if point.text == "." => {
+                match what.kind {
+                    TokenKind::Number => way.push_str(" .bit"),
+                    TokenKind::Partial => way.extend([" .", what.text.get(..2).unwrap_or("%")]),
+                    _ => way.extend([" .", &what.text.to_ascii_uppercase()]),
+                }
+                &rest[2..]
+            }
+            _ => return way,
+        };
+    }
+}
+
+/// Returns the number of tokens up to the end of the brackets that the first one opens.
+fn behind_brackets(tokens: &[Token<'_>]) -> usize {
+    let mut depth = 0_usize;
+    for (at, token) in tokens.iter().enumerate() {
+        match token.text {
+            "[" => depth += 1,
+            "]" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return at + 1;
+        }
+    }
+    tokens.len()
+}
+
+/// Returns the names that are declared with an elementary type.
+fn elementary(tokens: &[Token<'_>]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    // The names of a declaration so far, as in `a, b : INT`.
+    let mut names = Vec::new();
+    for pair in tokens.windows(3) {
+        match pair[1].text {
+            "," if pair[0].kind == TokenKind::Word => names.push(pair[0].text.to_ascii_uppercase()),
+            ":" if pair[0].kind == TokenKind::Word => {
+                names.push(pair[0].text.to_ascii_uppercase());
+                let names = std::mem::take(&mut names);
+                if ElementaryType::from_name(&pair[2].text.to_ascii_uppercase()).is_some() {
+                    found.extend(names);
+                }
+            }
+            ";" => names.clear(),
+            _ => {}
+        }
+    }
+    found
+}
+
+/// Returns whether something is repeated zero times, as in `[0(5)]`.
+fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
+    let is_zero = |token: &Token<'_>| {
+        token.kind == TokenKind::Number && token.text.chars().all(|digit| matches!(digit, '0' | '_'))
+    };
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| is_zero(&pair[0]) && pair[1].text == "(")
+}
+
+/// Returns whether a statement is a semicolon alone.
+fn has_empty_statement(tokens: &[Token<'_>]) -> bool {
+    let before = [";", ":", "END_VAR", "OF", "DO", "THEN", "ELSE", "REPEAT"];
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
+}
+
+/// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
+/// them for that alone, whatever else was wrong with it.
+fn is_whole(tokens: &[Token<'_>]) -> bool {
+    let mut has_variables = false;
+    for pair in tokens.windows(2) {
+        let opens = pair[0].kind == TokenKind::Word && pair[0].text.to_ascii_uppercase().starts_with("VAR");
+        let closes = ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
+            .iter()
+            .any(|end| pair[1].is(end));
+        if opens && pair[1].is("END_VAR") || closes && pair[0].is("END_VAR") {
+            return false;
+        }
+        has_variables |= pair[0].is("END_VAR");
+    }
+    has_variables
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Constructs;
+
+    /// Returns whether a body may become another, both with the same variables.
+    fn may_become(body: &str, smaller: &str) -> bool {
+        let variables = "VAR a, b : ARRAY[0..3] OF WORD; w, v : WORD; r : REAL; n : INT; s : R; END_VAR";
+        let whole = |body: &str| Constructs::of(&format!("PROGRAM p {variables} {body} END_PROGRAM"));
+        whole(body).may_become(&whole(smaller))
+    }
+
+    #[test]
+    fn an_element_a_bit_and_a_field_stay_what_they_are() {
+        for (body, smaller) in [
+            ("a[1] := b[2];", "a := b;"),
+            ("a[1] := b[2];", "a[1] := b;"),
+            ("w.3 := v.4;", "w := v;"),
+            ("w.%X3 := v.%X4;", "w := v;"),
+            ("a[1].3 := b[2].3;", "a[1] := b[2];"),
+            ("s.f := s.g;", "s := s;"),
+        ] {
+            assert!(!may_become(body, smaller), "{body} {smaller}");
+        }
+        for (body, smaller) in [
+            ("a[1] := b[2]; w := v;", "a[0] := b[2];"),
+            ("a := b; a[1] := w;", "a := b;"),
+            ("n := f(w.3); r := w;", "n := f(w);"),
+        ] {
+            assert!(may_become(body, smaller), "{body} {smaller}");
+        }
+    }
+
+    #[test]
+    fn a_variable_of_another_type_has_lost_what_belongs_to_the_former_type() {
+        let of = |declared: &str, body: &str| {
+            Constructs::of(&format!(
+                "PROGRAM p VAR x, a : {declared}; END_VAR {body} END_PROGRAM"
+            ))
+        };
+        let whole = of("ARRAY[0..1] OF INT", "x[0] := a[1];");
+        assert!(whole.may_become(&of("INT", "x := a;")));
+        assert!(!whole.may_become(&of("ARRAY[0..1] OF INT", "x := a;")));
+    }
+
+    #[test]
+    fn no_form_of_literal_takes_the_place_of_another() {
+        for (body, smaller) in [
+            ("r := 0.0;", "r := 0;"),
+            ("r := REAL#0.5;", "r := 0.5;"),
+            ("n := INT#5;", "n := 5;"),
+            ("n := INT#5;", "n := UINT#5;"),
+            ("n := 16#F;", "n := 5;"),
+            ("n := w;", "n := 0;"),
+            ("n := w;", "n := FALSE;"),
+            ("s := \"a\";", "s := 'a';"),
+            // The numbers of a repetition, a subscript and a bit are no values.
+            ("a[1] := w.2;", "r := 1;"),
+        ] {
+            assert!(!may_become(body, smaller), "{body} {smaller}");
+        }
+        assert!(may_become("r := -1.5E-3; n := 7;", "n := 0; r := 1.0;"));
+        assert!(may_become("n := INT#-5;", "n := INT#0;"));
+        assert!(may_become(
+            "WHILE n < w DO n := w; END_WHILE;",
+            "WHILE TRUE DO n := w; END_WHILE;"
+        ));
+    }
+
+    #[test]
+    fn a_repetition_repeats_something() {
+        let of = |list: &str| {
+            Constructs::of(&format!(
+                "PROGRAM p VAR a : ARRAY[0..1] OF INT := {list}; END_VAR a[0] := a[1]; END_PROGRAM"
+            ))
+        };
+        assert!(!of("[2(INT#5)]").may_become(&of("[0(INT#5)]")));
+        assert!(of("[2(INT#5)]").may_become(&of("[1(INT#0)]")));
+        assert!(of("[0(INT#5)]").may_become(&of("[0(INT#0)]")));
+    }
+
+    #[test]
+    fn a_program_without_variables_or_statements_is_none_to_ask_about() {
+        let is_whole = |program: &str| Constructs::of(program).is_whole;
+        assert!(is_whole("PROGRAM p VAR x : INT; END_VAR x := 1; END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p VAR x : INT; END_VAR END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p VAR END_VAR x := 1; END_PROGRAM"));
+        assert!(!is_whole("PROGRAM p x := 1; END_PROGRAM"));
+        assert!(!may_become("n := 1;", ";"));
+        assert!(!may_become(
+            "CASE n OF 1: n := 2; END_CASE;",
+            "CASE n OF 1: ; END_CASE;"
+        ));
+        assert!(may_become("n := 1; ;", ";"));
+    }
+}
