@@ -267,6 +267,15 @@ mod tests {
     use super::*;
 
     #[test]
+    fn no_path_of_this_machine_is_in_what_a_script_printed() {
+        let tools = [("LIB", "/opt/st/lib"), ("ST", "/opt/st"), ("CC", "/cc")];
+        let tools = tools.map(|(variable, path)| (variable.to_owned(), PathBuf::from(path)));
+        let text = "/opt/st/lib/a.h:3: error in /opt/st/bin, not in /cc".to_owned();
+        let printed = without_places(text, &tools);
+        assert_eq!(printed, "$LIB/a.h:3: error in $ST/bin, not in /cc");
+    }
+
+    #[test]
     fn the_script_names_its_tools_first_and_runs_where_it_stands() {
         let reproduction = Reproduction::of(PROGRAM, "PROGRAM main END_PROGRAM\n".to_owned())
             .tool("STC", "stc")

@@ -102,6 +102,18 @@ fn what_cannot_be_reproduced_is_an_error_that_says_why() {
             &["there is no case `widening/integr`"][..],
         ),
         (
+            &[
+                "widening/integer::assignment(SINT,INT,-128)@plcnext",
+                "--engine",
+                "ironplc",
+                "shown",
+            ],
+            &[
+                "is not in the dialect plcnext; did you mean",
+                "assignment(SINT,INT,-128)@ironplc-ed2",
+            ],
+        ),
+        (
             &[CASE, "--engine", "ironplcc", "shown"],
             &["`ironplcc`", "`ironplc`"],
         ),
@@ -152,5 +164,18 @@ fn what_cannot_be_reproduced_is_an_error_that_says_why() {
             assert!(told.contains(part), "{part}\nin\n{told}");
         }
         assert!(!folder.path().join("shown").exists(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_dialect_that_the_compiler_does_not_speak_is_told_with_one_that_it_speaks() {
+    let folder = tempfile::tempdir().unwrap();
+    let suite = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
+    let named = ["language/comments@ironplc-ed2", "--engine", "matiec", "shown"];
+    let output = reproduce(folder.path(), &[&named[..], &["--cases", suite]].concat());
+    let told = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{told}");
+    for part in ["does not speak", "; it shows `language/comments@matiec`"] {
+        assert!(told.contains(part), "{part}\nin\n{told}");
     }
 }

@@ -180,7 +180,7 @@ fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Witness
     }
     block(text, "and run", "sh", &reproduction.commands_with_tools());
     if !shown.printed.is_empty() {
-        block(text, "That prints", "", &visible(&first_lines(&shown.printed)));
+        block(text, "That prints:", "", &visible(&first_lines(&shown.printed)));
     }
 }
 

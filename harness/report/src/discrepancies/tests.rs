@@ -5,6 +5,7 @@ use crate::overview::Overview;
 use crate::sample::{self, error, names, told, value};
 use std::fs;
 use std::path::Path;
+use stickler_engines::{Reproduction, ReproductionFile};
 use stickler_run::{
     CaseEvent, Event, ExplainedCases, Fact, Grade, RepeatedOutcome, Repeats, Verdict, Witness,
 };
@@ -286,4 +287,45 @@ fn a_name_of_a_folder_leads_nowhere_else() {
     ] {
         assert_eq!(super::file_name(name), folder);
     }
+}
+
+#[test]
+fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let reason = "signal 6".to_owned();
+    let crashing = CaseEvent {
+        basis: "rule: not-stated".to_owned(),
+        ..failing("t::a(1)", "PROGRAM m END_PROGRAM\n", Fact::Crashed { reason })
+    };
+    let mut run = sample::run_of(vec![crashing.clone()]);
+    let footer = run.pop().expect("a footer");
+    let mut cause = sample::cause("it crashes", 1, Verdict::Crash);
+    let lines: Vec<String> = (1..=43).map(|line| format!("line {line}")).collect();
+    cause.shown = Witness {
+        basis: crashing.basis,
+        expected: vec![Fact::Accepted],
+        got: crashing.got,
+        reproduction: Some(Reproduction {
+            files: vec![ReproductionFile {
+                name: "program.st".to_owned(),
+                text: "PROGRAM m END_PROGRAM\n".to_owned(),
+            }],
+            tools: Vec::new(),
+            commands: vec!["stc program.st".to_owned(), "./out".to_owned()],
+        }),
+        printed: lines.join("\n"),
+        ..cause.shown
+    };
+    run.extend([Event::Cause(cause), footer]);
+    write(folder.path(), &run);
+    let page = folder.path().join("discrepancies/reference/01-it-crashes.md");
+    let page = fs::read_to_string(page).expect("a page");
+    for part in [
+        "and run\n\n```sh\nstc program.st &&\n./out\n```\n\nThat prints:\n\n```\nline 1\n",
+        "\nline 40\n… 3 more lines\n```\n",
+        "Expected:\n\n```\nan answer, no crash\n```\n\nGot:\n\n```\ncrashed: signal 6\n```\n",
+    ] {
+        assert!(page.contains(part), "{part}\n{page}");
+    }
+    assert!(!page.contains("Expected, by"), "{page}");
 }
