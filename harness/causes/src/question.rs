@@ -61,7 +61,11 @@ impl Questioner<'_> {
         Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
     }
 
-    fn judged(&mut self, case: &Case, answers: Answers) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
+    fn judged(
+        &mut self,
+        case: &Case,
+        answers: Answers,
+    ) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
         let answers = self.without_execution(case, answers)?;
         let judged = self.judge.judgement(case, &answers);
         if !judged.verdict.is_discrepancy() {

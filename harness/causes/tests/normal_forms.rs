@@ -238,6 +238,6 @@ fn a_code_that_the_engine_lacks_is_not_asked_for() {
     assert!(ends(&with, "not rejected with P4035") && ends(&without, "not rejected"));
     assert_eq!(
         without[0].shown.expected[0].to_string(),
-        "line 5: error of any code"
+        "line 6: error of any code"
     );
 }

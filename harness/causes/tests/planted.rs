@@ -239,9 +239,12 @@ fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
             ),
             (
                 6,
-                "`into := DINT#0` (into : INT) is accepted, not rejected with P4035"
+                "`into := data` (into : INT, data : DINT) is accepted, not rejected with P4035"
             ),
-            (6, "`into := INT#5` (into : REAL) gives REAL#0.5, not REAL#5.0"),
+            (
+                6,
+                "`into := data` (into : REAL, data : INT := 5) gives REAL#0.5, not REAL#5.0"
+            ),
         ]
     );
     for cause in &found {
