@@ -151,6 +151,7 @@ fn case(id: &str, program: &str, must: &str) -> Vec<Case> {
         expectation: Arc::new(expectation.clone()),
         observe: observe.clone().into(),
         cell: None,
+        placement: None,
     };
     [DialectName::IronplcEd2, DialectName::IronplcEd3]
         .map(in_dialect)

@@ -195,6 +195,9 @@ pub struct ListArguments {
     /// and how many of the cases rest on it
     #[arg(long, conflicts_with_all = ["basis", "left_out"])]
     pub sources: bool,
+    /// List the places instead in which values stand: how many cases have each source together with each target and surrounding
+    #[arg(long, conflicts_with_all = ["basis", "sources", "left_out"])]
+    pub places: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
     /// what it overrides changes them and no document says how
     #[arg(long, conflicts_with = "basis")]
@@ -381,6 +384,7 @@ Examples:
   stickler list --filter bit-access/ --dialect plcnext
   stickler list --basis                             claims, with numbers of cases
   stickler list --sources                           what the claims come from
+  stickler list --places                            where in a program the values stand
   stickler list --json                              for other programs";
 
 const SHOW_EXAMPLES: &str = "\

@@ -142,6 +142,7 @@ impl CaseRecord {
             }),
             observe: observe.collect(),
             cell: None,
+            placement: None,
         })
     }
 }

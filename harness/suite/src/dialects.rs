@@ -87,6 +87,14 @@ impl Dialects {
         (dialects, errors.collect())
     }
 
+    /// Returns every dialect that case files may name, user-defined ones among them.
+    pub(crate) fn all(&self) -> Vec<DialectName> {
+        DialectName::ALL
+            .into_iter()
+            .chain(self.defined.iter().copied())
+            .collect()
+    }
+
     /// Returns the dialects that the file has an entry for, with their entries.
     pub fn entries(&self) -> impl Iterator<Item = (DialectName, &DialectEntry)> {
         self.entries.iter().map(|(&name, entry)| (name, entry))

@@ -113,11 +113,11 @@ fn slashes(path: &Path) -> String {
     parts.join("/")
 }
 
-/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`) and for all
+/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`, `places.toml`) and for all
 /// others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
-        "suite.toml" | "dialects.toml" | "sources.toml" => None,
+        "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml" => None,
         _ if below_root.ends_with(".st") => Some(FileKind::Program),
         _ if below_root.ends_with(".toml") => Some(FileKind::Table),
         _ => None,
@@ -171,7 +171,10 @@ fn add(root: &Root, path: &Path, listing: &mut Listing) {
 }
 
 fn is_known(below_root: &str) -> bool {
-    matches!(below_root, "suite.toml" | "dialects.toml" | "sources.toml") || below_root.ends_with(".md")
+    matches!(
+        below_root,
+        "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml"
+    ) || below_root.ends_with(".md")
 }
 
 fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: &mut Listing) {

@@ -11,6 +11,7 @@ use crate::dialects::Dialects;
 use crate::error::Mistake;
 use crate::model::{Case, MatrixCell};
 use crate::place::Lines;
+use crate::places::{Placement, Places};
 use crate::sources::Sources;
 use crate::table::Budget;
 
@@ -27,6 +28,8 @@ pub(crate) struct FileContext<'a> {
     pub(crate) dialects: &'a Dialects,
     /// The sources that cases may cite; `None` where they are not known.
     pub(crate) sources: Option<&'a Sources>,
+    /// The places that probes may name.
+    pub(crate) places: &'a Places,
     pub(crate) type_names: &'a TypeNames,
     /// The limits on the expansion of the file.
     pub(crate) budget: Budget,
@@ -51,6 +54,7 @@ pub(crate) struct Group<'a> {
     pub(crate) source: Arc<str>,
     pub(crate) assembly: Assembly,
     pub(crate) cell: Option<&'a Arc<MatrixCell>>,
+    pub(crate) placement: Option<&'a Arc<Placement>>,
 }
 
 /// The cases, mistakes and remarks that reading a case file results in.
@@ -106,6 +110,7 @@ impl Harvest {
                 expectation: Arc::clone(&group.assembly.expectation),
                 observe: Arc::clone(&group.assembly.observe),
                 cell: group.cell.map(Arc::clone),
+                placement: group.placement.map(Arc::clone),
             };
             self.cases.push(case);
         }

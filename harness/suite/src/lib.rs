@@ -33,8 +33,10 @@ mod lint;
 mod mark;
 mod mark_reader;
 mod model;
+mod near;
 mod observed;
 mod place;
+mod places;
 mod program;
 mod scan;
 mod single;
@@ -54,6 +56,7 @@ pub use lint::{LintFinding, Severity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
+pub use places::Placement;
 pub use sources::{Source, SourceKind, Sources, address_of};
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

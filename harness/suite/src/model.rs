@@ -5,6 +5,7 @@
 use std::sync::Arc;
 
 use crate::citations::is_stated;
+use crate::places::Placement;
 
 use stickler_types::{
     ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, RunRequest, Setting,
@@ -49,6 +50,8 @@ pub struct Case {
     pub observe: Arc<[Observation]>,
     /// The cell of the matrix, for a case that comes from one.
     pub cell: Option<Arc<MatrixCell>>,
+    /// The places of which the program was put together, if it was.
+    pub placement: Option<Arc<Placement>>,
 }
 
 impl Case {

@@ -130,6 +130,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
                     source,
                     assembly,
                     cell: None,
+                    placement: None,
                 };
                 harvest.add(context, &frame, &group, &members);
             }

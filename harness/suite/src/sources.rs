@@ -4,14 +4,13 @@
 //! section by the name that it has there, so that a claim can be traced from a report to the sentence.
 
 mod lint;
-mod near;
 mod read;
 mod sections;
 
 use stickler_types::DialectName;
 
+use crate::near::suggestion;
 use crate::place::Lines;
-use near::suggestion;
 pub(crate) use read::read;
 use sections::Sections;
 

@@ -13,8 +13,9 @@ use crate::error::Mistake;
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
+use crate::places::Places;
 use crate::{Case, CaseFileError, Dialects, Sources};
-use crate::{files, ident, single, sources, table, toml_text};
+use crate::{files, ident, places, single, sources, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
@@ -71,6 +72,8 @@ impl Suite {
         suite.errors.extend(read.errors);
         suite.remarks.extend(read.remarks);
         let sources = read.sources;
+        let (places, errors) = places::read(&root, &suite.dialects, &sources);
+        suite.errors.extend(errors);
         let type_names = TypeNames::default();
         let mut listing = files::list(&root);
         listing
@@ -81,6 +84,7 @@ impl Suite {
         let names = Names {
             dialects: &suite.dialects,
             sources: Some(&sources),
+            places: &places,
             types: &type_names,
         };
         let read = |file: &files::CaseFile| {
@@ -146,9 +150,12 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     };
     let read = sources::read(&root, &dialects);
     errors.extend(read.errors);
+    let (places, mistakes) = places::read(&root, &dialects, &read.sources);
+    errors.extend(mistakes);
     let names = Names {
         dialects: &dialects,
         sources: Some(&read.sources),
+        places: &places,
         types: &TypeNames::default(),
     };
     let harvest = read_file(&file, names);
@@ -158,12 +165,13 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
-/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes, but does not ask whether a basis names a source.
+/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes, but does not ask whether a basis names a source, and knows no places.
 #[must_use]
 pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
     let names = Names {
         dialects,
         sources: None,
+        places: &Places::default(),
         types: &TypeNames::default(),
     };
     let harvest = match files::kind(name) {
@@ -185,6 +193,7 @@ fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
 struct Names<'a> {
     dialects: &'a Dialects,
     sources: Option<&'a Sources>,
+    places: &'a Places,
     types: &'a TypeNames,
 }
 
@@ -225,6 +234,7 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: N
         lines: Lines::new(text),
         dialects: names.dialects,
         sources: names.sources,
+        places: names.places,
         type_names: names.types,
         budget: table::Budget::default(),
     };

@@ -1,5 +1,6 @@
 //! Reads `*.toml` files: tables that expand into a case for every cell or row × probe × value × dialect.
 
+mod arranged;
 mod budget;
 mod cell;
 mod expand_matrix;

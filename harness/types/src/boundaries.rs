@@ -12,5 +12,5 @@
 mod listed;
 mod neighbours;
 
-pub use listed::{boundaries, ordinary, other_than};
+pub use listed::{boundaries, ordinary, other_than, telling};
 pub use neighbours::{BoundaryDetail, neighbourhoods};

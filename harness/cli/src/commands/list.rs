@@ -1,5 +1,6 @@
-//! `stickler list`: lists the cases, the claims that they check, or the sources of the claims.
+//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, or the places of values.
 
+mod places;
 mod sources;
 
 use crate::arguments::ListArguments;
@@ -16,7 +17,7 @@ use stickler_suite::Case;
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// Lists the selected cases, their claims, or the sources of these.
+/// Lists the selected cases, their claims, the sources of these, or the places in their programs.
 ///
 /// # Errors
 /// No folder of cases; nothing selected.
@@ -34,6 +35,10 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     }
     if arguments.sources {
         sources::write(out, &suite.sources, &cases, arguments.json)?;
+        return Ok(case_folder::exit_of(&suite));
+    }
+    if arguments.places {
+        places::write(out, &cases, arguments.json)?;
         return Ok(case_folder::exit_of(&suite));
     }
     if arguments.basis {

@@ -56,6 +56,7 @@ pub fn case(id: &str) -> Case {
         expectation: Arc::new(Expectation::default()),
         observe: Arc::new([]),
         cell: None,
+        placement: None,
     }
 }
 

@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use super::near::suggestion;
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
+use crate::near::suggestion;
 
 impl Sources {
     /// Returns a warning for each source and each rule that none of these bases names.

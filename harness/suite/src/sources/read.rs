@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::near::suggestion;
 use super::sections::{Form, headings};
 use super::{Lines, RULE, Sections, Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
+use crate::near::suggestion;
 use crate::toml_text::{self, Strings};
 use crate::{Dialects, files};
 

@@ -2,7 +2,7 @@
 
 use stickler_types::{Code, ElementaryType};
 
-use super::near::suggestion;
+use crate::near::suggestion;
 
 /// The names that the sections of a source have.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

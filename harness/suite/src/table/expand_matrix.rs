@@ -120,6 +120,23 @@ fn overridden(
     said
 }
 
+/// Returns the texts of the placeholders that all cases of a cell share.
+fn cell_texts<'t>(row: &'t MatrixRow, column: &'t TypeInfo, word: MatrixWord, types: &'t str) -> Texts<'t> {
+    let mut texts = [UNKNOWN; PLACEHOLDERS.len()];
+    texts[..=TYPES].copy_from_slice(&[&*row.name, &*column.name, word.as_str(), types]);
+    texts
+}
+
+/// Returns a number that tells the cells of a matrix apart and depends on their types alone.
+fn number(row: &MatrixRow, column: &TypeInfo) -> usize {
+    let position = |name: &str| {
+        let all = ElementaryType::ALL.iter();
+        all.map(|ty| ty.name()).position(|known| known == name)
+    };
+    let number = |name: &str| position(name).unwrap_or_else(|| name.len() + ElementaryType::ALL.len());
+    31 * number(&row.name) + number(&column.name)
+}
+
 struct MatrixExpander<'a, 'h> {
     table: &'a Table<'a>,
     harvest: &'h mut Harvest,
@@ -212,14 +229,22 @@ impl MatrixExpander<'_, '_> {
                     .map_err(|message| Mistake::new(row.line, message))?;
                 if let Some(word) = word {
                     for (said, dialects) in overridden(probe, &row.name, column, *word, &dialects) {
-                        self.cell(
-                            section,
-                            probe,
-                            (row, row_type),
-                            (column, said),
-                            &inputs,
-                            &dialects,
-                        )?;
+                        let place = (row, row_type);
+                        let Some(mut arranged) = probe.arranged.take() else {
+                            self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
+                            continue;
+                        };
+                        let texts = cell_texts(row, column, said.word, "");
+                        if probe.only.holds(&texts) {
+                            let places = self.table.context.places;
+                            for (index, dialects) in
+                                arranged.chosen(places, number(row, column), &dialects, &texts)
+                            {
+                                let probe = &mut arranged.probes[index];
+                                self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
+                            }
+                        }
+                        probe.arranged = Some(arranged);
                     }
                 }
                 if self.harvest.mistakes.len() > MAX_MISTAKES {
@@ -243,8 +268,7 @@ impl MatrixExpander<'_, '_> {
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
         let types = declarations(row_type, column);
-        let mut texts = [UNKNOWN; PLACEHOLDERS.len()];
-        texts[..=TYPES].copy_from_slice(&[&*row.name, &*column.name, word.as_str(), &*types]);
+        let texts = cell_texts(row, column, word, &types);
         if !probe.only.holds(&texts) {
             return Ok(());
         }
@@ -374,7 +398,7 @@ impl MatrixExpander<'_, '_> {
             }
         };
         let value_in_id = probe.takes_values() && !of.rejected;
-        let id = self.id(cell, value_in_id.then_some(texts[VALUE]));
+        let id = self.id(of, value_in_id.then_some(texts[VALUE]));
         let source = program.fill(&mut self.scratch, &texts);
         self.budget
             .program(source.len())
@@ -399,6 +423,7 @@ impl MatrixExpander<'_, '_> {
             source,
             assembly,
             cell: Some(&cell.place),
+            placement: probe.placement.as_ref(),
         };
         self.harvest
             .add(self.table.context, &probe.frame, &group, of.dialects);
@@ -447,12 +472,18 @@ impl MatrixExpander<'_, '_> {
         Ok(assembly)
     }
 
-    fn id(&mut self, cell: &Cell<'_>, value: Option<&str>) -> Arc<str> {
+    fn id(&mut self, of: &CaseGroup<'_, '_>, value: Option<&str>) -> Arc<str> {
         self.scratch.clear();
-        self.scratch.push_str(&cell.prefix);
+        self.scratch.push_str(&of.cell.prefix);
         if let Some(value) = value {
             self.scratch.push(',');
             ident::push_cell(&mut self.scratch, value);
+        }
+        if let Some(placement) = &of.probe.placement {
+            for name in placement.names() {
+                self.scratch.push(',');
+                self.scratch.push_str(name);
+            }
         }
         self.scratch.push(')');
         Arc::from(self.scratch.as_str())

@@ -132,12 +132,12 @@ impl RowExpander<'_, '_> {
         for probe in probes {
             let before = self.harvest.cases.len();
             let own = probe.narrowed(dialects);
-            for row in self.table.file.rows.iter().flatten() {
+            for (number, row) in self.table.file.rows.iter().flatten().enumerate() {
                 let line = self.table.context.lines.line(row.span().start);
                 self.budget
                     .look()
                     .map_err(|message| Mistake::new(line, message))?;
-                self.row(probe, row, line, &own)?;
+                self.row(probe, (number, row), line, &own)?;
                 if self.harvest.mistakes.len() > MAX_MISTAKES {
                     return Err(Mistake::new(line, "further mistakes in this table are left out"));
                 }
@@ -153,7 +153,7 @@ impl RowExpander<'_, '_> {
     fn row(
         &mut self,
         probe: &mut Probe<'_>,
-        row: &Spanned<Row>,
+        (number, row): (usize, &Spanned<Row>),
         line: u32,
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
@@ -186,13 +186,34 @@ impl RowExpander<'_, '_> {
                 return Ok(());
             }
         };
-        for (active, members) in probe.program.groups(&dialects, &texts) {
-            probe.note_applied(&active);
-            if let Err(mistake) = self.case(probe, &texts, line, &expect, &active, &members) {
-                self.wrong(mistake);
+        match probe.arranged.take() {
+            None => self.cases(probe, &texts, line, &expect, &dialects),
+            Some(mut arranged) => {
+                let places = self.table.context.places;
+                for (index, dialects) in arranged.chosen(places, number, &dialects, &texts) {
+                    self.cases(&mut arranged.probes[index], &texts, line, &expect, &dialects);
+                }
+                probe.arranged = Some(arranged);
             }
         }
         Ok(())
+    }
+
+    /// Makes the cases of one program of a row in these dialects.
+    fn cases(
+        &mut self,
+        probe: &mut Probe<'_>,
+        texts: &[&str],
+        line: u32,
+        expect: &Expect,
+        dialects: &[DialectName],
+    ) {
+        for (active, members) in probe.program.groups(dialects, texts) {
+            probe.note_applied(&active);
+            if let Err(mistake) = self.case(probe, texts, line, expect, &active, &members) {
+                self.wrong(mistake);
+            }
+        }
     }
 
     fn spelling(&self, cell: &Spanned<crate::toml_text::Scalar>) -> Box<str> {
@@ -325,6 +346,7 @@ impl RowExpander<'_, '_> {
             source,
             assembly,
             cell: None,
+            placement: probe.placement.as_ref(),
         };
         self.harvest
             .add(self.table.context, &probe.frame, &group, members);
@@ -377,6 +399,11 @@ impl RowExpander<'_, '_> {
         for column in (0..texts.len()).filter(|&column| shown(column)) {
             id.push(separator);
             ident::push_cell(&mut id, texts[column]);
+            separator = ',';
+        }
+        for name in probe.placement.iter().flat_map(|placement| placement.names()) {
+            id.push(separator);
+            id.push_str(name);
             separator = ',';
         }
         if separator == ',' {

@@ -26,9 +26,10 @@ pub(crate) fn of_row<'t>(
         Some(values) => match values.get_ref() {
             TextOr::Text(word) if word == "boundaries" => boundaries(),
             TextOr::Text(word) if word == "one" => ordinary(),
+            TextOr::Text(word) if word == "telling" => Cow::Borrowed(row.telling.as_slice()),
             TextOr::Text(word) => {
                 let message =
-                    format!("`{word}` is no set of values; there are boundaries and one, and lists");
+                    format!("`{word}` is no set of values; there are boundaries, one and telling, and lists");
                 let line = context.lines.line(values.span().start);
                 mistakes.push(Mistake::new(line, message).key("probe.values"));
                 return Cow::default();

@@ -91,7 +91,8 @@ pub(crate) struct TypeKey {
 #[serde(deny_unknown_fields)]
 pub(crate) struct ProbeKey {
     pub(crate) name: Spanned<String>,
-    pub(crate) source: Spanned<String>,
+    pub(crate) source: Option<Spanned<String>>,
+    pub(crate) places: Option<Spanned<PlacesKey>>,
     pub(crate) observe: Option<Strings>,
     pub(crate) values: Option<Spanned<TextOr<Spanned<Scalar>>>>,
     pub(crate) expect: Option<Spanned<String>>,
@@ -103,6 +104,27 @@ pub(crate) struct ProbeKey {
     pub(crate) scans: Option<Spanned<u32>>,
     #[serde(default)]
     pub(crate) tags: Vec<String>,
+}
+
+/// The key `places` of a probe, whose programs are put together of places instead of being written out.
+///
+/// The texts stand for the words of `places.toml`.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PlacesKey {
+    pub(crate) sources: Option<Vec<Spanned<String>>>,
+    pub(crate) targets: Option<Vec<Spanned<String>>>,
+    pub(crate) surroundings: Option<Vec<Spanned<String>>>,
+    pub(crate) from: Option<String>,
+    pub(crate) to: Option<String>,
+    pub(crate) value: Option<String>,
+    pub(crate) typed: Option<String>,
+    pub(crate) expression: Option<String>,
+    pub(crate) variable: Option<String>,
+    pub(crate) before: Option<String>,
+    pub(crate) error: Option<String>,
+    pub(crate) code: Option<String>,
+    pub(crate) combinations: Option<usize>,
 }
 
 impl<'de> Deserialize<'de> for MatrixKey {

@@ -14,7 +14,9 @@ use crate::ident;
 use crate::mark::{Claim, Known};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
+use crate::places::Placement;
 use crate::program::{Program, Remarks};
+use crate::table::arranged::{self, Arranged};
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
 
@@ -36,6 +38,10 @@ pub(crate) struct Probe<'a> {
     pub(crate) frame: Frame,
     /// Whether each mark, by index, applied in some case.
     pub(crate) applied: Vec<bool>,
+    /// The places of which the program was put together, if it was.
+    pub(crate) placement: Option<Arc<Placement>>,
+    /// The probes of the single combinations of places; `None` if the probe has a program of its own.
+    pub(crate) arranged: Option<Arranged<'a>>,
 }
 
 /// A variable whose value is observed.
@@ -89,20 +95,45 @@ pub(crate) fn read<'a>(
     probes
 }
 
-struct Reader<'a, 'c> {
-    context: &'a FileContext<'c>,
-    placeholders: Placeholders<'a>,
-    mistakes: Vec<Mistake>,
+/// Reads one probe, and collects its mistakes.
+pub(super) struct Reader<'a, 'c> {
+    pub(super) context: &'a FileContext<'c>,
+    pub(super) placeholders: Placeholders<'a>,
+    pub(super) mistakes: Vec<Mistake>,
 }
 
 impl Reader<'_, '_> {
     fn probe<'k>(&mut self, file: &TableFile, key: &'k ProbeKey, remarks: &mut Remarks) -> Option<Probe<'k>> {
+        match (&key.source, &key.places) {
+            (Some(source), None) => {
+                let observe = key.observe.iter().flat_map(|observe| &observe.0);
+                let observe = observe.filter_map(|target| self.target(target)).collect();
+                let place =
+                    TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
+                let program = self.program(source.get_ref(), place, "probe.source", remarks)?;
+                self.with_program(file, key, program, observe)
+            }
+            (None, Some(places)) => arranged::read(self, file, key, places, remarks),
+            _ => {
+                let message = "a probe has either `source` or `places`".to_owned();
+                self.wrong(&key.name, "probe", message);
+                None
+            }
+        }
+    }
+
+    /// Reads the keys of a probe beside its program and what is observed.
+    pub(super) fn with_program<'k>(
+        &mut self,
+        file: &TableFile,
+        key: &'k ProbeKey,
+        program: Program,
+        observe: Vec<Target>,
+    ) -> Option<Probe<'k>> {
         let lines = &self.context.lines;
         if let Err(message) = ident::check(key.name.get_ref()).and_then(|()| no_slash(key.name.get_ref())) {
             self.wrong(&key.name, "probe.name", message);
         }
-        let observe = key.observe.iter().flat_map(|observe| &observe.0);
-        let observe = observe.filter_map(|target| self.target(target)).collect();
         let scans = key.scans.as_ref().or(file.scans.as_ref());
         let frame = Frame {
             summary: key.summary.as_deref().or(file.summary.as_deref()).map(Arc::from),
@@ -110,7 +141,6 @@ impl Reader<'_, '_> {
             scans: frame::scans(scans, lines, &mut self.mistakes),
         };
         let dialects = key.dialects.as_ref();
-        let program = self.program(&key.source, remarks)?;
         Some(Probe {
             name: key.name.get_ref().as_str().into(),
             key,
@@ -135,18 +165,26 @@ impl Reader<'_, '_> {
                 .or(file.expect.as_ref())
                 .and_then(|expect| self.template(expect, expect.get_ref(), "expect")),
             frame,
+            placement: None,
+            arranged: None,
         })
     }
 
-    fn program(&mut self, source: &Spanned<String>, remarks: &mut Remarks) -> Option<Program> {
-        let place = TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
+    /// Reads the program of a probe, which stands at `place` of the file under a key.
+    pub(super) fn program(
+        &mut self,
+        source: &str,
+        place: TextPlace,
+        key: &str,
+        remarks: &mut Remarks,
+    ) -> Option<Program> {
         let reader = MarkReader {
             dialects: self.context.dialects,
             testable: self.testable(),
             is_template: true,
         };
-        let program = Program::read(source.get_ref(), 0, place, &reader, remarks);
-        let keyed = |mistake: Mistake| mistake.key("probe.source");
+        let program = Program::read(source, 0, place, &reader, remarks);
+        let keyed = |mistake: Mistake| mistake.key(key);
         program
             .map_err(|mistakes| self.mistakes.extend(mistakes.into_iter().map(keyed)))
             .ok()
@@ -181,7 +219,7 @@ impl Reader<'_, '_> {
             .ok()
     }
 
-    fn template<T>(&mut self, place: &Spanned<T>, text: &str, key: &str) -> Option<Template> {
+    pub(super) fn template<T>(&mut self, place: &Spanned<T>, text: &str, key: &str) -> Option<Template> {
         let template = Template::parse(text, self.placeholders.names);
         template
             .map_err(|mistake| self.wrong(place, key, mistake.message))
@@ -201,7 +239,7 @@ impl Reader<'_, '_> {
         }
     }
 
-    fn wrong<T>(&mut self, at: &Spanned<T>, key: &str, message: String) {
+    pub(super) fn wrong<T>(&mut self, at: &Spanned<T>, key: &str, message: String) {
         self.mistakes
             .push(Mistake::new(self.context.lines.line(at.span().start), message).key(key));
     }
@@ -258,6 +296,9 @@ impl Probe<'_> {
             remarks.push(Mistake::new(self.line, message).key("probe"));
             return;
         }
+        if self.arranged.as_ref().is_some_and(|arranged| !arranged.is_idle()) {
+            return;
+        }
         for (mark, _) in self
             .program
             .marks
@@ -282,6 +323,10 @@ impl Probe<'_> {
                 .iter()
                 .any(|target| in_template(&target.name) || target.ty.as_ref().is_some_and(in_template))
             || self.only.slots().any(|used| used == slot)
+            || self
+                .arranged
+                .as_ref()
+                .is_some_and(|arranged| arranged.mentions(slot))
             || self
                 .program
                 .marks

@@ -116,6 +116,7 @@ mod tests {
             lines: Lines::new(text),
             dialects: &Dialects::default(),
             sources: None,
+            places: &crate::places::Places::default(),
             type_names: &TypeNames::default(),
             budget,
         })

@@ -22,6 +22,8 @@ pub(crate) struct TypeInfo {
     pub(crate) boundaries: Vec<Input>,
     /// One ordinary value of the type.
     pub(crate) ordinary: Option<Input>,
+    /// One value of the type that shows a wrong conversion.
+    pub(crate) telling: Option<Input>,
 }
 
 /// A value of a row's type, as a program writes it.
@@ -72,6 +74,7 @@ impl TypeInfo {
             declaration: Box::default(),
             boundaries: boundaries::boundaries(ty).into_iter().map(Input::of).collect(),
             ordinary: boundaries::ordinary(ty).map(Input::of),
+            telling: boundaries::telling(ty).map(Input::of),
         }
     }
 
@@ -82,6 +85,7 @@ impl TypeInfo {
             declaration: self.declaration.clone(),
             boundaries: self.boundaries.clone(),
             ordinary: self.ordinary.clone(),
+            telling: self.telling.clone(),
         }
     }
 
@@ -174,6 +178,7 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
             declaration: Box::default(),
             boundaries: Vec::new(),
             ordinary: None,
+            telling: None,
         },
     };
     info.declaration = key.declaration.get_ref().trim().into();
@@ -198,6 +203,7 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
     }
     if !key.values.is_empty() {
         info.ordinary = info.boundaries.first().cloned();
+        info.telling.clone_from(&info.ordinary);
     }
     info
 }

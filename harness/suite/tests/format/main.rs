@@ -4,6 +4,7 @@ mod common;
 mod defined;
 mod folder;
 mod matrices;
+mod places;
 mod programs;
 mod rows;
 mod shipped;

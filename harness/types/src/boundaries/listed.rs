@@ -32,6 +32,30 @@ pub fn ordinary(ty: ElementaryType) -> Option<WrittenValue> {
     WrittenValue::parse(ty, ordinary_literal(ty)).ok()
 }
 
+/// Returns a value of a type that shows whether it is converted as its type says: a number with its sign or its highest bit set, and more
+/// digits than a REAL holds where the type has them, but no more than an LREAL holds.
+pub fn telling(ty: ElementaryType) -> Option<WrittenValue> {
+    use ElementaryType as E;
+    let literal = match ty {
+        E::Sint => "-127",
+        E::Int => "-32767",
+        E::Dint => "-2147483647",
+        E::Lint => "-9007199254740991",
+        E::Usint => "255",
+        E::Uint => "65535",
+        E::Udint => "4294967295",
+        E::Ulint => "9223372036854777856",
+        E::Byte => "16#A5",
+        E::Word => "16#A55A",
+        E::Dword => "16#A55A0FF1",
+        E::Lword => "16#A55A0FF1C33C8001",
+        E::Real => "-0.1",
+        E::Lreal => "-1.0000000000000002",
+        _ => ordinary_literal(ty),
+    };
+    WrittenValue::parse(ty, literal).ok()
+}
+
 /// Returns an ordinary value of a type that is not `value`.
 pub fn other_than(ty: ElementaryType, value: Option<&Value>) -> Option<WrittenValue> {
     let candidates = [ordinary_literal(ty), second_literal(ty)];

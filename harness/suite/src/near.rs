@@ -5,7 +5,7 @@ const FEW: usize = 12;
 
 /// Returns what a message about an unknown name ends with: the nearest of the `known` names, or all of them where none is near
 /// and they are few.
-pub(super) fn suggestion<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
+pub(crate) fn suggestion<'n>(name: &str, known: impl Iterator<Item = &'n str>) -> String {
     let known: Vec<&str> = known.collect();
     let distance = |other: &str| strsim::damerau_levenshtein(&name.to_lowercase(), &other.to_lowercase());
     let nearest = known.iter().map(|other| (distance(other), *other)).min();

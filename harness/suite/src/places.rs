@@ -1,0 +1,188 @@
+//! The places of a program in which a value can stand: sources, targets and surroundings, from `places.toml`.
+//!
+//! A probe with `places` has no program of its own: [`compose`] puts one together of a source, a target and a surrounding, and
+//! [`Design`] says which of the combinations a cell or a row takes.
+
+mod compose;
+mod design;
+mod read;
+
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+
+use crate::condition::Condition;
+use crate::near::suggestion;
+pub(crate) use compose::{Wording, compose};
+pub(crate) use design::{Arrangement, Design};
+pub(crate) use read::read;
+
+/// The names that the condition of a place may test.
+const TESTED: [&str; 2] = ["from", "to"];
+
+/// The places that tables may use, in the order of the file.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Places {
+    sources: Vec<Place>,
+    targets: Vec<Place>,
+    surroundings: Vec<Place>,
+    units: Vec<Unit>,
+    /// The configuration of a program that has global variables.
+    configuration: String,
+}
+
+/// The part that a place has in a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// The place where a value comes from.
+    Source,
+    /// The place where a value goes to.
+    Target,
+    /// The statement or the body that is around both.
+    Surrounding,
+}
+
+/// One place. A text that it does not have is empty.
+#[derive(Clone, Debug)]
+struct Place {
+    name: Arc<str>,
+    groups: Vec<String>,
+    /// The dialects whose documents promise the place, or for which the standard does.
+    dialects: Vec<DialectName>,
+    /// The types for which the place exists.
+    only: Condition,
+    /// The units in whose bodies the place may stand, by index.
+    units: Vec<usize>,
+    /// Whether a source is a literal, or a target takes nothing else.
+    literal: bool,
+    /// Whether a source is a call, which has a code of its own where it does not fit.
+    call: bool,
+    code: String,
+    call_code: String,
+    value: String,
+    target: String,
+    observe: String,
+    texts: Texts,
+}
+
+/// The texts with which a place contributes to a program.
+#[derive(Clone, Debug, Default)]
+struct Texts {
+    declarations: String,
+    parameters: String,
+    variables: String,
+    sections: String,
+    globals: String,
+    before: String,
+    statement: String,
+    after: String,
+    caller: String,
+    arguments: String,
+}
+
+/// A program organization unit in whose body places can stand.
+#[derive(Clone, Debug)]
+struct Unit {
+    text: String,
+    observe: String,
+    parameters: String,
+    arguments: String,
+}
+
+/// The names of the places of which the program of a case is put together.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Placement {
+    /// The place that the value comes from: `array-element`.
+    pub source: Arc<str>,
+    /// The place that the value goes to: `argument`.
+    pub target: Arc<str>,
+    /// The statement or the body around both: `if`.
+    pub surrounding: Arc<str>,
+}
+
+impl Placement {
+    /// Returns the names of source, target and surrounding, as the id of a case has them.
+    pub(crate) fn names(&self) -> [&str; 3] {
+        [&self.source, &self.target, &self.surrounding]
+    }
+}
+
+impl Role {
+    /// Returns the role's name in `places.toml`.
+    const fn as_str(self) -> &'static str {
+        match self {
+            Role::Source => "source",
+            Role::Target => "target",
+            Role::Surrounding => "surrounding",
+        }
+    }
+}
+
+impl Places {
+    fn of(&self, role: Role) -> &[Place] {
+        match role {
+            Role::Source => &self.sources,
+            Role::Target => &self.targets,
+            Role::Surrounding => &self.surroundings,
+        }
+    }
+
+    /// Returns the places with this name or in this group, by index.
+    ///
+    /// # Errors
+    /// A message that names the nearest name, if there is no such place.
+    pub(crate) fn find(&self, role: Role, name: &str) -> Result<Vec<usize>, String> {
+        let places = self.of(role);
+        let found: Vec<usize> = (0..places.len())
+            .filter(|&index| places[index].is(name))
+            .collect();
+        if found.is_empty() {
+            let groups = places.iter().flat_map(|place| &place.groups).map(String::as_str);
+            let known = places.iter().map(|place| &*place.name).chain(groups);
+            let role = role.as_str();
+            return Err(format!("no {role} `{name}`; {}", suggestion(name, known)));
+        }
+        Ok(found)
+    }
+
+    /// Returns all places of a role, by index.
+    pub(crate) fn all(&self, role: Role) -> Vec<usize> {
+        (0..self.of(role).len()).collect()
+    }
+
+    /// Returns the names of the places of an arrangement.
+    pub(crate) fn placement(&self, arrangement: &Arrangement) -> Placement {
+        let name = |role: Role, index: usize| Arc::clone(&self.of(role)[index].name);
+        Placement {
+            source: name(Role::Source, arrangement.source),
+            target: name(Role::Target, arrangement.target),
+            surrounding: name(Role::Surrounding, arrangement.surrounding),
+        }
+    }
+}
+
+impl Place {
+    fn is(&self, name: &str) -> bool {
+        *self.name == *name || self.groups.iter().any(|group| group == name)
+    }
+
+    /// Returns whether the value meets the type of the target in the statement of the target, and not in a declaration.
+    fn is_in_its_statement(&self) -> bool {
+        self.texts.statement.contains("{error}")
+    }
+
+    /// Returns whether the source goes to a parameter of its own type, and from there to the target.
+    fn is_behind_a_parameter(&self) -> bool {
+        self.texts.declarations.contains("{from}")
+    }
+
+    /// Returns whether a surrounding is the body of a unit and no statement.
+    fn is_a_body(&self) -> bool {
+        self.texts.statement == "{statement}"
+    }
+
+    /// Returns whether a dialect has the place for values that go from one type to another.
+    fn stands(&self, dialect: DialectName, from: &str, to: &str) -> bool {
+        self.dialects.contains(&dialect) && self.only.holds(&[from, to])
+    }
+}

@@ -1,0 +1,163 @@
+//! Puts a program together of a source, a target and a surrounding.
+
+use std::fmt::Write;
+
+use super::{Arrangement, Place, Places, Texts};
+
+/// The words of a table that stand for those of `places.toml`; they may hold placeholders of the table.
+#[derive(Clone, Debug)]
+pub(crate) struct Wording<'a> {
+    pub(crate) from: &'a str,
+    pub(crate) to: &'a str,
+    pub(crate) value: &'a str,
+    pub(crate) typed: &'a str,
+    /// The expression that stands for `{source}`, itself with `{source}`.
+    pub(crate) expression: &'a str,
+    /// The variable that stands for `{target}`, itself with `{target}`.
+    pub(crate) variable: &'a str,
+    /// Statements before the one that is tested.
+    pub(crate) before: &'a str,
+    /// The condition of the mark that claims a rejection; `None` for no mark.
+    pub(crate) error: Option<&'a str>,
+    /// The code of the rejection, where it is not the one of the place.
+    pub(crate) code: Option<&'a str>,
+}
+
+/// A program that is put together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Composed {
+    pub(crate) source: String,
+    /// The path at which the value arrives.
+    pub(crate) observe: String,
+}
+
+/// Puts the program of an arrangement together.
+pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Wording<'_>) -> Composed {
+    let source = &places.sources[arrangement.source];
+    let target = &places.targets[arrangement.target];
+    let surrounding = &places.surroundings[arrangement.surrounding];
+    let unit = &places.units[arrangement.unit];
+    let value = fill(wording.expression, &[("source", &source.value)]);
+    let variable = fill(wording.variable, &[("target", &target.target)]);
+    let observe = fill(&unit.observe, &[("observe", &target.observe)]);
+    let error = mark(source, target, wording);
+    let joined = |part: fn(&Texts) -> &str, between: &str, default: &str| {
+        let texts = [source, target, surrounding].map(|place| part(&place.texts).trim());
+        let filled: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
+        match filled.is_empty() {
+            true => default.trim().to_owned(),
+            false => filled.join(between),
+        }
+    };
+    let statement = fill(
+        &surrounding.texts.statement,
+        &[("statement", &target.texts.statement)],
+    );
+    let own = fill(wording.before, &[("target", &target.target)]);
+    let before = [joined(|texts| &texts.before, "\n", ""), own].join("\n");
+    let globals = joined(|texts| &texts.globals, "\n", "");
+    let configuration = match globals.is_empty() {
+        true => String::new(),
+        false => fill(&places.configuration, &[("globals", &globals)]),
+    };
+    let text = fill(
+        &unit.text,
+        &[
+            ("declarations", &joined(|texts| &texts.declarations, "\n\n", "")),
+            (
+                "parameters",
+                &joined(|texts| &texts.parameters, "\n", &unit.parameters),
+            ),
+            ("variables", &joined(|texts| &texts.variables, "\n", "")),
+            ("sections", &joined(|texts| &texts.sections, "\n", "")),
+            ("before", &before),
+            ("statement", &statement),
+            ("after", &joined(|texts| &texts.after, "\n", "")),
+            ("caller", &joined(|texts| &texts.caller, "\n", "")),
+            (
+                "arguments",
+                &joined(|texts| &texts.arguments, ", ", &unit.arguments),
+            ),
+            ("configuration", &configuration),
+        ],
+    );
+    let text = fill(
+        &text,
+        &[
+            ("source", &value),
+            ("target", &variable),
+            ("observe", &target.observe),
+            ("error", &error),
+        ],
+    );
+    let words = [
+        ("from", wording.from),
+        ("to", wording.to),
+        ("value", wording.value),
+        ("typed", wording.typed),
+    ];
+    let source = tidied(&fill(&text, &words));
+    Composed { source, observe }
+}
+
+/// Returns the mark that claims the rejection, or nothing.
+fn mark(source: &Place, target: &Place, wording: &Wording<'_>) -> String {
+    let code = match wording.code {
+        Some(code) => code,
+        None if source.call && wording.expression == "{source}" && !target.call_code.is_empty() => {
+            &target.call_code
+        }
+        None => &target.code,
+    };
+    match wording.error {
+        Some(condition) => format!("(*! error {code} {condition} *)").replace("  ", " "),
+        None => String::new(),
+    }
+}
+
+/// Replaces words in braces. A line that has nothing but such a word becomes the lines of its text, indented as the line is; it
+/// goes where the text is empty. All other braces stay.
+fn fill(text: &str, words: &[(&str, &str)]) -> String {
+    let mut filled = String::with_capacity(text.len() * 2);
+    for line in text.trim_matches('\n').lines() {
+        let indent = &line[..line.len() - line.trim_start().len()];
+        let alone = words.iter().find(|(word, _)| {
+            line.trim()
+                .strip_prefix('{')
+                .and_then(|rest| rest.strip_suffix('}'))
+                == Some(word)
+        });
+        match alone {
+            Some((_, replacement)) => {
+                for inner in replacement.trim_matches('\n').lines() {
+                    let _ = writeln!(filled, "{indent}{inner}");
+                }
+            }
+            None => {
+                let mut line = line.to_owned();
+                for (word, replacement) in words {
+                    let inside = replacement.trim().replace('\n', &format!("\n{indent}"));
+                    line = line.replace(&format!("{{{word}}}"), &inside);
+                }
+                filled.push_str(line.trim_end());
+                filled.push('\n');
+            }
+        }
+    }
+    filled.truncate(filled.trim_end_matches('\n').len());
+    filled
+}
+
+/// Drops `VAR` sections without a variable, and empty lines at the start, at the end and behind another.
+fn tidied(text: &str) -> String {
+    let mut kept: Vec<&str> = Vec::new();
+    for line in text.trim().lines() {
+        match kept.last() {
+            Some(&"VAR") if line == "END_VAR" => drop(kept.pop()),
+            Some(&"") if line.is_empty() => {}
+            _ => kept.push(line),
+        }
+    }
+    kept.push("");
+    kept.join("\n")
+}

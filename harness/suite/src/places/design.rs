@@ -1,0 +1,200 @@
+//! The covering design: which combinations of places a cell or a row takes.
+//!
+//! Each cell takes every source and every target that its dialect and its types have, once. Its number shifts the sources against the
+//! targets, so that over the cells every source meets every target, and each such pair some surroundings, so that over the pairs
+//! every place meets every surrounding. What a cell takes depends on no other cell, so that a cell more changes no id.
+
+use rustc_hash::FxHashMap;
+use stickler_types::DialectName;
+
+use super::{Place, Places};
+
+/// The number of surroundings in which a pair of source and target stands in the cells of a table.
+const VARIANTS: usize = 3;
+
+/// A source, a target and a surrounding, and the unit in whose body they stand, by index.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Arrangement {
+    pub(crate) source: usize,
+    pub(crate) target: usize,
+    pub(crate) surrounding: usize,
+    pub(super) unit: usize,
+}
+
+/// The combinations that a probe may take.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Design {
+    sources: Vec<usize>,
+    targets: Vec<usize>,
+    arrangements: Vec<Arrangement>,
+    /// The arrangements of a pair of source and target in a dialect, by index.
+    of_pair: FxHashMap<(usize, usize, DialectName), [usize; VARIANTS]>,
+}
+
+impl Design {
+    /// Makes the design of a probe that names these places.
+    pub(crate) fn new(
+        places: &Places,
+        sources: Vec<usize>,
+        targets: Vec<usize>,
+        surroundings: &[usize],
+        dialects: &[DialectName],
+    ) -> Design {
+        let mut design = Design::default();
+        for (at, &source) in sources.iter().enumerate() {
+            for (beside, &target) in targets.iter().enumerate() {
+                let first = design.arrangements.len();
+                for &dialect in dialects {
+                    let fitting = fitting(places, source, target, surroundings, dialect);
+                    if fitting.is_empty() {
+                        continue;
+                    }
+                    let mut variant = 0;
+                    let chosen = [(); VARIANTS].map(|()| {
+                        let chosen = &fitting[(at + beside + 5 * variant) % fitting.len()];
+                        variant += 1;
+                        design.index_of(chosen, first)
+                    });
+                    design.of_pair.insert((source, target, dialect), chosen);
+                }
+            }
+        }
+        design.sources = sources;
+        design.targets = targets;
+        design
+    }
+
+    /// Returns the index of an arrangement, which is added if it is not among those from `first` on.
+    fn index_of(&mut self, arrangement: &Arrangement, first: usize) -> usize {
+        let known = self.arrangements[first..]
+            .iter()
+            .position(|known| known == arrangement);
+        known.map_or_else(
+            || {
+                self.arrangements.push(arrangement.clone());
+                self.arrangements.len() - 1
+            },
+            |known| first + known,
+        )
+    }
+
+    /// Returns all arrangements; [`Design::of_cell`] answers with indices of them.
+    pub(crate) fn arrangements(&self) -> &[Arrangement] {
+        &self.arrangements
+    }
+
+    /// Returns the arrangements of a cell or a row in a dialect, by index; `number` tells cells apart.
+    pub(crate) fn of_cell(
+        &self,
+        places: &Places,
+        number: usize,
+        dialect: DialectName,
+        (from, to): (&str, &str),
+    ) -> Vec<usize> {
+        let standing = |indices: &[usize], all: &[Place], literal: Option<bool>| -> Vec<usize> {
+            let stands = |&index: &usize| {
+                let place = &all[index];
+                place.stands(dialect, from, to) && literal.is_none_or(|literal| place.literal == literal)
+            };
+            indices.iter().copied().filter(stands).collect()
+        };
+        let sources = standing(&self.sources, &places.sources, None);
+        let literals = standing(&self.sources, &places.sources, Some(true));
+        let initial = standing(&self.targets, &places.targets, Some(true));
+        let others = standing(&self.targets, &places.targets, Some(false));
+        let (behind, direct): (Vec<usize>, Vec<usize>) = others
+            .into_iter()
+            .partition(|&target| places.targets[target].is_behind_a_parameter());
+        let mut taken = self.pairs(number, dialect, &sources, &direct, true);
+        taken.extend(self.pairs(number, dialect, &sources, &behind, false));
+        taken.extend(self.pairs(number, dialect, &literals, &initial, false));
+        taken
+    }
+
+    /// Returns a number of arrangements for a row, by index, beginning with the one after those of the row before.
+    pub(crate) fn share_of_row(
+        &self,
+        places: &Places,
+        number: usize,
+        combinations: usize,
+        dialect: DialectName,
+        types: (&str, &str),
+    ) -> Vec<usize> {
+        let before = number * combinations;
+        let whole = self.of_cell(places, 0, dialect, types).len().max(1);
+        let mut taken = self.of_cell(places, before / whole, dialect, types);
+        if !taken.is_empty() {
+            let first = before % whole % taken.len();
+            taken.rotate_left(first);
+        }
+        taken.truncate(combinations);
+        taken
+    }
+
+    /// Returns arrangements in which every target occurs that can, and if `all_sources` every source.
+    fn pairs(
+        &self,
+        number: usize,
+        dialect: DialectName,
+        sources: &[usize],
+        targets: &[usize],
+        all_sources: bool,
+    ) -> Vec<usize> {
+        let mut taken = Vec::new();
+        if sources.is_empty() || targets.is_empty() {
+            return taken;
+        }
+        let variant = number / sources.len() % VARIANTS;
+        let arrangement =
+            |source: usize, target: usize| Some(self.of_pair.get(&(source, target, dialect))?[variant]);
+        let mut met = vec![false; sources.len()];
+        for (at, &target) in targets.iter().enumerate() {
+            let next = (0..sources.len()).map(|step| (at + number + step) % sources.len());
+            let mut possible =
+                next.filter_map(|source| Some((source, arrangement(sources[source], target)?)));
+            if let Some((source, index)) = possible.next() {
+                met[source] = true;
+                taken.push(index);
+            }
+        }
+        for (at, &source) in sources
+            .iter()
+            .enumerate()
+            .filter(|&(at, _)| all_sources && !met[at])
+        {
+            let next = (0..targets.len()).map(|step| targets[(at + number + step) % targets.len()]);
+            taken.extend(next.filter_map(|target| arrangement(source, target)).next());
+        }
+        taken
+    }
+}
+
+/// Returns the arrangements of a source and a target in the surroundings that both can stand in.
+fn fitting(
+    places: &Places,
+    source: usize,
+    target: usize,
+    surroundings: &[usize],
+    dialect: DialectName,
+) -> Vec<Arrangement> {
+    let (from, to) = (&places.sources[source], &places.targets[target]);
+    let promised = |place: &Place| place.dialects.contains(&dialect);
+    if !promised(from) || !promised(to) || (to.literal && !from.literal) {
+        return Vec::new();
+    }
+    let arrangement = |&surrounding: &usize| {
+        let around = Some(&places.surroundings[surrounding]);
+        let around = around.filter(|around| to.is_in_its_statement() || around.is_a_body())?;
+        let stands = |unit: &usize| [from, to, around].iter().all(|place| place.units.contains(unit));
+        let unit = (0..places.units.len())
+            .find(stands)
+            .filter(|_| promised(around))?;
+        Some(Arrangement {
+            source,
+            target,
+            surrounding,
+            unit,
+        })
+    };
+    surroundings.iter().filter_map(arrangement).collect()
+}

@@ -1,0 +1,342 @@
+//! Reads `places.toml`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use stickler_types::DialectName;
+use toml::Spanned;
+
+use super::{Place, Places, Role, TESTED, Texts, Unit};
+use crate::condition::{Condition, Testable};
+use crate::error::{CaseFileError, Mistake};
+use crate::near::suggestion;
+use crate::place::Lines;
+use crate::toml_text::{self, Strings};
+use crate::{Dialects, Sources, files, ident};
+
+/// The file of the places, below the root of a suite.
+const PLACES: &str = "places.toml";
+
+/// The words in braces that the texts of a place may use.
+const WORDS: [&str; 9] = [
+    "from",
+    "to",
+    "value",
+    "typed",
+    "source",
+    "target",
+    "observe",
+    "error",
+    "statement",
+];
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct PlacesFile {
+    #[serde(default)]
+    configuration: String,
+    #[serde(default)]
+    unit: BTreeMap<Spanned<String>, UnitKey>,
+    #[serde(default)]
+    source: BTreeMap<Spanned<String>, PlaceKey>,
+    #[serde(default)]
+    target: BTreeMap<Spanned<String>, PlaceKey>,
+    #[serde(default)]
+    surrounding: BTreeMap<Spanned<String>, PlaceKey>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct UnitKey {
+    text: String,
+    observe: String,
+    #[serde(default)]
+    parameters: String,
+    #[serde(default)]
+    arguments: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct PlaceKey {
+    /// A description for a person; nothing reads it.
+    #[expect(dead_code, reason = "a reader of the file needs it, and no program does")]
+    title: String,
+    promised: Strings,
+    absent: Option<Vec<Spanned<String>>>,
+    only: Option<Spanned<String>>,
+    units: Option<Vec<Spanned<String>>>,
+    #[serde(default)]
+    groups: Vec<String>,
+    #[serde(default)]
+    literal: bool,
+    #[serde(default)]
+    call: bool,
+    #[serde(default)]
+    code: String,
+    #[serde(default)]
+    call_code: String,
+    #[serde(default)]
+    value: String,
+    #[serde(default)]
+    target: String,
+    #[serde(default)]
+    observe: String,
+    #[serde(default)]
+    declarations: String,
+    #[serde(default)]
+    parameters: String,
+    #[serde(default)]
+    variables: String,
+    #[serde(default)]
+    sections: String,
+    #[serde(default)]
+    globals: String,
+    #[serde(default)]
+    before: String,
+    #[serde(default)]
+    statement: String,
+    #[serde(default)]
+    after: String,
+    #[serde(default)]
+    caller: String,
+    #[serde(default)]
+    arguments: String,
+}
+
+/// Reads the places of the suite at `root`, and leaves out those with mistakes. A suite without the file has none.
+pub(crate) fn read(
+    root: &files::Root,
+    dialects: &Dialects,
+    sources: &Sources,
+) -> (Places, Vec<CaseFileError>) {
+    let path = root.path().join(PLACES);
+    if !path.exists() {
+        return (Places::default(), Vec::new());
+    }
+    let shown = root.shown(PLACES);
+    let text = match files::read(&path) {
+        Ok(text) => text,
+        Err(mistake) => return (Places::default(), vec![mistake.in_file(&shown)]),
+    };
+    let (places, mistakes) = of_text(&text, dialects, sources);
+    let errors = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
+    (places, errors.collect())
+}
+
+fn of_text(text: &str, dialects: &Dialects, sources: &Sources) -> (Places, Vec<Mistake>) {
+    let lines = Lines::new(text);
+    let file = match toml_text::read::<PlacesFile>(text, 0, &lines) {
+        Ok(file) => file,
+        Err(mistake) => return (Places::default(), vec![mistake]),
+    };
+    let units = in_order(file.unit);
+    let mut reader = Reader {
+        dialects,
+        sources,
+        lines,
+        units: units.iter().map(|(name, _)| name.get_ref().clone()).collect(),
+        mistakes: Vec::new(),
+    };
+    let places = Places {
+        sources: reader.places(Role::Source, file.source),
+        targets: reader.places(Role::Target, file.target),
+        surroundings: reader.places(Role::Surrounding, file.surrounding),
+        units: units.into_iter().map(|(_, key)| unit(key)).collect(),
+        configuration: file.configuration,
+    };
+    (places, reader.mistakes)
+}
+
+fn unit(key: UnitKey) -> Unit {
+    let UnitKey {
+        text,
+        observe,
+        parameters,
+        arguments,
+    } = key;
+    Unit {
+        text,
+        observe,
+        parameters,
+        arguments,
+    }
+}
+
+/// Returns the entries of a table in the order in which the file has them.
+fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<String>, T)> {
+    let mut entries: Vec<(Spanned<String>, T)> = table.into_iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
+}
+
+struct Reader<'a> {
+    dialects: &'a Dialects,
+    sources: &'a Sources,
+    lines: Lines,
+    units: Vec<String>,
+    mistakes: Vec<Mistake>,
+}
+
+impl Reader<'_> {
+    fn places(&mut self, role: Role, table: BTreeMap<Spanned<String>, PlaceKey>) -> Vec<Place> {
+        let mut places = Vec::new();
+        for (name, key) in in_order(table) {
+            let before = self.mistakes.len();
+            let place = self.place(role, &name, key);
+            if self.mistakes.len() == before {
+                places.push(place);
+            }
+        }
+        places
+    }
+
+    fn place(&mut self, role: Role, name: &Spanned<String>, key: PlaceKey) -> Place {
+        let at = name.span().start;
+        let path = format!("{}.{}", role.as_str(), name.get_ref());
+        if let Err(message) = ident::check(name.get_ref()) {
+            self.wrong(at, &path, message);
+        }
+        self.check(role, at, &path, &key);
+        let dialects = self.dialects(&path, &key);
+        let only = self.only(&path, key.only.as_ref());
+        let units = self.units(&path, key.units.as_deref());
+        Place {
+            name: name.get_ref().as_str().into(),
+            groups: key.groups,
+            dialects,
+            only,
+            units,
+            literal: key.literal,
+            call: key.call,
+            code: key.code,
+            call_code: key.call_code,
+            value: key.value,
+            target: key.target,
+            observe: key.observe,
+            texts: Texts {
+                declarations: key.declarations,
+                parameters: key.parameters,
+                variables: key.variables,
+                sections: key.sections,
+                globals: key.globals,
+                before: key.before,
+                statement: key.statement,
+                after: key.after,
+                caller: key.caller,
+                arguments: key.arguments,
+            },
+        }
+    }
+
+    /// Checks that a place has the texts that its role needs, and that the words in braces are known.
+    fn check(&mut self, role: Role, at: usize, path: &str, key: &PlaceKey) {
+        let needed: &[(&str, &str)] = match role {
+            Role::Source => &[("value", &key.value)],
+            Role::Target => &[
+                ("statement", &key.statement),
+                ("observe", &key.observe),
+                ("code", &key.code),
+            ],
+            Role::Surrounding => &[("statement", &key.statement)],
+        };
+        for (name, _) in needed.iter().filter(|(_, text)| text.is_empty()) {
+            let message = format!("a {} needs `{name}`", role.as_str());
+            self.wrong(at, path, message);
+        }
+        let texts = [
+            &key.declarations,
+            &key.parameters,
+            &key.variables,
+            &key.sections,
+            &key.globals,
+            &key.before,
+            &key.statement,
+            &key.after,
+            &key.caller,
+            &key.arguments,
+            &key.value,
+            &key.target,
+            &key.observe,
+        ];
+        for word in texts.into_iter().flat_map(|text| words(text)) {
+            if !WORDS.contains(&word) {
+                let message = format!("no word `{{{word}}}`; {}", suggestion(word, WORDS.into_iter()));
+                self.wrong(at, path, message);
+            }
+        }
+    }
+
+    /// Returns the dialects that have the place: those for which one of its sources speaks, without those that lack it.
+    fn dialects(&mut self, path: &str, key: &PlaceKey) -> Vec<DialectName> {
+        let mut absent = Vec::new();
+        for name in key.absent.iter().flatten() {
+            match self.dialects.resolve(name.get_ref()) {
+                Ok(dialects) => absent.extend(dialects),
+                Err(message) => self.wrong(name.span().start, path, message),
+            }
+        }
+        let mut speaking = Vec::new();
+        for basis in &key.promised.0 {
+            match self.sources.check(basis.get_ref()) {
+                Ok((source, _)) => speaking.push(source),
+                Err(message) => self.wrong(basis.span().start, path, message),
+            }
+        }
+        let has = |dialect: &DialectName| {
+            !absent.contains(dialect) && speaking.iter().any(|source| source.speaks_for(*dialect))
+        };
+        self.dialects.all().into_iter().filter(has).collect()
+    }
+
+    fn only(&mut self, path: &str, only: Option<&Spanned<String>>) -> Condition {
+        let Some(only) = only else {
+            return Condition::default();
+        };
+        let words: Vec<&str> = only.get_ref().split_whitespace().collect();
+        let names = TESTED.map(Into::into);
+        let testable = Testable {
+            names: &names,
+            known: names.len(),
+            unnamed: None,
+        };
+        Condition::parse(&words, testable).unwrap_or_else(|message| {
+            self.wrong(only.span().start, path, message);
+            Condition::default()
+        })
+    }
+
+    fn units(&mut self, path: &str, names: Option<&[Spanned<String>]>) -> Vec<usize> {
+        let Some(names) = names else {
+            return (0..self.units.len()).collect();
+        };
+        let mut units = Vec::new();
+        for name in names {
+            match self.units.iter().position(|unit| unit == name.get_ref()) {
+                Some(unit) => units.push(unit),
+                None => {
+                    let known = self.units.iter().map(String::as_str);
+                    let message = format!(
+                        "no unit `{}`; {}",
+                        name.get_ref(),
+                        suggestion(name.get_ref(), known)
+                    );
+                    self.wrong(name.span().start, path, message);
+                }
+            }
+        }
+        units
+    }
+
+    fn wrong(&mut self, at: usize, key: &str, message: String) {
+        self.mistakes
+            .push(Mistake::new(self.lines.line(at), message).key(key));
+    }
+}
+
+/// Returns the words in braces of a text.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split('{')
+        .skip(1)
+        .filter_map(|rest| Some(rest.split_once('}')?.0))
+}

@@ -1,0 +1,195 @@
+//! Probes whose programs are put together of places: the key `places`.
+//!
+//! Basis: conformance-cases/README.md (places).
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use stickler_types::DialectName;
+use toml::Spanned;
+
+use crate::place::TextPlace;
+use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
+use crate::program::Remarks;
+use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
+use crate::table::probe::{Probe, Reader, Target};
+use crate::template::Template;
+
+const KEY: &str = "probe.places";
+
+/// The probes of the single combinations of places, and the design that chooses among them.
+#[derive(Debug)]
+pub(crate) struct Arranged<'a> {
+    design: Design,
+    /// The types of the source and of the target.
+    from: Template,
+    to: Template,
+    /// The number of combinations that a cell or a row takes; `None` for all of its sources and targets.
+    combinations: Option<usize>,
+    /// A probe for each arrangement of the design.
+    pub(crate) probes: Vec<Probe<'a>>,
+}
+
+impl Arranged<'_> {
+    /// Returns the combinations that a cell or a row takes in these dialects: indices of the probes, each with its dialects.
+    /// `number` tells the cell from others.
+    pub(crate) fn chosen(
+        &self,
+        places: &Places,
+        number: usize,
+        dialects: &[DialectName],
+        texts: &[&str],
+    ) -> BTreeMap<usize, Vec<DialectName>> {
+        let mut scratch = String::new();
+        let from = self.from.fill(&mut scratch, texts);
+        let to = self.to.fill(&mut scratch, texts);
+        let mut chosen: BTreeMap<usize, Vec<DialectName>> = BTreeMap::new();
+        for &dialect in dialects {
+            let types: (&str, &str) = (&from, &to);
+            let taken = match self.combinations {
+                Some(combinations) => self
+                    .design
+                    .share_of_row(places, number, combinations, dialect, types),
+                None => self.design.of_cell(places, number, dialect, types),
+            };
+            for index in taken {
+                chosen.entry(index).or_default().push(dialect);
+            }
+        }
+        chosen
+    }
+
+    /// Returns whether the probes have marks none of which applied in any case.
+    pub(crate) fn is_idle(&self) -> bool {
+        let mut applied = self.probes.iter().flat_map(|probe| &probe.applied);
+        applied.clone().next().is_some() && !applied.any(|&applied| applied)
+    }
+
+    /// Returns whether any part of a probe uses a placeholder.
+    pub(crate) fn mentions(&self, slot: usize) -> bool {
+        let types = [&self.from, &self.to];
+        types
+            .into_iter()
+            .flat_map(Template::slots)
+            .any(|used| used == slot)
+            || self.probes.iter().any(|probe| probe.mentions(slot))
+    }
+}
+
+/// Reads a probe with `places`. Beside the design it has the program of its first combination.
+pub(super) fn read<'k>(
+    reader: &mut Reader<'_, '_>,
+    file: &TableFile,
+    key: &'k ProbeKey,
+    places: &Spanned<PlacesKey>,
+    remarks: &mut Remarks,
+) -> Option<Probe<'k>> {
+    if let Some(target) = key.observe.iter().flat_map(|observe| &observe.0).next() {
+        let message = "`observe` belongs to a probe with `source`; a target says where its value is";
+        reader.wrong(target, "probe.observe", message.to_owned());
+    }
+    let design = design(reader, places)?;
+    let mut composer = Composer {
+        file,
+        key,
+        places,
+        wording: wording(places.get_ref(), file.matrix.is_some()),
+        remarks,
+    };
+    let mut probe = composer.probe(reader, design.arrangements().first()?)?;
+    let probes = design.arrangements().iter();
+    let probes = probes
+        .map(|arrangement| composer.probe(reader, arrangement))
+        .collect::<Option<_>>();
+    probe.arranged = Some(Arranged {
+        from: reader.template(places, composer.wording.from, KEY)?,
+        to: reader.template(places, composer.wording.to, KEY)?,
+        combinations: places.get_ref().combinations,
+        probes: probes?,
+        design,
+    });
+    Some(probe)
+}
+
+/// Returns the design of the places that a probe names; all of a role where it names none.
+fn design(reader: &mut Reader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Design> {
+    let places = reader.context.places;
+    let named = [
+        (Role::Source, &key.get_ref().sources),
+        (Role::Target, &key.get_ref().targets),
+        (Role::Surrounding, &key.get_ref().surroundings),
+    ];
+    let [sources, targets, surroundings] = named.map(|(role, names)| {
+        let Some(names) = names else {
+            return places.all(role);
+        };
+        let mut indices = Vec::new();
+        for name in names {
+            match places.find(role, name.get_ref()) {
+                Ok(found) => indices.extend(found),
+                Err(message) => reader.wrong(name, KEY, message),
+            }
+        }
+        indices.sort_unstable();
+        indices.dedup();
+        indices
+    });
+    let dialects = reader.context.dialects.all();
+    let design = Design::new(places, sources, targets, &surroundings, &dialects);
+    if design.arrangements().is_empty() && reader.mistakes.is_empty() {
+        let message = "no source and no target of these can stand together in a surrounding";
+        reader.wrong(key, KEY, message.to_owned());
+    }
+    Some(design).filter(|_| reader.mistakes.is_empty())
+}
+
+/// Returns the words of a table: those that the probe says, or the usual ones of its kind of table.
+fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
+    let [from, to] = match is_matrix {
+        true => ["{row}", "{column}"],
+        false => ["{from}", "{to}"],
+    };
+    Wording {
+        from: key.from.as_deref().unwrap_or(from),
+        to: key.to.as_deref().unwrap_or(to),
+        value: key.value.as_deref().unwrap_or("{value}"),
+        typed: key.typed.as_deref().unwrap_or("{typed}"),
+        expression: key.expression.as_deref().unwrap_or("{source}"),
+        variable: key.variable.as_deref().unwrap_or("{target}"),
+        before: key.before.as_deref().unwrap_or_default(),
+        error: key.error.as_deref(),
+        code: key.code.as_deref(),
+    }
+}
+
+/// Makes the probes of a design.
+struct Composer<'a, 'k, 'r> {
+    file: &'a TableFile,
+    key: &'k ProbeKey,
+    places: &'a Spanned<PlacesKey>,
+    wording: Wording<'a>,
+    remarks: &'r mut Remarks,
+}
+
+impl<'k> Composer<'_, 'k, '_> {
+    fn probe(&mut self, reader: &mut Reader<'_, '_>, arrangement: &Arrangement) -> Option<Probe<'k>> {
+        let context = reader.context;
+        let composed = compose(context.places, arrangement, &self.wording);
+        let at = TextPlace {
+            first: context.lines.line(self.places.span().start),
+            line_by_line: false,
+        };
+        let program = reader.program(&composed.source, at, KEY, self.remarks)?;
+        let ty = match self.file.matrix {
+            Some(_) => None,
+            None => Some(reader.template(self.places, self.wording.to, KEY)?),
+        };
+        let observe = Target {
+            name: reader.template(self.places, &composed.observe, KEY)?,
+            ty,
+        };
+        let mut probe = reader.with_program(self.file, self.key, program, vec![observe])?;
+        probe.placement = Some(Arc::new(context.places.placement(arrangement)));
+        Some(probe)
+    }
+}
