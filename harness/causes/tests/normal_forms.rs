@@ -100,6 +100,7 @@ fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
         expectation: Arc::new(expectation),
         observe: observe.into(),
         cell: None,
+        placement: None,
     }
 }
 

@@ -384,7 +384,7 @@ Examples:
   stickler list --filter bit-access/ --dialect plcnext
   stickler list --basis                             claims, with numbers of cases
   stickler list --sources                           what the claims come from
-  stickler list --places                            where in a program the values stand
+  stickler list --places                            where the values stand
   stickler list --json                              for other programs";
 
 const SHOW_EXAMPLES: &str = "\

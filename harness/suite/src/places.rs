@@ -150,6 +150,11 @@ impl Places {
         (0..self.of(role).len()).collect()
     }
 
+    /// Keeps the targets that take more than literals.
+    pub(crate) fn retain_statements(&self, targets: &mut Vec<usize>) {
+        targets.retain(|&target| !self.targets[target].literal);
+    }
+
     /// Returns the names of the places of an arrangement.
     pub(crate) fn placement(&self, arrangement: &Arrangement) -> Placement {
         let name = |role: Role, index: usize| Arc::clone(&self.of(role)[index].name);

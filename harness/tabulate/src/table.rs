@@ -31,6 +31,7 @@ struct ProbeKeys {
     basis: Option<Bases>,
     dialects: Option<Vec<String>>,
     expect: Option<String>,
+    #[serde(default)]
     source: String,
 }
 
@@ -77,7 +78,7 @@ pub struct Probe {
     pub dialects: Vec<DialectName>,
     /// The sources that say so, as one text: a dialect's is the first that speaks for it.
     pub basis: String,
-    /// The template of the program.
+    /// The template of the program; empty for a probe whose programs are put together of places.
     pub source: String,
 }
 

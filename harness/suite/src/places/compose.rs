@@ -1,6 +1,6 @@
 //! Puts a program together of a source, a target and a surrounding.
 
-use std::fmt::Write;
+use std::borrow::Cow;
 
 use super::{Arrangement, Place, Places, Texts};
 
@@ -34,7 +34,7 @@ pub(crate) struct Composed {
 /// Puts the program of an arrangement together.
 pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Wording<'_>) -> Composed {
     let source = &places.sources[arrangement.source];
-    let target = &places.targets[arrangement.target];
+    let target = &seen_by(wording, &places.targets[arrangement.target]);
     let surrounding = &places.surroundings[arrangement.surrounding];
     let unit = &places.units[arrangement.unit];
     let value = fill(wording.expression, &[("source", &source.value)]);
@@ -100,6 +100,26 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
     Composed { source, observe }
 }
 
+/// Returns a target as the probe sees it: what an expression computes is of the target's type already, and a code of the probe's own
+/// belongs to the line on which the value is written.
+fn seen_by<'p>(wording: &Wording<'_>, target: &'p Place) -> Cow<'p, Place> {
+    let computed = wording.expression != "{source}" && target.is_behind_a_parameter();
+    let elsewhere = wording.code.is_some() && !target.is_in_its_statement();
+    if !computed && !elsewhere {
+        return Cow::Borrowed(target);
+    }
+    let mut target = target.clone();
+    let texts = &mut target.texts;
+    if computed {
+        texts.declarations = texts.declarations.replace("{from}", "{to}");
+    }
+    if elsewhere {
+        texts.declarations = texts.declarations.replace("{error}", "");
+        texts.statement.push_str("  {error}");
+    }
+    Cow::Owned(target)
+}
+
 /// Returns the mark that claims the rejection, or nothing.
 fn mark(source: &Place, target: &Place, wording: &Wording<'_>) -> String {
     let code = match wording.code {
@@ -120,32 +140,58 @@ fn mark(source: &Place, target: &Place, wording: &Wording<'_>) -> String {
 fn fill(text: &str, words: &[(&str, &str)]) -> String {
     let mut filled = String::with_capacity(text.len() * 2);
     for line in text.trim_matches('\n').lines() {
-        let indent = &line[..line.len() - line.trim_start().len()];
-        let alone = words.iter().find(|(word, _)| {
-            line.trim()
-                .strip_prefix('{')
-                .and_then(|rest| rest.strip_suffix('}'))
-                == Some(word)
-        });
-        match alone {
-            Some((_, replacement)) => {
+        let bare = line.trim_start();
+        let indent = &line[..line.len() - bare.len()];
+        match word_at(bare, words) {
+            Some((replacement, "")) => {
                 for inner in replacement.trim_matches('\n').lines() {
-                    let _ = writeln!(filled, "{indent}{inner}");
+                    filled.push_str(indent);
+                    filled.push_str(inner);
+                    filled.push('\n');
                 }
             }
-            None => {
-                let mut line = line.to_owned();
-                for (word, replacement) in words {
-                    let inside = replacement.trim().replace('\n', &format!("\n{indent}"));
-                    line = line.replace(&format!("{{{word}}}"), &inside);
-                }
-                filled.push_str(line.trim_end());
+            _ => {
+                fill_line(&mut filled, line, indent, words);
+                filled.truncate(filled.trim_end_matches(' ').len());
                 filled.push('\n');
             }
         }
     }
     filled.truncate(filled.trim_end_matches('\n').len());
     filled
+}
+
+/// Appends a line with its words replaced; the lines of a text begin where the line does.
+fn fill_line(filled: &mut String, line: &str, indent: &str, words: &[(&str, &str)]) {
+    let mut rest = line;
+    while let Some(brace) = rest.find('{') {
+        filled.push_str(&rest[..brace]);
+        rest = &rest[brace..];
+        match word_at(rest, words) {
+            Some((replacement, behind)) => {
+                for (number, inner) in replacement.trim().lines().enumerate() {
+                    if number > 0 {
+                        filled.push('\n');
+                        filled.push_str(indent);
+                    }
+                    filled.push_str(inner);
+                }
+                rest = behind;
+            }
+            None => {
+                filled.push('{');
+                rest = &rest[1..];
+            }
+        }
+    }
+    filled.push_str(rest);
+}
+
+/// Returns what stands for the word in braces with which a text begins, and the text behind the word.
+fn word_at<'t>(text: &'t str, words: &[(&str, &'t str)]) -> Option<(&'t str, &'t str)> {
+    let (name, behind) = text.strip_prefix('{')?.split_once('}')?;
+    let (_, replacement) = words.iter().find(|(word, _)| *word == name)?;
+    Some((replacement, behind))
 }
 
 /// Drops `VAR` sections without a variable, and empty lines at the start, at the end and behind another.

@@ -119,7 +119,7 @@ fn design(reader: &mut Reader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Desig
         (Role::Target, &key.get_ref().targets),
         (Role::Surrounding, &key.get_ref().surroundings),
     ];
-    let [sources, targets, surroundings] = named.map(|(role, names)| {
+    let [sources, mut targets, surroundings] = named.map(|(role, names)| {
         let Some(names) = names else {
             return places.all(role);
         };
@@ -134,6 +134,9 @@ fn design(reader: &mut Reader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Desig
         indices.dedup();
         indices
     });
+    if key.get_ref().expression.is_some() {
+        places.retain_statements(&mut targets);
+    }
     let dialects = reader.context.dialects.all();
     let design = Design::new(places, sources, targets, &surroundings, &dialects);
     if design.arrangements().is_empty() && reader.mistakes.is_empty() {
