@@ -19,6 +19,9 @@ const METHOD: ReductionMethod<Program> = ReductionMethod {
         pass("drop statements", statements::drop_anywhere),
         pass("replace statements by what they guard", statements::splice),
         pass("drop branches", statements::drop_branches),
+        pass("replace calls of blocks by assignments", |program, sites| {
+            declarations::with_variables(program, sites, statements::calls_to_assignments);
+        }),
         pass("end REPEAT at once", lift::end_repeats),
         pass("put a unit in the place of main", promote::promote),
         pass("make numbers of enumerations", promote::enumerations_to_numbers),

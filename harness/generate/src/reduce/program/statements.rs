@@ -1,8 +1,11 @@
 //! Passes that drop statements, or replace them by the statements inside them.
 
+use super::usage::variable_type;
 use crate::model::visit::bodies;
 use crate::model::visit_mut::{self, VisitorMut, walk_program, walk_statement, walk_statements};
-use crate::model::{Program, Statement, StatementKind};
+use crate::model::{
+    AssignmentTarget, Expression, InitialValue, Program, Statement, StatementKind, Type, Unit, VariableId,
+};
 use crate::reduce::Sites;
 use std::mem;
 
@@ -44,6 +47,61 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
         }
     }
     walk_program(&mut Splice(sites), program);
+}
+
+/// Replaces a call of a function block that writes an output to a place by an assignment of the initial value of that output.
+///
+/// `FOR i := 1 TO 0 DO block(out => x); END_FOR;` then shows the same defect of loops without the block.
+pub(super) fn calls_to_assignments(program: &mut Program, sites: &mut Sites) {
+    struct Calls<'p> {
+        program: &'p Program,
+        unit: Unit,
+        sites: &'p mut Sites,
+    }
+    impl VisitorMut for Calls<'_> {
+        fn enter(&mut self, unit: Unit) {
+            self.unit = unit;
+        }
+
+        fn statement(&mut self, statement: &mut Statement) {
+            if let StatementKind::Invoke {
+                instance, outputs, ..
+            } = &statement.kind
+            {
+                let written = outputs.iter().find_map(|(output, place)| {
+                    let value = initial_output(self.program, self.unit, *instance, *output)?;
+                    self.sites.here().then(|| (place.clone(), value))
+                });
+                if let Some((place, value)) = written {
+                    statement.kind = StatementKind::Assign(AssignmentTarget::Place(place), value);
+                }
+            }
+            walk_statement(self, statement);
+        }
+    }
+    let before = program.clone();
+    let mut calls = Calls {
+        program: &before,
+        unit: Unit::Main,
+        sites,
+    };
+    walk_program(&mut calls, program);
+}
+
+/// Returns the initial value of an output of an instance, where it is a single value.
+fn initial_output(
+    program: &Program,
+    unit: Unit,
+    instance: VariableId,
+    output: VariableId,
+) -> Option<Expression> {
+    let Type::Block(block) = variable_type(program, unit, instance)? else {
+        return None;
+    };
+    match &program.blocks.get(*block)?.variables.get(output.0)?.initial {
+        Some(InitialValue::Expression(value)) => Some(value.clone()),
+        _ => None,
+    }
 }
 
 /// Drops each EXIT that would leave the loop whose body these statements were.
