@@ -9,7 +9,7 @@ mod read;
 
 use std::sync::Arc;
 
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Fnv1a};
 
 use crate::condition::Condition;
 use crate::near::suggestion;
@@ -29,6 +29,10 @@ pub(crate) struct Places {
     units: Vec<Unit>,
     /// The configuration of a program that has global variables.
     configuration: String,
+    /// The combinations of source, target and surrounding that no probe takes, because tables ask the same with programs of their own.
+    plain: Vec<[usize; 3]>,
+    /// The dialects of one compiler, which take the programs that they have in common in turn.
+    in_turn: Vec<Vec<DialectName>>,
 }
 
 /// The part that a place has in a program.
@@ -63,6 +67,10 @@ struct Place {
     target: String,
     observe: String,
     texts: Texts,
+    /// Whether the value meets the type of the target in the statement of the target, and not in a declaration.
+    is_in_its_statement: bool,
+    /// Whether the source goes to a parameter of its own type, and from there to the target.
+    is_behind_a_parameter: bool,
 }
 
 /// The texts with which a place contributes to a program.
@@ -155,6 +163,37 @@ impl Places {
         targets.retain(|&target| !self.targets[target].literal);
     }
 
+    /// Returns whether tables ask the same as an arrangement with programs of their own.
+    fn is_plain(&self, arrangement: &Arrangement) -> bool {
+        let places = [arrangement.source, arrangement.target, arrangement.surrounding];
+        self.plain.contains(&places)
+    }
+
+    /// Keeps one dialect of each compiler for a program of a cell or a row, whose number is `number`. The turn is a hash, so that each
+    /// dialect meets all places. A user-defined dialect stays where the one that it extends does.
+    pub(crate) fn retain_in_turn(
+        &self,
+        number: usize,
+        placement: &Placement,
+        dialects: &mut Vec<DialectName>,
+    ) {
+        for group in &self.in_turn {
+            let present = group.iter().filter(|dialect| dialects.contains(dialect));
+            let present: Vec<DialectName> = present.copied().collect();
+            if present.len() > 1 {
+                let mut hash = Fnv1a::of(number.to_string());
+                for name in placement.names() {
+                    hash.write_part(name);
+                }
+                let kept = present[hash.folded() as usize % present.len()];
+                dialects.retain(|dialect| {
+                    let base = dialect.base().name();
+                    base == kept || !present.contains(&base)
+                });
+            }
+        }
+    }
+
     /// Returns the names of the places of an arrangement.
     pub(crate) fn placement(&self, arrangement: &Arrangement) -> Placement {
         let name = |role: Role, index: usize| Arc::clone(&self.of(role)[index].name);
@@ -169,16 +208,6 @@ impl Places {
 impl Place {
     fn is(&self, name: &str) -> bool {
         *self.name == *name || self.groups.iter().any(|group| group == name)
-    }
-
-    /// Returns whether the value meets the type of the target in the statement of the target, and not in a declaration.
-    fn is_in_its_statement(&self) -> bool {
-        self.texts.statement.contains("{error}")
-    }
-
-    /// Returns whether the source goes to a parameter of its own type, and from there to the target.
-    fn is_behind_a_parameter(&self) -> bool {
-        self.texts.declarations.contains("{from}")
     }
 
     /// Returns whether a surrounding is the body of a unit and no statement.

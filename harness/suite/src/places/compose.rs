@@ -103,8 +103,8 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
 /// Returns a target as the probe sees it: what an expression computes is of the target's type already, and a code of the probe's own
 /// belongs to the line on which the value is written.
 fn seen_by<'p>(wording: &Wording<'_>, target: &'p Place) -> Cow<'p, Place> {
-    let computed = wording.expression != "{source}" && target.is_behind_a_parameter();
-    let elsewhere = wording.code.is_some() && !target.is_in_its_statement();
+    let computed = wording.expression != "{source}" && target.is_behind_a_parameter;
+    let elsewhere = wording.code.is_some() && !target.is_in_its_statement;
     if !computed && !elsewhere {
         return Cow::Borrowed(target);
     }

@@ -51,7 +51,7 @@ impl Design {
                     }
                     let mut variant = 0;
                     let chosen = [(); VARIANTS].map(|()| {
-                        let chosen = &fitting[(at + beside + 5 * variant) % fitting.len()];
+                        let chosen = not_plain(places, &fitting, at + beside + 5 * variant);
                         variant += 1;
                         design.index_of(chosen, first)
                     });
@@ -104,7 +104,7 @@ impl Design {
         let others = standing(&self.targets, &places.targets, Some(false));
         let (behind, direct): (Vec<usize>, Vec<usize>) = others
             .into_iter()
-            .partition(|&target| places.targets[target].is_behind_a_parameter());
+            .partition(|&target| places.targets[target].is_behind_a_parameter);
         let mut taken = self.pairs(number, dialect, &sources, &direct, true);
         taken.extend(self.pairs(number, dialect, &sources, &behind, false));
         taken.extend(self.pairs(number, dialect, &literals, &initial, false));
@@ -169,6 +169,15 @@ impl Design {
     }
 }
 
+/// Returns the arrangement at a position, counted round, or the one behind it if tables ask it with programs of their own.
+fn not_plain<'f>(places: &Places, fitting: &'f [Arrangement], position: usize) -> &'f Arrangement {
+    let chosen = &fitting[position % fitting.len()];
+    match places.is_plain(chosen) {
+        true => &fitting[(position + 1) % fitting.len()],
+        false => chosen,
+    }
+}
+
 /// Returns the arrangements of a source and a target in the surroundings that both can stand in.
 fn fitting(
     places: &Places,
@@ -184,7 +193,7 @@ fn fitting(
     }
     let arrangement = |&surrounding: &usize| {
         let around = Some(&places.surroundings[surrounding]);
-        let around = around.filter(|around| to.is_in_its_statement() || around.is_a_body())?;
+        let around = around.filter(|around| to.is_in_its_statement || around.is_a_body())?;
         let stands = |unit: &usize| [from, to, around].iter().all(|place| place.units.contains(unit));
         let unit = (0..places.units.len())
             .find(stands)

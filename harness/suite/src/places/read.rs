@@ -31,10 +31,14 @@ const WORDS: [&str; 9] = [
 ];
 
 #[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct PlacesFile {
     #[serde(default)]
     configuration: String,
+    #[serde(default)]
+    plain: Vec<[Spanned<String>; 3]>,
+    #[serde(default)]
+    in_turn: Vec<Spanned<String>>,
     #[serde(default)]
     unit: BTreeMap<Spanned<String>, UnitKey>,
     #[serde(default)]
@@ -138,13 +142,16 @@ fn of_text(text: &str, dialects: &Dialects, sources: &Sources) -> (Places, Vec<M
         units: units.iter().map(|(name, _)| name.get_ref().clone()).collect(),
         mistakes: Vec::new(),
     };
-    let places = Places {
+    let mut places = Places {
         sources: reader.places(Role::Source, file.source),
         targets: reader.places(Role::Target, file.target),
         surroundings: reader.places(Role::Surrounding, file.surrounding),
         units: units.into_iter().map(|(_, key)| unit(key)).collect(),
         configuration: file.configuration,
+        plain: Vec::new(),
+        in_turn: reader.in_turn(&file.in_turn),
     };
+    places.plain = reader.plain(&places, &file.plain);
     (places, reader.mistakes)
 }
 
@@ -214,6 +221,8 @@ impl Reader<'_> {
             value: key.value,
             target: key.target,
             observe: key.observe,
+            is_in_its_statement: key.statement.contains("{error}"),
+            is_behind_a_parameter: key.declarations.contains("{from}"),
             texts: Texts {
                 declarations: key.declarations,
                 parameters: key.parameters,
@@ -227,6 +236,46 @@ impl Reader<'_> {
                 arguments: key.arguments,
             },
         }
+    }
+
+    /// Returns the combinations that no probe takes.
+    fn plain(&mut self, places: &Places, combinations: &[[Spanned<String>; 3]]) -> Vec<[usize; 3]> {
+        let mut plain = Vec::new();
+        for [source, target, surrounding] in combinations {
+            let mut find = |role: Role, name: &Spanned<String>| {
+                let found = places.find(role, name.get_ref());
+                let found = found.map_err(|message| self.wrong(name.span().start, "plain", message));
+                found.unwrap_or_default()
+            };
+            let sources = find(Role::Source, source);
+            let targets = find(Role::Target, target);
+            let surroundings = find(Role::Surrounding, surrounding);
+            for &source in &sources {
+                for &target in &targets {
+                    plain.extend(
+                        surroundings
+                            .iter()
+                            .map(|&surrounding| [source, target, surrounding]),
+                    );
+                }
+            }
+        }
+        plain
+    }
+
+    /// Returns the dialects of documented systems that take programs in turn.
+    fn in_turn(&mut self, names: &[Spanned<String>]) -> Vec<Vec<DialectName>> {
+        let mut groups = Vec::new();
+        for name in names {
+            match self.dialects.resolve(name.get_ref()) {
+                Ok(mut dialects) => {
+                    dialects.retain(|dialect| dialect.definition().is_none());
+                    groups.push(dialects);
+                }
+                Err(message) => self.wrong(name.span().start, "in-turn", message),
+            }
+        }
+        groups
     }
 
     /// Checks that a place has the texts that its role needs, and that the words in braces are known.

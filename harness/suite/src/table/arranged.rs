@@ -8,11 +8,12 @@ use std::sync::Arc;
 use stickler_types::DialectName;
 use toml::Spanned;
 
+use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
 use crate::program::Remarks;
 use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
-use crate::table::probe::{Probe, Reader, Target};
+use crate::table::probe::{Placeholders, Probe, Reader, Target};
 use crate::template::Template;
 
 const KEY: &str = "probe.places";
@@ -26,11 +27,12 @@ pub(crate) struct Arranged<'a> {
     to: Template,
     /// The number of combinations that a cell or a row takes; `None` for all of its sources and targets.
     combinations: Option<usize>,
-    /// A probe for each arrangement of the design.
-    pub(crate) probes: Vec<Probe<'a>>,
+    composer: Composer<'a>,
+    /// The probe of each arrangement of the design, as soon as a cell or a row takes it. Most are never taken.
+    probes: Vec<Option<Probe<'a>>>,
 }
 
-impl Arranged<'_> {
+impl<'a> Arranged<'a> {
     /// Returns the combinations that a cell or a row takes in these dialects: indices of the probes, each with its dialects.
     /// `number` tells the cell from others.
     pub(crate) fn chosen(
@@ -56,12 +58,44 @@ impl Arranged<'_> {
                 chosen.entry(index).or_default().push(dialect);
             }
         }
+        for (&index, dialects) in &mut chosen {
+            let placement = places.placement(&self.design.arrangements()[index]);
+            places.retain_in_turn(number, &placement, dialects);
+        }
         chosen
+    }
+
+    /// Returns the probe of a combination, or nothing if its program has a mistake, which is reported once.
+    pub(crate) fn probe(
+        &mut self,
+        index: usize,
+        context: &FileContext<'_>,
+        harvest: &mut Harvest,
+    ) -> Option<&mut Probe<'a>> {
+        let slot = &mut self.probes[index];
+        if slot.is_none() {
+            let mut reader = Reader {
+                context,
+                placeholders: self.composer.placeholders,
+                mistakes: Vec::new(),
+            };
+            let mut remarks = Remarks::default();
+            let arrangement = &self.design.arrangements()[index];
+            *slot = self.composer.probe(&mut reader, arrangement, &mut remarks);
+            harvest.remarks.append(&mut remarks.0);
+            // The mistakes of different combinations are mostly the same one.
+            reader
+                .mistakes
+                .retain(|mistake| !harvest.mistakes.contains(mistake));
+            harvest.mistakes.append(&mut reader.mistakes);
+        }
+        slot.as_mut()
     }
 
     /// Returns whether the probes have marks none of which applied in any case.
     pub(crate) fn is_idle(&self) -> bool {
-        let mut applied = self.probes.iter().flat_map(|probe| &probe.applied);
+        let probes = self.probes.iter().flatten();
+        let mut applied = probes.flat_map(|probe| &probe.applied);
         applied.clone().next().is_some() && !applied.any(|&applied| applied)
     }
 
@@ -72,16 +106,16 @@ impl Arranged<'_> {
             .into_iter()
             .flat_map(Template::slots)
             .any(|used| used == slot)
-            || self.probes.iter().any(|probe| probe.mentions(slot))
+            || self.probes.iter().flatten().any(|probe| probe.mentions(slot))
     }
 }
 
 /// Reads a probe with `places`. Beside the design it has the program of its first combination.
 pub(super) fn read<'k>(
-    reader: &mut Reader<'_, '_>,
-    file: &TableFile,
+    reader: &mut Reader<'k, '_>,
+    file: &'k TableFile,
     key: &'k ProbeKey,
-    places: &Spanned<PlacesKey>,
+    places: &'k Spanned<PlacesKey>,
     remarks: &mut Remarks,
 ) -> Option<Probe<'k>> {
     if let Some(target) = key.observe.iter().flat_map(|observe| &observe.0).next() {
@@ -89,23 +123,20 @@ pub(super) fn read<'k>(
         reader.wrong(target, "probe.observe", message.to_owned());
     }
     let design = design(reader, places)?;
-    let mut composer = Composer {
+    let composer = Composer {
         file,
         key,
         places,
+        placeholders: reader.placeholders,
         wording: wording(places.get_ref(), file.matrix.is_some()),
-        remarks,
     };
-    let mut probe = composer.probe(reader, design.arrangements().first()?)?;
-    let probes = design.arrangements().iter();
-    let probes = probes
-        .map(|arrangement| composer.probe(reader, arrangement))
-        .collect::<Option<_>>();
+    let mut probe = composer.probe(reader, design.arrangements().first()?, remarks)?;
     probe.arranged = Some(Arranged {
         from: reader.template(places, composer.wording.from, KEY)?,
         to: reader.template(places, composer.wording.to, KEY)?,
         combinations: places.get_ref().combinations,
-        probes: probes?,
+        probes: design.arrangements().iter().map(|_| None).collect(),
+        composer,
         design,
     });
     Some(probe)
@@ -166,23 +197,29 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
 }
 
 /// Makes the probes of a design.
-struct Composer<'a, 'k, 'r> {
+#[derive(Debug)]
+struct Composer<'a> {
     file: &'a TableFile,
-    key: &'k ProbeKey,
+    key: &'a ProbeKey,
     places: &'a Spanned<PlacesKey>,
+    placeholders: Placeholders<'a>,
     wording: Wording<'a>,
-    remarks: &'r mut Remarks,
 }
 
-impl<'k> Composer<'_, 'k, '_> {
-    fn probe(&mut self, reader: &mut Reader<'_, '_>, arrangement: &Arrangement) -> Option<Probe<'k>> {
+impl<'a> Composer<'a> {
+    fn probe(
+        &self,
+        reader: &mut Reader<'_, '_>,
+        arrangement: &Arrangement,
+        remarks: &mut Remarks,
+    ) -> Option<Probe<'a>> {
         let context = reader.context;
         let composed = compose(context.places, arrangement, &self.wording);
         let at = TextPlace {
             first: context.lines.line(self.places.span().start),
             line_by_line: false,
         };
-        let program = reader.program(&composed.source, at, KEY, self.remarks)?;
+        let program = reader.program(&composed.source, at, KEY, remarks)?;
         let ty = match self.file.matrix {
             Some(_) => None,
             None => Some(reader.template(self.places, self.wording.to, KEY)?),

@@ -240,8 +240,9 @@ impl MatrixExpander<'_, '_> {
                             for (index, dialects) in
                                 arranged.chosen(places, number(row, column), &dialects, &texts)
                             {
-                                let probe = &mut arranged.probes[index];
-                                self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
+                                if let Some(probe) = arranged.probe(index, self.table.context, self.harvest) {
+                                    self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
+                                }
                             }
                         }
                         probe.arranged = Some(arranged);

@@ -191,7 +191,9 @@ impl RowExpander<'_, '_> {
             Some(mut arranged) => {
                 let places = self.table.context.places;
                 for (index, dialects) in arranged.chosen(places, number, &dialects, &texts) {
-                    self.cases(&mut arranged.probes[index], &texts, line, &expect, &dialects);
+                    if let Some(probe) = arranged.probe(index, self.table.context, self.harvest) {
+                        self.cases(probe, &texts, line, &expect, &dialects);
+                    }
                 }
                 probe.arranged = Some(arranged);
             }

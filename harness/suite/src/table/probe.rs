@@ -64,7 +64,7 @@ pub(crate) struct Placeholders<'a> {
 pub(crate) fn read<'a>(
     file: &'a TableFile,
     context: &FileContext<'_>,
-    placeholders: Placeholders<'_>,
+    placeholders: Placeholders<'a>,
     mistakes: &mut Vec<Mistake>,
     remarks: &mut Remarks,
 ) -> Vec<Probe<'a>> {
@@ -97,13 +97,13 @@ pub(crate) fn read<'a>(
 
 /// Reads one probe, and collects its mistakes.
 pub(super) struct Reader<'a, 'c> {
-    pub(super) context: &'a FileContext<'c>,
+    pub(super) context: &'c FileContext<'c>,
     pub(super) placeholders: Placeholders<'a>,
     pub(super) mistakes: Vec<Mistake>,
 }
 
-impl Reader<'_, '_> {
-    fn probe<'k>(&mut self, file: &TableFile, key: &'k ProbeKey, remarks: &mut Remarks) -> Option<Probe<'k>> {
+impl<'a> Reader<'a, '_> {
+    fn probe(&mut self, file: &'a TableFile, key: &'a ProbeKey, remarks: &mut Remarks) -> Option<Probe<'a>> {
         match (&key.source, &key.places) {
             (Some(source), None) => {
                 let observe = key.observe.iter().flat_map(|observe| &observe.0);

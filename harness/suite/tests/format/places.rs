@@ -183,6 +183,42 @@ fn a_row_takes_its_share_of_the_combinations() {
 }
 
 #[test]
+fn no_probe_takes_a_combination_that_tables_ask_with_programs_of_their_own() {
+    let places =
+        format!("plain = [['variable', 'field', 'program'], ['literal', 'field', 'loop']]\n{PLACES}");
+    let suite = suite(&places, &matrix(""));
+    assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
+    assert_eq!(
+        ids(&suite, DialectName::Matiec),
+        [
+            "a/t::accepted(INT,DINT,-32767,variable,field,loop)",
+            "a/t::accepted(INT,DINT,-32767,literal,field,program)",
+            "a/t::rejected(DINT,INT,variable,field,loop)",
+            "a/t::rejected(DINT,INT,literal,field,program)",
+        ]
+    );
+}
+
+#[test]
+fn dialects_of_one_compiler_take_their_programs_in_turn() {
+    let table = matrix("").replace("'plcnext']", "'ironplc-ed2', 'ironplc-ed3']");
+    let all = suite(PLACES, &table);
+    let in_turn = suite(&format!("in-turn = ['ironplc']\n{PLACES}"), &table);
+    assert!(in_turn.errors.is_empty(), "{:?}", errors(&in_turn));
+    let [second, third] =
+        [DialectName::IronplcEd2, DialectName::IronplcEd3].map(|dialect| ids(&in_turn, dialect));
+    assert!(!second.is_empty() && !third.is_empty(), "{second:?} {third:?}");
+    assert!(
+        second.iter().all(|id| !third.contains(id)),
+        "{second:?} {third:?}"
+    );
+    let together: BTreeSet<&str> = second.into_iter().chain(third).collect();
+    let expected: BTreeSet<&str> = ids(&all, DialectName::IronplcEd2).into_iter().collect();
+    assert_eq!(together, expected);
+    assert_eq!(ids(&in_turn, DialectName::Matiec), ids(&all, DialectName::Matiec));
+}
+
+#[test]
 fn unknown_places_are_told_with_the_nearest_name() {
     for (places, said) in [
         (
@@ -259,6 +295,16 @@ fn a_mistake_in_the_places_has_its_line() {
             "`source.literal`: no placeholder `into` to test; there are from, to",
         ),
         ("literal  = true", "literally = true", "unknown field `literally`"),
+        (
+            "[unit.program]",
+            "plain = [['variable', 'feild', 'loop']]\n[unit.program]",
+            "places.toml:2: `plain`: no target `feild`; did you mean `field`?",
+        ),
+        (
+            "[unit.program]",
+            "in-turn = ['iron']\n[unit.program]",
+            "places.toml:2: `in-turn`: no dialect or group `iron`",
+        ),
     ] {
         let changed = PLACES.replacen(from, to, 1);
         assert_ne!(changed, PLACES, "{from}");
@@ -283,32 +329,38 @@ fn pairs<'a>(
 fn the_shipped_rejections_cover_the_places() {
     let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
     let suite = Suite::load_files(&shipped, &[], |id, _| id == "widening/contexts");
-    let mut by_dialect: BTreeMap<DialectName, Vec<&Case>> = BTreeMap::new();
+    // Dialects of one compiler take the programs that they have in common in turn.
+    let ironplc = suite.dialects.resolve("ironplc").unwrap();
+    let compiler = |dialect: DialectName| match ironplc.contains(&dialect) {
+        true => "ironplc",
+        false => dialect.as_str(),
+    };
+    let mut by_compiler: BTreeMap<&str, Vec<&Case>> = BTreeMap::new();
     let cases = suite
         .cases
         .iter()
         .filter(|case| case.id.starts_with("widening/contexts::placed-rejected("));
     for case in cases {
         assert_eq!(case.expectation.accepted, Acceptance::Rejected);
-        by_dialect.entry(case.dialect).or_default().push(case);
+        by_compiler.entry(compiler(case.dialect)).or_default().push(case);
     }
-    assert_eq!(
-        by_dialect.keys().copied().collect::<Vec<_>>(),
-        suite.dialects.resolve("strict").unwrap()
-    );
-    for (dialect, cases) in by_dialect {
+    assert!(by_compiler.keys().eq(&["ironplc", "matiec", "plcnext"]));
+    let dialects: BTreeSet<DialectName> = by_compiler["ironplc"].iter().map(|case| case.dialect).collect();
+    assert!(dialects.iter().eq(&ironplc), "{dialects:?}");
+    for (compiler, cases) in by_compiler {
         let target = |case: &&Case| case.placement.as_ref().unwrap().target.clone();
         let targets: BTreeSet<_> = cases.iter().map(target).collect();
-        let mut of_cell: BTreeMap<(&str, &str), BTreeSet<_>> = BTreeMap::new();
+        // The line tells cells of different matrices apart.
+        let mut of_cell: BTreeMap<(u32, &str, &str), BTreeSet<_>> = BTreeMap::new();
         for case in &cases {
             let cell = case.cell.as_deref().unwrap();
             of_cell
-                .entry((&cell.row, &cell.column))
+                .entry((case.line, &cell.row, &cell.column))
                 .or_default()
                 .insert(target(case));
         }
         for (cell, met) in of_cell {
-            assert_eq!(met, targets, "{cell:?} in {dialect}");
+            assert_eq!(met, targets, "{cell:?} of {compiler}");
         }
         let together = pairs(&cases, |case| {
             let placed = case.placement.as_ref()?;
@@ -336,7 +388,7 @@ fn the_shipped_rejections_cover_the_places() {
             for source in sources {
                 assert!(
                     together.contains(&(source, target)),
-                    "{source} into {target} in {dialect}"
+                    "{source} into {target} of {compiler}"
                 );
             }
         }
@@ -359,7 +411,7 @@ fn the_shipped_rejections_cover_the_places() {
             for target in ["assignment", "array-element", "field", "argument"] {
                 assert!(
                     around.contains(&(target, surrounding)),
-                    "{target} in {surrounding} in {dialect}"
+                    "{target} in {surrounding} of {compiler}"
                 );
             }
         }
