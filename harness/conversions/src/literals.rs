@@ -18,7 +18,7 @@ pub fn literal(value: &Value) -> String {
             ..
         }
         | Value::Text { .. } => value.without_type(),
-        Value::Plain { .. } | Value::Enumerated { .. } => value.to_string(),
+        Value::Plain { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => value.to_string(),
     }
 }
 

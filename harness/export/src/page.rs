@@ -370,7 +370,9 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
         }
         Value::Plain { .. } => Some(typed),
         // Few compilers know typed literals of texts; the value of an enumeration is known by its name.
-        Value::Text { .. } | Value::Enumerated { .. } => Some(value.without_type()),
+        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => {
+            Some(value.without_type())
+        }
     }
 }
 

@@ -207,7 +207,7 @@ fn literals(values: &[NamedValue]) -> Vec<(String, String)> {
 }
 
 fn values(literals: Vec<(String, String)>) -> Option<Vec<NamedValue>> {
-    let value = |(name, literal): (String, String)| Some((name, Value::parse(&literal).ok()?));
+    let value = |(name, literal): (String, String)| Some((name, Value::parse_observed(&literal).ok()?));
     literals.into_iter().map(value).collect()
 }
 

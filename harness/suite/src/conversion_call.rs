@@ -84,7 +84,7 @@ fn operand(argument: &str, variables: &[Variable<'_>]) -> Option<Value> {
     let initial = variable.initial?;
     let has_type = |value: &Value| match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty == variable.ty,
-        Value::Enumerated { .. } => false,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } => false,
     };
     let typed = format!("{}#{initial}", variable.ty);
     [initial, &typed]

@@ -15,7 +15,7 @@ use stickler_types::{DialectName, ElementaryType, Observation, Value};
 pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName) -> ImplicitResult {
     let from = match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => *ty,
-        Value::Enumerated { .. } => return ImplicitResult::Open,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } => return ImplicitResult::Open,
     };
     let operands = std::slice::from_ref(value);
     let found = signatures(&format!("{from}_TO_{to}"), dialect);

@@ -78,7 +78,7 @@ fn order(value: &Value) -> i128 {
             }
         }
         Value::Plain { ty, raw } => ty.integer_value(raw),
-        Value::Text { .. } | Value::Enumerated { .. } => 0,
+        Value::Text { .. } | Value::Enumerated { .. } | Value::OutOfRange { .. } => 0,
     }
 }
 

@@ -4,6 +4,8 @@ use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
 use std::fmt;
 
+mod out_of_range;
+
 /// A value together with its type.
 ///
 /// Two values are equal only if their types are the same and so are their bits. That makes -0.0 differ from 0.0, and it makes a
@@ -25,6 +27,14 @@ pub enum Value {
         ty: ElementaryType,
         /// The code units; those of a `STRING` are at most 16#FF.
         units: Vec<u16>,
+    },
+    /// A duration, date or time of day that a compiler's variable holds and that its type does not have. No program and no
+    /// expectation has such a value.
+    OutOfRange {
+        /// The type: a duration, a date or a time of day.
+        ty: ElementaryType,
+        /// The nanoseconds, which 64 bits with sign do not hold.
+        nanoseconds: i128,
     },
     /// A value of an enumeration.
     Enumerated {
@@ -57,7 +67,7 @@ impl Value {
     /// Returns the keyword of the type, or the name of the enumeration.
     pub fn type_name(&self) -> &str {
         match self {
-            Value::Plain { ty, .. } | Value::Text { ty, .. } => ty.name(),
+            Value::Plain { ty, .. } | Value::Text { ty, .. } | Value::OutOfRange { ty, .. } => ty.name(),
             Value::Enumerated { type_name, .. } => type_name,
         }
     }
@@ -77,7 +87,7 @@ impl Value {
         match self {
             Value::Plain { ty, .. } if ty.is_duration() || ty.is_date_or_time() => self.to_string(),
             Value::Plain { .. } | Value::Text { .. } => self.without_type(),
-            Value::Enumerated { .. } => self.to_string(),
+            Value::Enumerated { .. } | Value::OutOfRange { .. } => self.to_string(),
         }
     }
 
@@ -250,6 +260,7 @@ impl fmt::Display for Value {
         match self {
             Value::Plain { ty, raw } => write_plain(f, *ty, *raw),
             Value::Text { ty, units } => literal::write_text(f, units, is_wide(*ty)),
+            Value::OutOfRange { nanoseconds, .. } => literal::write_nanoseconds(f, *nanoseconds),
             Value::Enumerated { value_name, .. } => f.write_str(value_name),
         }
     }
@@ -262,13 +273,13 @@ fn write_plain(f: &mut fmt::Formatter<'_>, ty: ElementaryType, raw: u64) -> fmt:
         Family::BitString => write!(f, "16#{raw:0width$X}", width = ty.bits() as usize / 4),
         Family::Real => literal::write_real(f, raw, ty),
         Family::Duration if ty == ElementaryType::Time => literal::write_milliseconds(f, raw.cast_signed()),
-        Family::Duration => literal::write_nanoseconds(f, raw.cast_signed()),
+        Family::Duration => literal::write_nanoseconds(f, raw.cast_signed().into()),
         Family::Date if !is_whole_day(raw.cast_signed()) => {
             literal::write_date_and_time(f, raw.cast_signed())
         }
         Family::Date => literal::write_date(f, raw.cast_signed()),
         Family::TimeOfDay if !is_within_a_day(raw.cast_signed()) => {
-            literal::write_nanoseconds(f, raw.cast_signed())
+            literal::write_nanoseconds(f, raw.cast_signed().into())
         }
         Family::TimeOfDay => literal::write_time_of_day(f, raw.cast_signed()),
         Family::DateAndTime => literal::write_date_and_time(f, raw.cast_signed()),
@@ -303,6 +314,13 @@ impl PartialEq for Value {
                     value_name: other_value,
                 },
             ) => type_name.eq_ignore_ascii_case(other_type) && value_name.eq_ignore_ascii_case(other_value),
+            (
+                Value::OutOfRange { ty, nanoseconds },
+                Value::OutOfRange {
+                    ty: other_ty,
+                    nanoseconds: other,
+                },
+            ) => ty == other_ty && nanoseconds == other,
             _ => false,
         }
     }

@@ -72,7 +72,7 @@ pub(super) fn values(
             .get(number)
             .zip(request.observe.get(number))
             .ok_or_else(nonsense)?;
-        // A compiler's variable may hold a value that its type cannot have, such as a duration of 2^63 seconds.
+        // A compiler's variable may hold what its type does not have, such as the position behind an enumeration.
         let no_value = || {
             format!(
                 "{} is `{shown}`, which is no value of {}",

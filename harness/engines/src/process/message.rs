@@ -118,7 +118,7 @@ fn values(
     for asked in observe {
         let key = asked.key().to_string();
         if let Some(literal) = literals.remove(&key) {
-            let value = Value::parse(&literal)
+            let value = Value::parse_observed(&literal)
                 .map_err(|error| format!("its value `{literal}` of `{key}` is no typed literal: {error}"))?;
             values.push((key, value));
         }

@@ -31,7 +31,9 @@ impl MemoryCell {
         match value {
             Value::Plain { raw, .. } => Ok(MemoryCell::Plain(raw)),
             Value::Text { units, .. } => Ok(MemoryCell::Text(units.into_boxed_slice())),
-            Value::Enumerated { .. } => Err(ill_formed("an enumerated value where a literal stands")),
+            Value::Enumerated { .. } | Value::OutOfRange { .. } => {
+                Err(ill_formed("a value without a literal of its own"))
+            }
         }
     }
 }

@@ -135,7 +135,7 @@ mod tests {
             match operand {
                 Value::Plain { raw, .. } => assert_eq!(raw, 0, "{ty}"),
                 Value::Text { units, .. } => assert_eq!(units, [0_u16; 0]),
-                Value::Enumerated { .. } => unreachable!("no elementary type is an enumeration"),
+                Value::Enumerated { .. } | Value::OutOfRange { .. } => unreachable!("no elementary type"),
             }
         }
     }

@@ -112,7 +112,7 @@ fn values_differ(expectation: &Expectation<'_>, values: &[(String, Value)]) -> O
         let text = value.to_string();
         let same = match value {
             Value::Enumerated { .. } => text.eq_ignore_ascii_case(expected),
-            Value::Plain { .. } | Value::Text { .. } => text == *expected,
+            Value::Plain { .. } | Value::Text { .. } | Value::OutOfRange { .. } => text == *expected,
         };
         (!same).then(|| format!("{key} = {text}"))
     })

@@ -27,6 +27,14 @@ const UNITS: [(&str, u64); 7] = [
 ///
 /// Basis: iec-61131-3: Table 8 (duration literals) and the production `Interval`.
 pub fn duration(text: &str) -> Result<i64, LiteralError> {
+    i64::try_from(wide_duration(text)?).map_err(|_| LiteralError::overflow(0, "a duration"))
+}
+
+/// Reads a duration as [`duration`] does, also one that does not fit 64 bits.
+///
+/// # Errors
+/// `Malformed` as [`duration`]; `Overflow` where the duration does not fit 128 bits with sign.
+pub fn wide_duration(text: &str) -> Result<i128, LiteralError> {
     let bytes = text.as_bytes();
     let negative = bytes.first() == Some(&b'-');
     let mut at = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
@@ -34,8 +42,7 @@ pub fn duration(text: &str) -> Result<i64, LiteralError> {
     let mut units = &UNITS[..];
     loop {
         let part = DurationPart::read(bytes, at, units)?;
-        // A part is less than 2^111 and at most seven are added up, so this never overflows.
-        total += part.nanoseconds;
+        total = total.saturating_add(part.nanoseconds);
         units = part.lesser;
         at = part.end;
         if at == bytes.len() {
@@ -49,9 +56,8 @@ pub fn duration(text: &str) -> Result<i64, LiteralError> {
         }
         at += usize::from(bytes[at] == b'_');
     }
-    let magnitude = i128::try_from(total).unwrap_or(i128::MAX);
-    i64::try_from(if negative { -magnitude } else { magnitude })
-        .map_err(|_| LiteralError::overflow(0, "a duration"))
+    let magnitude = i128::try_from(total).map_err(|_| LiteralError::overflow(0, "a duration"))?;
+    Ok(if negative { -magnitude } else { magnitude })
 }
 
 /// One number of a duration with its unit.
@@ -92,11 +98,13 @@ impl DurationPart {
             ))?;
         let (_, unit) = units[place];
         let whole = whole.iter().filter(|byte| byte.is_ascii_digit());
-        let whole = whole.fold(0_u64, |value, digit| {
-            value.saturating_mul(10).saturating_add(u64::from(digit - b'0'))
+        let whole = whole.fold(0_u128, |value, digit| {
+            value.saturating_mul(10).saturating_add(u128::from(digit - b'0'))
         });
         Ok(DurationPart {
-            nanoseconds: u128::from(whole) * u128::from(unit) + u128::from(fraction_of(fraction, unit)),
+            nanoseconds: whole
+                .saturating_mul(u128::from(unit))
+                .saturating_add(u128::from(fraction_of(fraction, unit))),
             has_fraction: !fraction.is_empty(),
             lesser: &units[place + 1..],
             end: at + letters,
@@ -137,7 +145,7 @@ pub fn write_milliseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::R
 /// Writes nanoseconds as canonical nanoseconds: `1500000000ns`.
 ///
 /// Basis: harness/engines/README.md (how values are written).
-pub fn write_nanoseconds(out: &mut impl fmt::Write, nanoseconds: i64) -> fmt::Result {
+pub fn write_nanoseconds(out: &mut impl fmt::Write, nanoseconds: i128) -> fmt::Result {
     write!(out, "{nanoseconds}ns")
 }
 

@@ -46,7 +46,7 @@ fn value(shown: &str, type_name: &str, source: &str) -> Option<Value> {
         let name = values.iter().find(|name| name.eq_ignore_ascii_case(bare))?;
         return Some(Value::enumerated(type_name, name));
     };
-    if let Ok(value) = Value::parse(shown)
+    if let Ok(value) = Value::parse_observed(shown)
         && ElementaryType::from_name(value.type_name()) == Some(ty)
     {
         return Some(value);
@@ -62,7 +62,7 @@ fn value(shown: &str, type_name: &str, source: &str) -> Option<Value> {
         };
         return Some(Value::plain(ty, truth));
     }
-    Value::parse(&format!("{ty}#{shown}")).ok()
+    Value::parse_observed(&format!("{ty}#{shown}")).ok()
 }
 
 /// Parses a real number. Decimal digits are rounded to the type once; `inf` and `NaN` are what C and Rust write.

@@ -61,7 +61,7 @@ pub(super) fn value(ty: ElementaryType, shown: &str) -> Result<Value, String> {
             // A duration has a prefix of its own.
             let bare = shown.strip_prefix("T#").or(shown.strip_prefix("LTIME#"));
             let literal = format!("{ty}#{}", bare.unwrap_or(shown));
-            Value::parse(&literal).map_err(|_| wrong())
+            Value::parse_observed(&literal).map_err(|_| wrong())
         }
     }
 }

@@ -234,8 +234,8 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
         Kind::Elementary(ty) if is_time(*ty) => {
             let (seconds, rest) = shown.split_once(' ')?;
             let (seconds, rest) = (seconds.parse::<i64>().ok()?, rest.parse::<i64>().ok()?);
-            let nanoseconds = seconds.checked_mul(1_000_000_000)?.checked_add(rest)?;
-            Some(Value::plain(*ty, nanoseconds.cast_unsigned()))
+            let nanoseconds = i128::from(seconds) * 1_000_000_000 + i128::from(rest);
+            Some(Value::of_nanoseconds(*ty, nanoseconds))
         }
         Kind::Elementary(ty) if ty.is_text() => {
             text(shown.strip_prefix('\'')?).map(|units| Value::text(*ty, units))
@@ -317,11 +317,12 @@ mod tests {
                 "{nonsense}"
             );
         }
-        let beyond = driver.values("2 9223372036854 0\n", &driver.subjects[0]);
-        assert_eq!(
-            beyond.unwrap_err(),
-            "t is `9223372036854 0`, which is no value of TIME"
-        );
+        let beyond = |printed: &str| {
+            let all = format!("{printed}\n0 ffff\n1 0\n3 '\n4 1\n5 1\n");
+            driver.values(&all, &driver.subjects[0]).unwrap()[2].1.to_string()
+        };
+        assert_eq!(beyond("2 9223372036854 0"), "TIME#9223372036854000000000ns");
+        assert_eq!(beyond("2 9223372036854 1"), "TIME#9223372036854000000001ns");
     }
 
     #[test]

@@ -16,7 +16,7 @@ use stickler_types::{ElementaryType, Fault, Value};
 const SUBSCRIPT: i32 = 3;
 
 /// A day in nanoseconds.
-const DAY: i64 = 86_400_000_000_000;
+const DAY: i128 = 86_400_000_000_000;
 
 /// The headers that every translated program includes; they are compiled once.
 pub(super) const HEADER: &str = "\
@@ -191,9 +191,8 @@ fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
     match kind {
         Kind::Enumerated(..) => kind.enumerated(bits()?),
         Kind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
-            // A date outside the range of dates is the last one, or the first.
-            let days = bits()?.cast_signed().clamp(i64::MIN / DAY, i64::MAX / DAY);
-            Some(Value::plain(*ty, (days * DAY).cast_unsigned()))
+            let days = i128::from(bits()?.cast_signed());
+            Some(Value::of_nanoseconds(*ty, days * DAY))
         }
         Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
         Kind::Elementary(ty) if ty.is_text() => {

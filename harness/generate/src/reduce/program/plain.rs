@@ -45,7 +45,7 @@ pub(super) fn literal_kind(value: Value) -> ExpressionKind {
 fn elementary(value: &Value) -> Option<ElementaryType> {
     match value {
         Value::Plain { ty, .. } | Value::Text { ty, .. } => Some(*ty),
-        Value::Enumerated { .. } => None,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } => None,
     }
 }
 
@@ -84,7 +84,7 @@ impl Simplification {
                 let number = self.of_number(ty.integer_value(*raw), unit_of(*ty));
                 Value::plain(*ty, number_as_raw(*ty, number))
             }
-            Value::Enumerated { .. } => return None,
+            Value::Enumerated { .. } | Value::OutOfRange { .. } => return None,
         };
         (plainer != *value).then_some(plainer)
     }

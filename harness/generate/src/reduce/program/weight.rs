@@ -135,6 +135,6 @@ pub(super) fn magnitude(value: &Value) -> u128 {
             2 * number.unsigned_abs() + u128::from(number < 0)
         }
         Value::Text { units, .. } => units.iter().map(|unit| 1 << 16 | u128::from(*unit)).sum(),
-        Value::Enumerated { .. } => 0,
+        Value::Enumerated { .. } | Value::OutOfRange { .. } => 0,
     }
 }

@@ -1,0 +1,78 @@
+//! Durations and dates that a compiler's variable holds and that 64 bits of nanoseconds do not.
+
+use super::Value;
+use crate::elementary::ElementaryType;
+use crate::literal::{LiteralError, wide_duration};
+
+impl Value {
+    /// Returns the duration, date or time of day with this number of nanoseconds, which a compiler may keep in more than 64 bits.
+    #[must_use]
+    pub fn of_nanoseconds(ty: ElementaryType, nanoseconds: i128) -> Value {
+        match i64::try_from(nanoseconds) {
+            Ok(within) => Value::plain(ty, within.cast_unsigned()),
+            Err(_) => Value::OutOfRange { ty, nanoseconds },
+        }
+    }
+
+    /// Parses the spelling of a value that an engine observed: what [`Value::parse`] reads, and a duration, date or time of day
+    /// out of the range of 64 bits, `TIME#9223372036854775808000ns`. No program and no expectation has such a value.
+    ///
+    /// # Errors
+    /// As [`Value::parse`].
+    pub fn parse_observed(literal: &str) -> Result<Value, LiteralError> {
+        Value::parse(literal).or_else(|error| out_of_range(literal).ok_or(error))
+    }
+}
+
+fn out_of_range(literal: &str) -> Option<Value> {
+    let (prefix, rest) = literal.split_once('#')?;
+    let ty = ElementaryType::from_literal_prefix(prefix)?;
+    let is_counted = ty.is_duration() || ty.is_date_or_time();
+    let nanoseconds = wide_duration(rest).ok().filter(|_| is_counted)?;
+    let value = Value::of_nanoseconds(ty, nanoseconds);
+    matches!(value, Value::OutOfRange { .. }).then_some(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType as E;
+
+    #[test]
+    fn what_64_bits_do_not_hold_is_another_value_and_spelled_in_nanoseconds() {
+        const BEYOND: i128 = 1 << 63;
+        for (ty, nanoseconds, spelled) in [
+            (E::Time, BEYOND - 1, "TIME#9223372036854.775807ms"),
+            (E::Time, BEYOND, "TIME#9223372036854775808ns"),
+            (E::Ltime, -BEYOND - 1, "LTIME#-9223372036854775809ns"),
+            (E::Dt, BEYOND * 1_000_000_000, "DT#9223372036854775808000000000ns"),
+            (E::Date, BEYOND + 1, "DATE#9223372036854775809ns"),
+            (E::Tod, -BEYOND * 2, "TOD#-18446744073709551616ns"),
+        ] {
+            let value = Value::of_nanoseconds(ty, nanoseconds);
+            assert_eq!(value.to_string(), spelled);
+            assert_eq!(Value::parse_observed(spelled), Ok(value));
+            assert_eq!(
+                Value::parse(spelled).is_ok(),
+                nanoseconds < BEYOND && ty == E::Time
+            );
+        }
+        let ms = Value::parse_observed("TIME#-9223372036854775808ms").unwrap();
+        assert_eq!(ms.to_string(), "TIME#-9223372036854775808000000ns");
+        assert_ne!(ms, Value::parse_observed("TIME#-9223372036854775807ms").unwrap());
+    }
+
+    #[test]
+    fn nothing_else_is_read_than_what_is_out_of_range() {
+        for literal in [
+            "DATE#5ns",
+            "INT#9223372036854775808ns",
+            "TIME#9223372036854775808",
+            "TIME#",
+            "DT#999999999999999999999999999999999999999999999999999999s",
+        ] {
+            assert!(Value::parse_observed(literal).is_err(), "{literal}");
+        }
+        assert_eq!(Value::parse_observed("INT#5"), Value::parse("INT#5"));
+    }
+}
