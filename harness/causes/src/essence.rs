@@ -47,7 +47,7 @@ impl Essence {
                 let (features, converts) = program.of_value();
                 (sign.symptom.word(), features, !converts)
             }
-            Symptom::Crash(words) if words.split(' ').count() > 3 => {
+            Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
                 (format!("crash {words}"), BTreeSet::new(), false)
             }
             Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => (sign.word(), BTreeSet::new(), false),

@@ -294,7 +294,7 @@ impl Asking<'_> {
         let observe = case.observe.iter().filter(|one| differs(&one.key().to_string()));
         case.observe = observe.cloned().collect();
         let ability = match &member.sign.symptom {
-            Symptom::Crash(_) | Symptom::Hang => Ability::Execute,
+            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => Ability::Execute,
             _ => shown_by(&case),
         };
         let request = case.request();

@@ -229,7 +229,7 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
 fn accepted(whole: &Expectation, symptom: &Symptom, values: &[NamedValue]) -> Option<Expectation> {
     if matches!(
         symptom,
-        Symptom::Rejected(_) | Symptom::NotImplemented(_) | Symptom::Crash(_)
+        Symptom::Rejected(_) | Symptom::NotImplemented(_) | Symptom::Crash(_) | Symptom::Unusable(_)
     ) {
         return Some(Expectation::default());
     }

@@ -181,7 +181,9 @@ fn count(outcomes: &mut Vec<RepeatedOutcome>, got: Vec<Fact>) {
 /// Returns whether two facts say the same but for words, which may name processes, addresses and times.
 fn is_alike(one: &Fact, other: &Fact) -> bool {
     match (one, other) {
-        (Fact::Crashed { .. }, Fact::Crashed { .. }) | (Fact::TimedOut { .. }, Fact::TimedOut { .. }) => true,
+        (Fact::Crashed { .. }, Fact::Crashed { .. })
+        | (Fact::Unusable { .. }, Fact::Unusable { .. })
+        | (Fact::TimedOut { .. }, Fact::TimedOut { .. }) => true,
         (Fact::Diagnostic(one), Fact::Diagnostic(other)) => {
             (&one.code, one.line) == (&other.code, other.line)
         }

@@ -43,7 +43,7 @@ impl Sign {
     pub(crate) fn word(&self) -> String {
         let told = match &self.symptom {
             Symptom::OtherCode { told, .. } => told,
-            Symptom::Crash(words) | Symptom::Error(words) => words,
+            Symptom::Crash(words) | Symptom::Unusable(words) | Symptom::Error(words) => words,
             _ => "",
         };
         let words = [&self.symptom.word(), told, &self.at].map(str::to_owned);

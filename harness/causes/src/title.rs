@@ -78,6 +78,7 @@ pub(crate) fn title(smallest: &Smallest) -> String {
         }
         Symptom::Value | Symptom::Missing => wrong_value(program, expected, got),
         Symptom::Crash(words) => format!("{} makes it crash: {}", line(None), clipped(words)),
+        Symptom::Unusable(words) => format!("{} is accepted, but {}", line(None), clipped(words)),
         Symptom::Hang => format!("{}: no answer in time", line(None)),
         Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
         Symptom::Fault(fault) => format!("{} stops with the fault {fault}", line(None)),

@@ -151,7 +151,7 @@ fn values(outcome: Outcome, program: &ConversionProgram) -> Result<Vec<Value>, R
             (TooManySteps, fault.as_str().to_owned())
         }
         Outcome::Faulted { fault, .. } => (Faulted, fault.as_str().to_owned()),
-        Outcome::Crashed { reason } => (Crashed, reason),
+        Outcome::Crashed { reason } | Outcome::Unusable { reason } => (Crashed, reason),
         Outcome::TimedOut { .. } => (TimedOut, outcome.to_string()),
         Outcome::Error { message } => (Nonsense, message),
         Outcome::Rendered { .. } => (Nonsense, "it rendered what it was to run".to_owned()),

@@ -177,7 +177,10 @@ impl StoredOutcome {
             Outcome::Rendered { text } => StoredOutcome::Rendered(text.clone()),
             Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason.clone()),
             Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason.clone()),
-            Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => return None,
+            Outcome::Crashed { .. }
+            | Outcome::Unusable { .. }
+            | Outcome::TimedOut { .. }
+            | Outcome::Error { .. } => return None,
         })
     }
 

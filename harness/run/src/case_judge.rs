@@ -5,7 +5,7 @@ use crate::judge::{differ_in_blanks_only, judge, lack_places_only};
 use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
-use stickler_suite::{Case, Sources};
+use stickler_suite::{Acceptance, Case, Sources};
 
 /// The basis of the blanks between the words and signs of a rendered line. No document speaks of them.
 const RENDERING: &str = "rule: rendering";
@@ -65,11 +65,16 @@ impl CaseJudge<'_> {
     }
 
     /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
-    /// failure; a construct that is not implemented is one where a document promises it.
+    /// failure, nor is a program that comes to nothing where no source that binds the engine says that it must be accepted; a
+    /// construct that is not implemented is one where a document promises it.
     #[must_use]
     pub fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
         let mut judgement = judge(case, answers, self.plan.needed(self.engine, case));
-        if judgement.verdict == Verdict::Fail && !self.binds(case, &judgement) {
+        let is_unusable = matches!(judgement.got[..], [Fact::Unusable { .. }]);
+        let may_be_rejected = case.expectation.accepted == Acceptance::Observed;
+        if (judgement.verdict == Verdict::Fail || is_unusable) && !self.binds(case, &judgement)
+            || is_unusable && may_be_rejected
+        {
             judgement.verdict = Verdict::Differs;
         } else if let [Fact::NotImplemented { promised_by, .. }] = &mut judgement.got[..]
             && promises(case, self.engine, self.sources)

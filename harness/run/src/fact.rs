@@ -91,6 +91,11 @@ pub enum Fact {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         promised_by: Option<String>,
     },
+    /// The program is accepted, and what the compiler made of it cannot be built or dies.
+    Unusable {
+        /// What becomes of it, as a fragment: `the C that it wrote cannot be built: …`.
+        reason: String,
+    },
     /// The engine crashed.
     Crashed {
         /// The signal, exit code or message that is known of the crash, as a fragment.
@@ -163,6 +168,7 @@ impl Fact {
             | Fact::RenderedOtherwise { text, .. }
             | Fact::Unsupported { reason: text }
             | Fact::NotImplemented { reason: text, .. }
+            | Fact::Unusable { reason: text }
             | Fact::Crashed { reason: text }
             | Fact::Error { message: text } => text,
             _ => return,
@@ -218,6 +224,7 @@ impl fmt::Display for Fact {
                 }
                 write!(f, ": {}", OneLine(reason))
             }
+            Fact::Unusable { reason } => write!(f, "accepted, but {}", OneLine(reason)),
             Fact::Crashed { reason } => write!(f, "crashed: {}", OneLine(reason)),
             Fact::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
             Fact::Error { message } => write!(f, "error: {}", OneLine(message)),
@@ -364,6 +371,7 @@ mod tests {
                 "not implemented, though promised by docs: Arrays: a b",
             ),
             (Fact::Crashed { reason: reason() }, "crashed: a b"),
+            (Fact::Unusable { reason: reason() }, "accepted, but a b"),
             (Fact::TimedOut { after_ms: 1500 }, "no answer within 1.5 s"),
             (
                 Fact::Error {

@@ -38,7 +38,7 @@ pub struct Judgement {
 pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     let expectation = &*case.expectation;
     let expected = expected(expectation);
-    if let Some((verdict, got)) = no_answer(answers) {
+    if let Some((verdict, got)) = no_answer(expectation, answers) {
         return Judgement {
             verdict,
             grade: None,
@@ -75,8 +75,12 @@ pub fn expected_facts(case: &Case) -> Vec<Fact> {
     expected(&case.expectation)
 }
 
-/// Returns the verdict and the fact where a request of the case went unanswered: nothing else of the case counts then.
-fn no_answer(answers: &Answers) -> Option<(Verdict, Fact)> {
+/// Returns the verdict and the fact where a request of the case went unanswered: nothing else of the case counts then. A program
+/// that must be rejected is accepted wrongly, whatever becomes of it.
+fn no_answer(expectation: &Expectation, answers: &Answers) -> Option<(Verdict, Fact)> {
+    if expectation.accepted == Acceptance::Rejected && matches!(answers.run, Outcome::Unusable { .. }) {
+        return None;
+    }
     if let Outcome::Rendered { .. } = answers.run {
         let message = "answered `run` with rendered text".to_owned();
         return Some((Verdict::Error, Fact::Error { message }));
@@ -94,6 +98,10 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
             let reason = reason.clone();
             let promised_by = None;
             (Verdict::Unsupported, Fact::NotImplemented { reason, promised_by })
+        }
+        Outcome::Unusable { reason } => {
+            let reason = reason.clone();
+            (Verdict::Crash, Fact::Unusable { reason })
         }
         Outcome::Crashed { reason } => {
             let reason = reason.clone();

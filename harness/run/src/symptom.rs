@@ -13,6 +13,8 @@ use stickler_types::{Diagnostic, Fault};
 pub enum Symptom {
     /// The engine crashed; holds its normalized message.
     Crash(String),
+    /// The engine accepts a program and makes of it what cannot be built or dies; holds the normalized message.
+    Unusable(String),
     /// The engine gave no answer in time.
     Hang,
     /// The engine gave an invalid answer; holds the normalized description.
@@ -66,6 +68,9 @@ impl Symptom {
     /// still passed.
     #[must_use]
     pub fn of_facts(verdict: Verdict, (expected, got): (&[Fact], &[Fact]), strict: Grade) -> Symptom {
+        if let [Fact::Unusable { reason }] = got {
+            return Symptom::Unusable(normalize_message(reason));
+        }
         match verdict {
             Verdict::Crash => return Symptom::Crash(crash(got)),
             Verdict::Timeout => return Symptom::Hang,
@@ -107,6 +112,7 @@ impl Symptom {
         match self {
             // The message of a crash would fill the name of the file.
             Symptom::Crash(_) => ("crash", ""),
+            Symptom::Unusable(_) => ("unusable", ""),
             Symptom::Hang => ("hang", ""),
             Symptom::Error(_) => ("error", ""),
             Symptom::Rejected(reason) => ("rejected", reason),
@@ -144,6 +150,13 @@ impl fmt::Display for Symptom {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Symptom::Crash(words) => write!(f, "it dies{}", in_brackets(words)),
+            Symptom::Unusable(words) => {
+                write!(
+                    f,
+                    "it accepts a program and makes nothing of use of it{}",
+                    in_brackets(words)
+                )
+            }
             Symptom::Hang => f.write_str("it gives no answer"),
             Symptom::Error(words) => write!(f, "its answer makes no sense{}", in_brackets(words)),
             Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", in_brackets(reason)),

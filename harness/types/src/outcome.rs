@@ -47,6 +47,11 @@ pub enum Outcome {
         /// The compiler's own message, as a fragment.
         reason: String,
     },
+    /// The program was accepted, and what the compiler made of it is of no use: it cannot be built, or it dies when it runs.
+    Unusable {
+        /// What becomes of it, as a fragment: `the C that it wrote cannot be built: …`.
+        reason: String,
+    },
     /// The engine died, or panicked.
     Crashed {
         /// The known circumstances, as a fragment.
@@ -94,6 +99,7 @@ impl fmt::Display for Outcome {
             Outcome::Rendered { .. } => f.write_str("rendered"),
             Outcome::Unsupported { reason } => write!(f, "unsupported: {reason}"),
             Outcome::NotImplemented { reason } => write!(f, "not implemented: {reason}"),
+            Outcome::Unusable { reason } => write!(f, "accepted, but {reason}"),
             Outcome::Crashed { reason } => write!(f, "crashed: {reason}"),
             Outcome::TimedOut { after_ms } => write!(f, "no answer within {}", Outcome::limit(*after_ms)),
             Outcome::Error { message } => write!(f, "error: {message}"),

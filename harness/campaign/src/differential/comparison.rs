@@ -80,6 +80,7 @@ pub(crate) fn compare(question: JudgedProgram<'_>, outcome: &Outcome) -> Agreeme
             Agreement::disagrees(OutcomeSymptom::Error, "answered `rendered` where it was to run")
         }
         Outcome::Crashed { reason } => Agreement::disagrees(OutcomeSymptom::Crash, format!("died: {reason}")),
+        Outcome::Unusable { .. } => Agreement::disagrees(OutcomeSymptom::Crash, outcome.to_string()),
         Outcome::TimedOut { .. } => Agreement::disagrees(OutcomeSymptom::Hang, outcome.to_string()),
         Outcome::Error { message } => Agreement::disagrees(OutcomeSymptom::Error, message.as_str()),
     }

@@ -30,7 +30,7 @@ pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
         Outcome::Rendered { .. } => ("rendered", Vec::new()),
         Outcome::Unsupported { reason } => ("unsupported", vec![reason.clone()]),
         Outcome::NotImplemented { reason } => ("not implemented", vec![reason.clone()]),
-        Outcome::Crashed { reason } => ("crashed", vec![reason.clone()]),
+        Outcome::Crashed { reason } | Outcome::Unusable { reason } => ("crashed", vec![reason.clone()]),
         Outcome::TimedOut { .. } => ("timed out", vec![outcome.to_string()]),
         Outcome::Error { message } => ("error", vec![message.clone()]),
     };

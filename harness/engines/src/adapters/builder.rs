@@ -198,7 +198,7 @@ impl Builder {
     /// Builds the program `driver` of a folder from the text of a driver and from what it includes there.
     ///
     /// # Errors
-    /// [`Outcome::Crashed`] where the program cannot be built: the compiler under test neither rejected its program nor made
+    /// [`Outcome::Unusable`] where the program cannot be built: the compiler under test neither rejected its program nor made
     /// one that runs. Otherwise an outcome as [`call`] returns.
     pub(super) fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
         self.build_with(driver, &[], folder)
@@ -217,9 +217,9 @@ impl Builder {
         let ended = self.try_build(driver, further, folder)?;
         match ended.code()? {
             0 => Ok(()),
-            _ => Err(Outcome::Crashed {
+            _ => Err(Outcome::Unusable {
                 reason: format!(
-                    "it accepts the program, and the {} that it wrote cannot be built: {}",
+                    "the {} that it wrote cannot be built: {}",
                     self.language.words().name,
                     without_folder(&first_error(&ended), &self.headers)
                 ),

@@ -77,7 +77,8 @@ impl<'r> Driver<'r> {
     /// Runs the driver's only program, which was built in a folder.
     ///
     /// # Errors
-    /// An outcome as [`locate::execute`] returns, and [`Outcome::Error`] for output that is no value.
+    /// [`Outcome::Unusable`] where the program dies, [`Outcome::Error`] for output that is no value, otherwise an outcome as
+    /// [`locate::execute`] returns.
     pub(super) fn execute(&self, folder: &Folder) -> Result<Outcome, Outcome> {
         let only = self.subjects.first();
         let only = only.ok_or_else(|| failed("its driver runs nothing".to_owned()))?;
@@ -114,7 +115,7 @@ impl<'r> Driver<'r> {
         arguments: &[A],
         folder: &Folder,
     ) -> Result<Outcome, Outcome> {
-        let ended = locate::execute(&folder.path().join("driver"), arguments, folder)?;
+        let ended = locate::execute(&folder.path().join("driver"), arguments, folder).map_err(unusable)?;
         let faulted = |fault| Outcome::Faulted {
             fault,
             line: None,
@@ -123,7 +124,7 @@ impl<'r> Driver<'r> {
         if ended.stopped_by_arithmetic() {
             return Ok(faulted(Fault::DivisionByZero));
         }
-        let code = ended.code()?;
+        let code = ended.code().map_err(unusable)?;
         if code == 0 {
             let values = self.values(&ended.stdout, subject).map_err(failed)?;
             return Ok(Outcome::Executed { values });
@@ -131,7 +132,7 @@ impl<'r> Driver<'r> {
         let listed = self.faults.iter().find(|(of, _)| *of == code);
         listed
             .map(|(_, fault)| faulted(*fault))
-            .ok_or_else(|| ended.crashed())
+            .ok_or_else(|| unusable(ended.crashed()))
     }
 
     /// Parses the values that the driver printed of a program.
@@ -144,6 +145,16 @@ impl<'r> Driver<'r> {
         subject: &DrivenProgram<'_>,
     ) -> Result<Vec<NamedValue>, String> {
         printed::values(printed, &subject.request, &subject.kinds, self.read)
+    }
+}
+
+/// Returns the outcome of a program that was accepted and built, from how its execution ended.
+fn unusable(ended: Outcome) -> Outcome {
+    match ended {
+        Outcome::Crashed { reason } => Outcome::Unusable {
+            reason: format!("the program that it made dies: {reason}"),
+        },
+        other => other,
     }
 }
 

@@ -154,7 +154,7 @@ fn has_shared_library(folder: &Path) -> bool {
 /// functions `__user_init_…`, so that no program can be linked with it.
 fn of_the_setup(outcome: Outcome, library: &Path) -> Outcome {
     match outcome {
-        Outcome::Crashed { reason }
+        Outcome::Unusable { reason }
             if !has_shared_library(library) && reason.contains("multiple definition of `__user_init_") =>
         {
             failed(format!(

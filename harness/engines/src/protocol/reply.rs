@@ -196,7 +196,9 @@ impl Reply {
             Outcome::Unsupported { reason } => Reply::unsupported(id, reason, false),
             Outcome::NotImplemented { reason } => Reply::unsupported(id, reason, true),
             Outcome::Crashed { reason } => Reply::error(Some(id), format!("the engine crashed: {reason}")),
-            Outcome::TimedOut { .. } => Reply::error(Some(id), outcome.to_string()),
+            Outcome::TimedOut { .. } | Outcome::Unusable { .. } => {
+                Reply::error(Some(id), outcome.to_string())
+            }
             Outcome::Error { message } => Reply::error(Some(id), message),
         }
     }

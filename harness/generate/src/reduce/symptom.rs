@@ -42,7 +42,7 @@ impl OutcomeSymptom {
     #[must_use]
     pub fn all(expected: &Outcome, got: &Outcome) -> Vec<OutcomeSymptom> {
         let symptom = match (expected, got) {
-            (_, Outcome::Crashed { .. }) => OutcomeSymptom::Crash,
+            (_, Outcome::Crashed { .. } | Outcome::Unusable { .. }) => OutcomeSymptom::Crash,
             (_, Outcome::TimedOut { .. }) => OutcomeSymptom::Hang,
             (_, Outcome::Error { .. }) => OutcomeSymptom::Error,
             (_, Outcome::Unsupported { .. }) => return Vec::new(),

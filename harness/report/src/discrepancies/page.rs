@@ -92,8 +92,12 @@ pub(super) fn expected_and_got(
     (basis, expected, got): (&str, &[Fact], &[Fact]),
 ) {
     let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
-    if got.iter().any(no_answer) && Basis::of(basis).is_rule() {
+    let is_unusable = |fact: &Fact| matches!(fact, Fact::Unusable { .. });
+    let is_rule = Basis::of(basis).is_rule();
+    if is_rule && got.iter().any(no_answer) {
         block(text, "Expected:", "", "an answer, no crash");
+    } else if is_rule && got.iter().any(is_unusable) {
+        block(text, "Expected:", "", "a rejection, or a program that runs");
     } else {
         let expected = visible(&Fact::text(expected));
         block(text, by, "", &expected);

@@ -218,6 +218,43 @@ fn a_crash_is_a_crash_whatever_the_source_and_a_met_rule_is_a_pass() {
 }
 
 #[test]
+fn an_accepted_program_that_comes_to_nothing_is_a_crash_only_where_a_binding_source_has_it_accepted() {
+    use Verdict::{Crash, Differs, Fail};
+    let useless = |engine: &str| {
+        Puppet::new(engine, |_| Outcome::Unusable {
+            reason: "the C++ that it wrote cannot be built".to_owned(),
+        })
+    };
+    let accepted = |accepted| Expectation {
+        accepted,
+        ..Expectation::default()
+    };
+    let judged = |engine: &str, basis: &str, expectation: Expectation| {
+        let mut suite = citing(basis);
+        suite.cases[0].expectation = expectation.into();
+        let case = judged(&Plan::default(), &suite, &useless(engine));
+        (case.verdict, Fact::text(&case.got))
+    };
+    let came = |verdict| {
+        (
+            verdict,
+            "accepted, but the C++ that it wrote cannot be built".to_owned(),
+        )
+    };
+    let value = || values(&["q = INT#1"]);
+    assert_eq!(judged("strucpp", STRUCPP, value()), came(Crash));
+    assert_eq!(judged("strucpp", STANDARD, value()), came(Crash));
+    assert_eq!(judged("strucpp", RULE, value()), came(Differs));
+    assert_eq!(judged("strucpp", RUSTY, value()), came(Differs));
+    let open = || accepted(Acceptance::Observed);
+    assert_eq!(judged("strucpp", STRUCPP, open()), came(Differs));
+    // Accepting was the mistake.
+    let wrong = || accepted(Acceptance::Rejected);
+    assert_eq!(judged("strucpp", STRUCPP, wrong()), (Fail, "accepted".to_owned()));
+    assert_eq!(judged("strucpp", RULE, wrong()).0, Differs);
+}
+
+#[test]
 fn what_is_not_implemented_fails_where_a_document_of_the_compiler_promises_it() {
     use Verdict::{Fail, Unsupported};
     for (engine, basis, expected) in [

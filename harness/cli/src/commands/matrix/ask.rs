@@ -62,7 +62,10 @@ fn answer(outcome: &Outcome) -> MatrixAnswer {
         Outcome::Rejected { .. } => MatrixAnswer::Rejects,
         Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => MatrixAnswer::Unsupported,
         Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => MatrixAnswer::Fails,
-        Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Error { .. } => MatrixAnswer::Fails,
+        Outcome::Crashed { .. }
+        | Outcome::Unusable { .. }
+        | Outcome::TimedOut { .. }
+        | Outcome::Error { .. } => MatrixAnswer::Fails,
     }
 }
 

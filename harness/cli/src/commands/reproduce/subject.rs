@@ -115,9 +115,15 @@ impl ReproducedProgram {
         };
         match (usual, outcome) {
             (Ability::Render, _) => Ability::Render,
-            (_, Some(Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Faulted { .. })) => {
-                Ability::Execute
-            }
+            (
+                _,
+                Some(
+                    Outcome::Crashed { .. }
+                    | Outcome::Unusable { .. }
+                    | Outcome::TimedOut { .. }
+                    | Outcome::Faulted { .. },
+                ),
+            ) => Ability::Execute,
             (usual, _) => usual,
         }
     }

@@ -100,14 +100,17 @@ pub(super) fn steady(outcome: Outcome) -> Outcome {
         None if word.starts_with("0x") => "0x…".to_owned(),
         None => word.to_owned(),
     };
+    let steady = |reason: &str| {
+        let words = reason.split(' ').filter(|word| !is_of_this_run(word));
+        words.map(word).collect::<Vec<String>>().join(" ")
+    };
     match outcome {
-        Outcome::Crashed { reason } => {
-            let words = reason.split(' ').filter(|word| !is_of_this_run(word));
-            let words: Vec<String> = words.map(word).collect();
-            Outcome::Crashed {
-                reason: words.join(" "),
-            }
-        }
+        Outcome::Crashed { reason } => Outcome::Crashed {
+            reason: steady(&reason),
+        },
+        Outcome::Unusable { reason } => Outcome::Unusable {
+            reason: steady(&reason),
+        },
         other => other,
     }
 }

@@ -54,7 +54,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
 /// Returns the round of a pack that the compiler or a program did not finish.
 fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
     let suspects = match outcome {
-        Outcome::Crashed { reason } => {
+        Outcome::Crashed { reason } | Outcome::Unusable { reason } => {
             let named: BTreeSet<usize> = places_named(reason).into_iter().collect();
             let suspected = |number: &usize| named.contains(&programs[*number].place);
             (0..programs.len()).filter(suspected).collect()

@@ -348,7 +348,7 @@ fn a_static_library_that_cannot_be_linked_is_no_crash_of_the_compiler() {
         stderr: said.to_owned(),
     };
     let reason = locate::first_error(&ended);
-    let crash = || Outcome::Crashed {
+    let crash = || Outcome::Unusable {
         reason: reason.clone(),
     };
     let folder = Folder::new().unwrap();
@@ -356,7 +356,7 @@ fn a_static_library_that_cannot_be_linked_is_no_crash_of_the_compiler() {
         panic!("no error")
     };
     assert!(message.contains("STICKLER_RUSTY_LIB"), "{message}");
-    let other = Outcome::Crashed {
+    let other = Outcome::Unusable {
         reason: "undefined reference to `x'".to_owned(),
     };
     assert_eq!(of_the_setup(other.clone(), folder.path()), other);
