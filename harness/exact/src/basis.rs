@@ -1,10 +1,11 @@
 //! Tells which document states the result of a call, if one does: the suite asserts stated results and only observes the
 //! others.
 //!
-//! A result without a document is open. An overloaded name (`TO_INT`) is open for every operand, because no document of a
-//! dialect has it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
+//! A result without a document is open. An overloaded name (`TO_INT`) is open for every operand except in STruC++ and RuSTy,
+//! whose tests have it: the ForgeIEC page says that every conversion is `<SRC>_TO_<DST>`, and so does IronPLC's.
 
 mod stated;
+mod tested;
 mod texts;
 
 use crate::choices::choices_of;
@@ -12,7 +13,8 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, Rounding, Value};
+use stickler_types::{BuiltIn, CalendarUnits, DialectName, ElementaryType, Family, Rounding, Value};
+use tested::{STRUCPP_TEXTS, STRUCPP_TIME};
 
 /// The expected result of a call, and the document that states it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -87,16 +89,10 @@ const IRONPLC_REAL_TO_INTEGER: &str = "ironplc-conversion-functions: Real to Int
 const IRONPLC_TIME: &str = "ironplc-conversion-functions: Time/Duration Conversions";
 const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 
-// The tests of STruC++.
-const STRUCPP_TIME: &str = "strucpp-tests: tests/st-validation/data_types/test_time_types.st";
-
-// The tests of RuSTy.
-const RUSTY_NUMBERS: &str = "rusty-tests: libs/stdlib/tests/num_conversion_tests.rs";
-const RUSTY_BITS: &str = "rusty-tests: libs/stdlib/tests/bit_conversion_tests.rs";
-
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
+const DATES: &str = "iec-61131-3: Table 26";
 const ROUNDED: &str = "iec-60559: Operations";
 const SPECIAL: &str = "iec-60559: Special Quantities";
 
@@ -155,6 +151,9 @@ impl Call<'_> {
     fn basis(self, operand: &Value) -> Option<&'static str> {
         let name = &self.signature.function[..];
         match (self.signature.operation, operand) {
+            (Operation::Convert, &Value::Plain { raw, .. }) if name.starts_with("TO_") => {
+                self.of_overloaded(raw)
+            }
             (Operation::Convert, _) if name.starts_with("TO_") => None,
             (Operation::Convert, &Value::Plain { raw, .. }) => self.of_conversion(raw),
             (Operation::Convert, Value::Text { ty, units }) => self.of_text(*ty, units),
@@ -166,11 +165,17 @@ impl Call<'_> {
 
     /// Returns the basis of `<SRC>_TO_<DST>`.
     fn of_conversion(self, raw: u64) -> Option<&'static str> {
+        match self.rules {
+            Rules::Rusty => self.of_rusty_conversion(raw),
+            Rules::Strucpp => self.of_strucpp_conversion(raw),
+            Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
+        }
+    }
+
+    /// Returns the basis of `<SRC>_TO_<DST>` in the systems that describe their functions on a page.
+    fn of_page_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
-            (Signed | Unsigned, Signed | Unsigned) if self.rules == Rules::Rusty => Some(RUSTY_NUMBERS),
-            (BitString, BitString) if self.rules == Rules::Rusty => Some(RUSTY_BITS),
-            (BitString, Signed | Unsigned) if self.rules == Rules::Rusty => Some(BITS_AND_NUMBERS),
             (Signed | Unsigned, Signed | Unsigned) => self.rules.documented(IRONPLC_INTEGERS, RANGE),
             (BitString, Signed | Unsigned) => self.rules.documented(BITS_AND_NUMBERS, RANGE),
             (Signed | Unsigned, BitString) => self.of_integer_to_bits(raw),
@@ -195,13 +200,17 @@ impl Call<'_> {
     /// Returns the basis of a conversion from an integer to a bit string. The standard's Table 25 does not say what the other
     /// bits of a wider bit string are where the integer is negative; IronPLC's design does.
     fn of_integer_to_bits(self, raw: u64) -> Option<&'static str> {
-        let extends_sign = integer::number(raw, self.from) < 0 && self.to.bits() > self.from.bits();
-        let ironplc = if extends_sign {
+        let ironplc = if self.extends_sign(raw) {
             IRONPLC_ROUTING
         } else {
             BITS_AND_NUMBERS
         };
         self.rules.documented(ironplc, RANGE)
+    }
+
+    /// Returns whether the integer is negative and the target has more bits.
+    fn extends_sign(self, raw: u64) -> bool {
+        integer::number(raw, self.from) < 0 && self.to.bits() > self.from.bits()
     }
 
     /// Returns the basis of a conversion from one real type to the other.
@@ -237,19 +246,23 @@ impl Call<'_> {
 
     /// Returns the milliseconds that TIME and a number have in common, if both hold them.
     fn whole_milliseconds(self, raw: u64) -> Option<i128> {
+        // The unit of a duration is the same, whatever counts a date.
+        let calendar = CalendarUnits::Seconds;
         match (self.from.family(), self.to.family()) {
             (Family::Duration, Family::Signed | Family::Unsigned | Family::Real) => {
-                let units = moment::units(raw, self.from);
+                let units = moment::units(raw, self.from, calendar);
                 let holds = self.to.is_real() || integer::holds(self.to, units);
-                (holds && moment::has_whole_units(raw, self.from)).then_some(units)
+                (holds && moment::has_whole_units(raw, self.from, calendar)).then_some(units)
             }
             (Family::Signed | Family::Unsigned, Family::Duration) => {
                 let number = integer::number(raw, self.from);
-                moment::fits(moment::of_units(number, self.to)).then_some(number)
+                moment::fits(moment::of_units(number, self.to, calendar)).then_some(number)
             }
-            (Family::Real, Family::Duration) if moment::is_whole_moment(raw, self.from, self.to) => {
-                let duration = moment::from_real_units(raw, self.from, self.to);
-                Some(moment::units(duration, self.to))
+            (Family::Real, Family::Duration)
+                if moment::is_whole_moment(raw, self.from, self.to, calendar) =>
+            {
+                let duration = moment::from_real_units(raw, self.from, self.to, calendar);
+                Some(moment::units(duration, self.to, calendar))
             }
             _ => None,
         }
@@ -268,10 +281,10 @@ impl Call<'_> {
     /// Returns the basis of `STRING_TO_<INTEGER>` and `STRING_TO_<REAL>`.
     fn of_text(self, from: ElementaryType, units: &[u16]) -> Option<&'static str> {
         let is_listed = from == ElementaryType::String && (self.to.is_integer() || self.to.is_real());
-        if self.rules == Rules::Matiec && is_listed {
-            texts::basis(units, self.to)
-        } else {
-            None
+        match self.rules {
+            Rules::Matiec if is_listed => texts::basis(units, self.to),
+            Rules::Strucpp if is_listed && texts::is_plain_number(units, self.to) => Some(STRUCPP_TEXTS),
+            _ => None,
         }
     }
 

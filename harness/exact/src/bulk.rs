@@ -15,7 +15,10 @@ mod tests;
 
 use crate::{Operation, Signature};
 use real::RealResult;
-use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding};
+use stickler_types::{
+    BitStringAsBool, BitsAsReal, CalendarUnits, ConversionChoices, ElementaryType, Family, OutOfRange,
+    Rounding,
+};
 
 /// One conversion, applied to many raw forms at a time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,9 +48,11 @@ enum Rule {
     /// A REAL, rounded to an integer.
     Integral(Rounding, OutOfRange),
     /// A number of units of time, as a duration, date or time of day.
-    Units,
+    Units(CalendarUnits),
     /// A REAL number of units of time, as a duration, date or time of day.
-    RealUnits,
+    RealUnits(CalendarUnits),
+    /// The bits, unchanged.
+    Copied,
     /// Binary-coded decimal digits, as the number that they spell.
     Digits,
     /// A number, as binary-coded decimal digits.
@@ -56,7 +61,7 @@ enum Rule {
 
 impl Bulk {
     /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
-    /// the operand nor the result is a text.
+    /// the operand nor the result is a text. A REAL number of days has none.
     #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
@@ -70,8 +75,8 @@ impl Bulk {
             Operation::FromBcd => Rule::Digits,
             Operation::ToBcd => Rule::Decimal,
             Operation::Concatenate => return None,
-            operation if from.is_real() => of_real(to, operation, choices),
-            _ => of_number(from, to),
+            operation if from.is_real() => of_real(to, operation, choices)?,
+            _ => of_number(from, to, choices),
         };
         Some(Bulk { rule, from, to })
     }
@@ -91,31 +96,47 @@ impl Bulk {
             Rule::Integral(rounding, out_of_range) => {
                 real::integral(operands, results, to, rounding, out_of_range)
             }
-            Rule::Units => moment::units(operands, results, to),
-            Rule::RealUnits => moment::real_units(operands, results, to),
+            Rule::Units(calendar) => moment::units(operands, results, to, calendar),
+            Rule::RealUnits(calendar) => moment::real_units(operands, results, to, calendar),
+            Rule::Copied => each(operands, results, |operand| operand),
             Rule::Digits => decimal::number(operands, results, to),
             Rule::Decimal => decimal::digits(operands, results, from, to),
         }
     }
 }
 
-fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Rule {
-    match to.family() {
+fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Option<Rule> {
+    let calendar = choices.calendar_units;
+    Some(match to.family() {
         Family::Boolean => Rule::RealTruth,
         Family::Real if to == ElementaryType::Real => Rule::Same,
         Family::Real => Rule::Lengthened,
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => Rule::RealUnits,
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
+            return moment::has_real_units(to, calendar).then_some(Rule::RealUnits(calendar));
+        }
+        Family::BitString if choices.bits_as_real == BitsAsReal::Copy && to.bits() == 32 => Rule::Copied,
         _ => Rule::Integral(operation.rounding(choices), choices.out_of_range),
-    }
+    })
 }
 
-fn of_number(from: ElementaryType, to: ElementaryType) -> Rule {
+fn of_number(from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> Rule {
+    let is_bit_string = from.is_bit_string();
     match to.family() {
+        Family::Boolean if is_bit_string && choices.bit_string_as_bool == BitStringAsBool::LowestBit => {
+            Rule::Modulo
+        }
+        Family::Real
+            if is_bit_string && choices.bits_as_real == BitsAsReal::Copy && from.bits() == to.bits() =>
+        {
+            Rule::Copied
+        }
         Family::Boolean if from == ElementaryType::Bool => Rule::Modulo,
         Family::Boolean => Rule::Truth,
         Family::Real if to == ElementaryType::Real => Rule::Nearest(RealResult::Single),
         Family::Real => Rule::Nearest(RealResult::Double),
-        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => Rule::Units,
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
+            Rule::Units(choices.calendar_units)
+        }
         Family::Character if from.is_character() && to == ElementaryType::Char => Rule::Replaced,
         _ => Rule::Modulo,
     }

@@ -1,7 +1,8 @@
 //! The choices of each dialect in the points in which systems convert differently.
 
 use stickler_types::{
-    BitStringText, BuiltIn, ConversionChoices, DialectName, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, CalendarUnits, ConversionChoices, DialectName,
+    OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// Returns the conversion choices of a dialect.
@@ -10,7 +11,8 @@ use stickler_types::{
 /// follows.
 ///
 /// Basis: ironplc-type-conversions: Explicit Conversion Functions and forgeiec-conversion-functions: Range and precision
-/// (truncation); rule: not-stated for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
+/// (truncation); strucpp-tests: tests/st-validation (rounding, texts, dates); rusty-tests: libs/stdlib/tests (rounding, bits);
+/// rule: not-stated for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
 #[must_use]
 pub fn choices_of(dialect: DialectName) -> ConversionChoices {
     let base = of_base(dialect.base());
@@ -26,6 +28,9 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
         text_reading: TextReading::WholeText,
         real_text: RealText::Shortest,
         bit_string_text: BitStringText::FullWidth,
+        bits_as_real: BitsAsReal::Number,
+        bit_string_as_bool: BitStringAsBool::AnyBit,
+        calendar_units: CalendarUnits::Seconds,
     };
     match base {
         BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => ironplc,
@@ -40,11 +45,14 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
         },
         BuiltIn::Rusty => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
+            bits_as_real: BitsAsReal::Copy,
+            bit_string_as_bool: BitStringAsBool::LowestBit,
             ..ironplc
         },
         BuiltIn::Strucpp => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
             text_reading: TextReading::LeadingNumber,
+            calendar_units: CalendarUnits::DaysAndMilliseconds,
             ..ironplc
         },
     }

@@ -2,7 +2,10 @@
 
 use crate::real;
 use crate::{integer, moment};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{CalendarUnits, ElementaryType, Value};
+
+/// The unit of a TIME, which is the same whatever counts a date.
+const MILLISECONDS: CalendarUnits = CalendarUnits::Seconds;
 
 /// The result of an implicit conversion, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,9 +35,11 @@ pub fn implicit_result(value: &Value, to: ElementaryType) -> Option<ImplicitResu
     let raw = match (from, to) {
         _ if from == to => raw,
         (Real, Lreal) => real::between(raw, from, to),
-        (Udint, Time) => moment::from_units(integer::number(raw, from), to),
-        (Time, Udint) if !moment::has_whole_units(raw, from) => return Some(ImplicitResult::Open),
-        (Time, Udint) => return Some(held(moment::units(raw, from), to)),
+        (Udint, Time) => moment::from_units(integer::number(raw, from), to, MILLISECONDS),
+        (Time, Udint) if !moment::has_whole_units(raw, from, MILLISECONDS) => {
+            return Some(ImplicitResult::Open);
+        }
+        (Time, Udint) => return Some(held(moment::units(raw, from, MILLISECONDS), to)),
         _ if is_number(from) && is_number(to) => return Some(held(integer::number(raw, from), to)),
         _ if from.is_integer() && to.is_real() => real::from_integer(integer::number(raw, from), to),
         _ if from.long_form() == Some(to) || to.long_form() == Some(from) => moment::between(raw, to),

@@ -1,22 +1,31 @@
 //! Conversions of durations, dates and times of day: to numbers, from numbers, and among each other.
 //!
-//! Numbers count a duration and a time of day in milliseconds, and a date and a date and time in seconds since 1970-01-01.
+//! Numbers count a duration and a time of day in milliseconds; in what they count a date and a date and time since 1970-01-01
+//! is a choice.
 //!
 //! Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT` "returns ms", `DINT_TO_TIME` "interprets as ms");
-//! what the others count no source says.
+//! strucpp-tests: tests/st-validation/data_types/test_time_types.st (TIME, TOD and DT in ms, DATE in days); elsewhere no source
+//! says what the others count.
 
 use crate::quotient;
 use crate::real::{self, Real};
 use num_bigint::BigUint;
-use stickler_types::{ElementaryType, Family, Rounding};
+use stickler_types::{CalendarUnits, ElementaryType, Family, Rounding};
 
 /// The nanoseconds of a day.
 const DAY: i128 = 86_400_000_000_000;
 
 /// Returns the nanoseconds of the unit in which numbers count values of a type.
-const fn unit(ty: ElementaryType) -> u32 {
+const fn unit(ty: ElementaryType, calendar: CalendarUnits) -> u64 {
     match ty.family() {
-        Family::Date | Family::DateAndTime => 1_000_000_000,
+        Family::Date => match calendar {
+            CalendarUnits::Seconds => 1_000_000_000,
+            CalendarUnits::DaysAndMilliseconds => 86_400_000_000_000,
+        },
+        Family::DateAndTime => match calendar {
+            CalendarUnits::Seconds => 1_000_000_000,
+            CalendarUnits::DaysAndMilliseconds => 1_000_000,
+        },
         _ => 1_000_000,
     }
 }
@@ -27,36 +36,41 @@ pub(crate) const fn nanoseconds(raw: u64) -> i128 {
 }
 
 /// Returns the number of whole units, without the fraction.
-pub(crate) fn units(raw: u64, from: ElementaryType) -> i128 {
-    nanoseconds(raw) / i128::from(unit(from))
+pub(crate) fn units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> i128 {
+    nanoseconds(raw) / i128::from(unit(from, calendar))
 }
 
 /// Returns whether the raw form is a whole number of units.
-pub(crate) fn has_whole_units(raw: u64, from: ElementaryType) -> bool {
-    nanoseconds(raw) % i128::from(unit(from)) == 0
+pub(crate) fn has_whole_units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> bool {
+    nanoseconds(raw) % i128::from(unit(from, calendar)) == 0
 }
 
 /// Returns the number of units, including the fraction, as REAL or LREAL.
-pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
     let nanoseconds = nanoseconds(raw);
     let magnitude = BigUint::from(nanoseconds.unsigned_abs());
-    quotient::nearest(nanoseconds < 0, &magnitude, &unit(from).into(), to)
+    quotient::nearest(nanoseconds < 0, &magnitude, &unit(from, calendar).into(), to)
 }
 
 /// Returns the nanoseconds of a number of units.
-pub(crate) fn of_units(number: i128, to: ElementaryType) -> i128 {
-    // Less than 2^64 units of less than 2^30 nanoseconds.
-    number * i128::from(unit(to))
+pub(crate) fn of_units(number: i128, to: ElementaryType, calendar: CalendarUnits) -> i128 {
+    // Less than 2^64 units of less than 2^47 nanoseconds.
+    number * i128::from(unit(to, calendar))
 }
 
 /// Returns the raw form of a whole number of units, modulo 2^64 nanoseconds.
-pub(crate) fn from_units(number: i128, to: ElementaryType) -> u64 {
-    stored(wrapped(of_units(number, to)), to)
+pub(crate) fn from_units(number: i128, to: ElementaryType, calendar: CalendarUnits) -> u64 {
+    stored(wrapped(of_units(number, to, calendar)), to)
 }
 
 /// Returns the raw form of a real number of units, rounded to the nearest nanosecond, ties to even, modulo 2^64; NaN and
 /// the infinities give 0.
-pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+pub(crate) fn from_real_units(
+    raw: u64,
+    from: ElementaryType,
+    to: ElementaryType,
+    calendar: CalendarUnits,
+) -> u64 {
     let Real::Finite {
         negative,
         significand,
@@ -65,7 +79,7 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
     else {
         return stored(0, to);
     };
-    let nanoseconds = BigUint::from(significand) * unit(to);
+    let nanoseconds = BigUint::from(significand) * unit(to, calendar);
     let magnitude = if exponent < 0 {
         let divisor = BigUint::from(1_u32) << exponent.unsigned_abs();
         quotient::half_to_even(&nanoseconds, &divisor)
@@ -78,7 +92,12 @@ pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType
 }
 
 /// Returns whether a real number is a whole number of units that a value of this type holds.
-pub(crate) fn is_whole_moment(raw: u64, from: ElementaryType, to: ElementaryType) -> bool {
+pub(crate) fn is_whole_moment(
+    raw: u64,
+    from: ElementaryType,
+    to: ElementaryType,
+    calendar: CalendarUnits,
+) -> bool {
     let Real::Finite {
         negative,
         significand,
@@ -90,7 +109,9 @@ pub(crate) fn is_whole_moment(raw: u64, from: ElementaryType, to: ElementaryType
     // A whole number has no bits below the point, and no duration has 64 of them above it.
     let whole = exponent >= 0 || significand.trailing_zeros() >= exponent.unsigned_abs() || significand == 0;
     match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
-        real::Whole::Number(number) if whole && number.unsigned_abs() < 1 << 64 => fits(of_units(number, to)),
+        real::Whole::Number(number) if whole && number.unsigned_abs() < 1 << 64 => {
+            fits(of_units(number, to, calendar))
+        }
         _ => false,
     }
 }

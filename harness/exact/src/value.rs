@@ -3,7 +3,9 @@
 use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
-use stickler_types::{ConversionChoices, ElementaryType, Family, OutOfRange, Rounding, Value};
+use stickler_types::{
+    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, OutOfRange, Rounding, Value,
+};
 
 /// Returns the result of a call of a conversion function, computed exactly by the given choices.
 ///
@@ -48,7 +50,10 @@ fn plain(
         Operation::FromBcd => integer::wrapped(bcd::number(raw, from), to),
         Operation::ToBcd => bcd::encoded(raw, from, to),
         Operation::Concatenate => return None,
-        operation => convert(raw, from, to, operation.rounding(choices), choices.out_of_range)?,
+        operation => {
+            let rounding = operation.rounding(choices);
+            convert(raw, from, to, &choices.with_rounding(rounding))?
+        }
     };
     Some(Value::plain(to, result))
 }
@@ -73,13 +78,7 @@ fn text(signature: &Signature, units: &[u16], choices: &ConversionChoices) -> Op
 }
 
 /// Converts between types that are not texts; returns `None` if the pair has no conversion.
-fn convert(
-    raw: u64,
-    from: ElementaryType,
-    to: ElementaryType,
-    rounding: Rounding,
-    out_of_range: OutOfRange,
-) -> Option<u64> {
+fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> Option<u64> {
     use Family::{
         BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
     };
@@ -87,24 +86,30 @@ fn convert(
         return None;
     }
     let number = || integer::number(raw, from);
+    let calendar = choices.calendar_units;
+    let is_copy = choices.bits_as_real == BitsAsReal::Copy && from.bits() == to.bits();
     Some(match (from.family(), to.family()) {
         (Character, Character) => character::unit(character::of_raw(raw), to).into(),
         (Real, Boolean) => u64::from(real::is_nonzero(raw, from)),
+        (BitString, Boolean) if choices.bit_string_as_bool == BitStringAsBool::LowestBit => raw & 1,
         (_, Boolean) => u64::from(number() != 0),
+        (BitString, Real) | (Real, BitString) if is_copy => raw,
         (Boolean | Signed | Unsigned | BitString | Character, Signed | Unsigned | BitString | Character) => {
             integer::wrapped(number(), to)
         }
         (Boolean | Signed | Unsigned | BitString, Real) => real::from_integer(number(), to),
         (Real, Real) => real::between(raw, from, to),
-        (Real, Signed | Unsigned | BitString) => from_real(raw, from, to, rounding, out_of_range),
+        (Real, Signed | Unsigned | BitString) => {
+            from_real(raw, from, to, choices.rounding, choices.out_of_range)
+        }
         (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
-            moment::from_units(number(), to)
+            moment::from_units(number(), to, calendar)
         }
-        (Real, Duration | Date | TimeOfDay | DateAndTime) => moment::from_real_units(raw, from, to),
+        (Real, Duration | Date | TimeOfDay | DateAndTime) => moment::from_real_units(raw, from, to, calendar),
         (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
-            integer::wrapped(moment::units(raw, from), to)
+            integer::wrapped(moment::units(raw, from, calendar), to)
         }
-        (Duration | Date | TimeOfDay | DateAndTime, Real) => moment::real_units(raw, from, to),
+        (Duration | Date | TimeOfDay | DateAndTime, Real) => moment::real_units(raw, from, to, calendar),
         (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
             moment::between(raw, to)
         }

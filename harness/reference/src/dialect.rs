@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
-    BitStringText, BuiltIn, ConversionChoices, Definition, DialectName, ElementaryType, MatrixWord,
-    OutOfRange, RealText, Rounding, Stated, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, CalendarUnits, ConversionChoices, Definition,
+    DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, Stated, TextReading,
 };
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
@@ -52,6 +52,9 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     text_reading: TextReading::WholeText,
     real_text: RealText::Shortest,
     bit_string_text: BitStringText::FullWidth,
+    bits_as_real: BitsAsReal::Number,
+    bit_string_as_bool: BitStringAsBool::AnyBit,
+    calendar_units: CalendarUnits::Seconds,
 };
 
 /// The statements of a definition about pairs of types: of the value, and of the target.
@@ -242,22 +245,30 @@ impl Dialect {
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 text_reading: TextReading::LeadingNumber,
+                calendar_units: CalendarUnits::DaysAndMilliseconds,
                 ..COMMON_CHOICES
             },
             ..Dialect::plcnext()
         }
     }
 
-    /// RuSTy: numbers and bit strings stand for each other, downcasts are a warning, and a real becomes the nearest integer.
+    /// RuSTy: numbers and bit strings stand for each other, downcasts are a warning, a real becomes the nearest integer, and
+    /// a bit string shares its bits with a real and its lowest one with a BOOL.
     ///
-    /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs, tests/lit/single/conversion/to_num.st;
+    /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs, tests/lit/single/conversion/to_num.st,
+    /// libs/stdlib/tests/bit_conversion_tests.rs, libs/stdlib/tests/bit_num_conversion_tests.rs;
     /// rusty-direct-variables: Constant based Direct Access; what they leave open is accepted.
     #[must_use]
     pub const fn rusty() -> Dialect {
         Dialect {
             name: DialectName::Rusty,
             widening: Widening::Numbers,
-            conversions: COMMON_CHOICES.with_rounding(Rounding::HalfAwayFromZero),
+            conversions: ConversionChoices {
+                rounding: Rounding::HalfAwayFromZero,
+                bits_as_real: BitsAsReal::Copy,
+                bit_string_as_bool: BitStringAsBool::LowestBit,
+                ..COMMON_CHOICES
+            },
             ..Dialect::plcnext()
         }
     }

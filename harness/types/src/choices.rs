@@ -84,6 +84,40 @@ words! {
     }
 }
 
+words! {
+    /// The meaning of the bits of a DWORD as a REAL, and of an LWORD as an LREAL, in either direction.
+    ///
+    /// A bit string and a real of different widths always exchange the number.
+    BitsAsReal {
+        /// The number that the bit string spells: `DWORD_TO_REAL(16#2)` is 2.0.
+        Number = "number",
+        /// A copy of the bits, in the format of IEC 60559: `DWORD_TO_REAL(16#40000000)` is 2.0.
+        Copy = "copy",
+    }
+}
+
+words! {
+    /// The bits of a BYTE, WORD, DWORD or LWORD that decide whether it converts to TRUE.
+    BitStringAsBool {
+        /// All of them: only zero is FALSE.
+        AnyBit = "any-bit",
+        /// The least significant one: an even number is FALSE.
+        LowestBit = "lowest-bit",
+    }
+}
+
+words! {
+    /// The unit in which a number counts a DATE and a DT, and LDATE and LDT, since 1970-01-01.
+    ///
+    /// A duration and a time of day always count in milliseconds.
+    CalendarUnits {
+        /// Seconds, both of them.
+        Seconds = "seconds",
+        /// Days for a date, and milliseconds for a date with a time.
+        DaysAndMilliseconds = "days-and-milliseconds",
+    }
+}
+
 /// The digits in which a real number is written as text.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum RealText {
@@ -109,6 +143,12 @@ pub struct ConversionChoices {
     pub real_text: RealText,
     /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
     pub bit_string_text: BitStringText,
+    /// The meaning of the bits of a bit string as a real of the same width.
+    pub bits_as_real: BitsAsReal,
+    /// The bits of a bit string that decide whether it converts to TRUE.
+    pub bit_string_as_bool: BitStringAsBool,
+    /// The unit in which a number counts a date, and a date with a time.
+    pub calendar_units: CalendarUnits,
 }
 
 impl ConversionChoices {
@@ -130,6 +170,7 @@ impl ConversionChoices {
             text_reading: stated(&definition.text_reading, self.text_reading),
             real_text: stated(&definition.real_text, self.real_text),
             bit_string_text: stated(&definition.bit_string_text, self.bit_string_text),
+            ..self
         }
     }
 }

@@ -34,7 +34,8 @@ mod wrap;
 mod written_value;
 
 pub use choices::{
-    BitStringText, ConversionChoices, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, MatrixWord, OutOfRange,
+    RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
 pub use definition::{Definition, Stated};

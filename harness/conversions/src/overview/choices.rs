@@ -5,7 +5,8 @@ use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
-    BitStringText, ConversionChoices, DialectName, Family, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, DialectName, Family,
+    OutOfRange, RealText, Rounding, TextReading,
 };
 
 const DIM: Style = Style::new().dimmed();
@@ -71,6 +72,15 @@ fn topics(signature: &Signature) -> Vec<Topic> {
     let outside = format!("outside {to}");
     let whole = to.is_integer() || to.is_bit_string();
     match (signature.operation, from.family(), to.family()) {
+        (Operation::Convert, Family::BitString, Family::Boolean) => vec![topic("TRUE", truth)],
+        (Operation::Convert, Family::BitString, Family::Real) if from.bits() == to.bits() => {
+            vec![topic("bits", copy)]
+        }
+        (Operation::Convert, Family::Real, Family::BitString) if from.bits() == to.bits() => vec![
+            topic("bits", copy),
+            topic("rounding", rounding),
+            topic(&outside, outside_of_reals),
+        ],
         (Operation::Convert, Family::Real, _) if whole => {
             vec![topic("rounding", rounding), topic(&outside, outside_of_reals)]
         }
@@ -158,11 +168,34 @@ fn is_moment(family: Family) -> bool {
     )
 }
 
-fn unit(_: &ConversionChoices, signature: &Signature) -> String {
+fn copy(choices: &ConversionChoices, signature: &Signature) -> String {
+    match choices.bits_as_real {
+        BitsAsReal::Number => match signature.result.is_real() {
+            true => "the number that the bits spell",
+            false => "the bits of the rounded number",
+        },
+        BitsAsReal::Copy => "a copy of the bits",
+    }
+    .to_owned()
+}
+
+fn truth(choices: &ConversionChoices, _: &Signature) -> String {
+    match choices.bit_string_as_bool {
+        BitStringAsBool::AnyBit => "where any bit is set",
+        BitStringAsBool::LowestBit => "where the lowest bit is set",
+    }
+    .to_owned()
+}
+
+fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
     let families = [signature.operands[0].family(), signature.result.family()];
     match families.into_iter().find(|family| is_moment(*family)) {
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
-        Some(Family::Date | Family::DateAndTime) => "the number counts seconds since 1970-01-01",
+        Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.calendar_units, family) {
+            (CalendarUnits::Seconds, _) => "the number counts seconds since 1970-01-01",
+            (CalendarUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
+            (CalendarUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
+        },
         _ => "the number counts milliseconds",
     }
     .to_owned()

@@ -5,7 +5,7 @@ use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::ReferenceFunction;
 use stickler_exact::{Operation, Signature, choices_of, signatures};
-use stickler_types::{ConversionChoices, DialectName, ElementaryType};
+use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family};
 
 /// A sweep of one function between fixed types, by one rule.
 #[derive(Clone, PartialEq, Debug)]
@@ -140,6 +140,21 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
     }
     if signature.result.is_text() && has(|ty| ty.is_bit_string()) {
         kept.bit_string_text = choices.bit_string_text;
+    }
+    let to = signature.result;
+    if let [from] = signature.operands[..] {
+        let is_calendar = |ty: ElementaryType| matches!(ty.family(), Family::Date | Family::DateAndTime);
+        let is_number = |ty: ElementaryType| ty.integer_range().is_some() || ty.is_real();
+        if (is_calendar(from) && is_number(to)) || (is_number(from) && is_calendar(to)) {
+            kept.calendar_units = choices.calendar_units;
+        }
+        let bits_and_real = (from.is_bit_string() && to.is_real()) || (from.is_real() && to.is_bit_string());
+        if bits_and_real && from.bits() == to.bits() {
+            kept.bits_as_real = choices.bits_as_real;
+        }
+        if from.is_bit_string() && to == ElementaryType::Bool {
+            kept.bit_string_as_bool = choices.bit_string_as_bool;
+        }
     }
     if signature.operation != Operation::Convert {
         // A function that names its own way of rounding does not ask how a conversion rounds.

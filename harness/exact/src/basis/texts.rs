@@ -10,21 +10,27 @@ use stickler_types::ElementaryType;
 
 /// Returns the basis of reading a STRING as an integer or a real in `matiec`.
 pub(super) fn basis(units: &[u16], to: ElementaryType) -> Option<&'static str> {
-    let text: Option<Vec<u8>> = units
-        .iter()
-        .map(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii))
-        .collect();
-    let text = text?;
+    if is_plain_number(units, to) {
+        Some(NAMING)
+    } else {
+        is_no_number(&ascii(units)?, to).then_some(MATIEC_TEXTS)
+    }
+}
+
+/// Returns whether a text is a number in plain notation that the type holds.
+pub(super) fn is_plain_number(units: &[u16], to: ElementaryType) -> bool {
     let is_number = if to.is_real() {
         is_plain_real
     } else {
         is_plain_integer
     };
-    if is_number(&text, to) {
-        Some(NAMING)
-    } else {
-        is_no_number(&text, to).then_some(MATIEC_TEXTS)
-    }
+    ascii(units).is_some_and(|text| is_number(&text, to))
+}
+
+/// Returns the text as bytes, if it has ASCII characters only.
+fn ascii(units: &[u16]) -> Option<Vec<u8>> {
+    let bytes = units.iter().map(|&unit| u8::try_from(unit).ok());
+    bytes.map(|byte| byte.filter(u8::is_ascii)).collect()
 }
 
 /// Returns whether the text is a whole number in plain notation, with an optional minus, in the range of the type. `-0` is

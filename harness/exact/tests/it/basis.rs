@@ -225,7 +225,10 @@ fn some_value(ty: ElementaryType) -> Value {
 fn what_is_asserted_does_not_hang_on_open_choices() {
     // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
     use stickler_exact::{choices_of, value};
-    use stickler_types::{BitStringText, ConversionChoices, OutOfRange, RealText, Rounding, TextReading};
+    use stickler_types::{
+        BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, OutOfRange, RealText,
+        Rounding, TextReading,
+    };
     let texts = [
         "",
         "x",
@@ -259,6 +262,22 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
                 Rounding::HalfAwayFromZero
             } else {
                 own.rounding
+            },
+            // RuSTy documents the first two, STruC++ the third; a rule of ours and the ForgeIEC page speak of the second.
+            bits_as_real: if dialect == DialectName::Rusty {
+                own.bits_as_real
+            } else {
+                BitsAsReal::Copy
+            },
+            bit_string_as_bool: if matches!(dialect, DialectName::Plcnext | DialectName::Strucpp) {
+                BitStringAsBool::LowestBit
+            } else {
+                own.bit_string_as_bool
+            },
+            calendar_units: if dialect == DialectName::Strucpp {
+                own.calendar_units
+            } else {
+                CalendarUnits::DaysAndMilliseconds
             },
         };
         let mut asserted = 0;

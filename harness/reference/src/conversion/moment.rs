@@ -1,18 +1,20 @@
 //! Durations, dates and times of day as numbers, and back.
 //!
 //! A duration counts in milliseconds. Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT`
-//! "returns ms"). No source says what the others count in: here LTIME and times of day count in milliseconds
-//! too, dates and dates with a time in seconds since 1970-01-01, as CODESYS has it.
+//! "returns ms"). LTIME and times of day count in milliseconds too; in what dates and dates with a time count since
+//! 1970-01-01 is a choice of the dialect. STruC++ documents it in its tests; where no source says, it is seconds, as
+//! CODESYS has it.
 
 use super::real::{self, Exact};
-use stickler_types::{ElementaryType, Family, Rounding};
+use stickler_types::{CalendarUnits, ElementaryType, Family, Rounding};
 
 const DAY: i64 = 86_400_000_000_000;
 
 /// Nanoseconds in the unit that a type is counted in.
-const fn unit(ty: ElementaryType) -> i64 {
-    match ty.family() {
-        Family::Date | Family::DateAndTime => 1_000_000_000,
+const fn unit(ty: ElementaryType, calendar: CalendarUnits) -> i64 {
+    match (ty.family(), calendar) {
+        (Family::Date | Family::DateAndTime, CalendarUnits::Seconds) => 1_000_000_000,
+        (Family::Date, CalendarUnits::DaysAndMilliseconds) => DAY,
         _ => 1_000_000,
     }
 }
@@ -20,47 +22,48 @@ const fn unit(ty: ElementaryType) -> i64 {
 /// The number of whole units, the fraction dropped.
 #[inline]
 #[must_use]
-pub fn to_units(raw: u64, from: ElementaryType) -> u64 {
-    (raw.cast_signed() / unit(from)).cast_unsigned()
+pub fn to_units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> u64 {
+    (raw.cast_signed() / unit(from, calendar)).cast_unsigned()
 }
 
 /// The number of units as REAL or LREAL, rounded once.
 #[must_use]
-pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
     let nanoseconds = raw.cast_signed();
     let magnitude = nanoseconds.unsigned_abs().into();
-    Exact::quotient(nanoseconds < 0, magnitude, unit(from).unsigned_abs(), 0).to_real(to)
+    Exact::quotient(nanoseconds < 0, magnitude, unit(from, calendar).unsigned_abs(), 0).to_real(to)
 }
 
 /// Returns so many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
 /// product modulo 2^64 is the same.
 #[inline]
 #[must_use]
-pub fn from_units(raw: u64, to: ElementaryType) -> u64 {
-    whole(raw.cast_signed().wrapping_mul(unit(to)), to)
+pub fn from_units(raw: u64, to: ElementaryType, calendar: CalendarUnits) -> u64 {
+    whole(raw.cast_signed().wrapping_mul(unit(to, calendar)), to)
 }
 
 /// Returns so many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
 /// infinities give 0.
 #[inline]
 #[must_use]
-pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
     let value = real::decode(raw, from);
-    let nanoseconds = if from == ElementaryType::Real {
-        // A REAL has 24 binary digits, and the units have at most 21 before their zeros: the product is exact.
-        real::to_integer(value * unit(to) as f64, Rounding::HalfToEven)
+    let unit = unit(to, calendar);
+    let nanoseconds = if from == ElementaryType::Real && unit != DAY {
+        // A REAL has 24 binary digits, and the units but for the day have at most 21 before their zeros: the product is exact.
+        real::to_integer(value * unit as f64, Rounding::HalfToEven)
     } else {
-        from_long_real_units(value, to)
+        from_long_real_units(value, unit)
     };
     whole(nanoseconds.cast_signed(), to)
 }
 
-fn from_long_real_units(value: f64, to: ElementaryType) -> u64 {
+fn from_long_real_units(value: f64, unit: i64) -> u64 {
     if !value.is_finite() {
         return 0;
     }
     let (significand, exponent) = real::parts(value);
-    let magnitude = u128::from(significand) * u128::from(unit(to).unsigned_abs());
+    let magnitude = u128::from(significand) * u128::from(unit.unsigned_abs());
     let exact = Exact {
         negative: value.is_sign_negative(),
         magnitude,
@@ -102,7 +105,8 @@ pub const fn time_of_day(raw: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ElementaryType::{Date, Dt, Tod};
+    use CalendarUnits::{DaysAndMilliseconds, Seconds};
+    use ElementaryType::{Date, Dt, Lreal, Real, Tod};
 
     const SECOND: i64 = 1_000_000_000;
 
@@ -129,19 +133,45 @@ mod tests {
 
     #[test]
     fn dates_count_in_seconds_and_times_of_day_in_milliseconds() {
-        assert_eq!(to_units(raw(DAY), Date), 86_400);
-        assert_eq!(to_units(raw(1_500 * 1_000_000), Tod), 1_500);
-        assert_eq!(from_units(86_401, Date), raw(DAY));
-        assert_eq!(from_units(86_401, Dt), raw(DAY + SECOND));
-        assert_eq!(from_units(86_400_001, Tod), 1_000_000);
-        assert_eq!(from_units(raw(-1), Tod), raw(DAY - 1_000_000));
+        assert_eq!(to_units(raw(DAY), Date, Seconds), 86_400);
+        assert_eq!(to_units(raw(1_500 * 1_000_000), Tod, Seconds), 1_500);
+        assert_eq!(from_units(86_401, Date, Seconds), raw(DAY));
+        assert_eq!(from_units(86_401, Dt, Seconds), raw(DAY + SECOND));
+        assert_eq!(from_units(86_400_001, Tod, Seconds), 1_000_000);
+        assert_eq!(from_units(raw(-1), Tod, Seconds), raw(DAY - 1_000_000));
         assert_eq!(
-            from_real_units(1.5_f64.to_bits(), ElementaryType::Lreal, Dt),
+            from_real_units(1.5_f64.to_bits(), Lreal, Dt, Seconds),
             raw(SECOND + SECOND / 2)
         );
         assert_eq!(
-            to_real_units(raw(SECOND / 4), Dt, ElementaryType::Lreal),
+            to_real_units(raw(SECOND / 4), Dt, Lreal, Seconds),
             0.25_f64.to_bits()
+        );
+    }
+
+    #[test]
+    fn dates_count_in_days_and_moments_in_milliseconds_where_a_dialect_says_so() {
+        let units = DaysAndMilliseconds;
+        assert_eq!(to_units(raw(14 * DAY), Date, units), 14);
+        assert_eq!(to_units(raw(-DAY), Date, units).cast_signed(), -1);
+        assert_eq!(to_units(raw(SECOND), Dt, units), 1_000);
+        assert_eq!(to_units(raw(SECOND), Tod, units), 1_000);
+        assert_eq!(from_units(14, Date, units), raw(14 * DAY));
+        assert_eq!(from_units(1_500, Dt, units), raw(SECOND + SECOND / 2));
+        assert_eq!(from_real_units(0.5_f64.to_bits(), Lreal, Date, units), 0);
+        assert_eq!(
+            to_real_units(raw(14 * DAY), Date, Lreal, units),
+            14.0_f64.to_bits()
+        );
+        // The largest REAL below 20000: its days are no sum of nanoseconds that an LREAL holds.
+        let days = f32::from_bits(20_000.0_f32.to_bits() - 1);
+        assert_eq!(
+            from_real_units(days.to_bits().into(), Real, Dt, Seconds),
+            from_real_units(f64::from(days).to_bits(), Lreal, Dt, Seconds)
+        );
+        assert_eq!(
+            from_real_units(days.to_bits().into(), Real, Date, units),
+            raw(19_999 * DAY)
         );
     }
 }

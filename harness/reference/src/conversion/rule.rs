@@ -4,7 +4,8 @@
 use super::{moment, reading, real, text, writing};
 use crate::raw;
 use stickler_types::{
-    BitStringText, ConversionChoices, ElementaryType, Family, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, ElementaryType, Family,
+    OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// A conversion from one elementary type to another.
@@ -21,7 +22,8 @@ pub struct Conversion {
 /// The rule by which a conversion changes the value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConversionRule {
-    /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT).
+    /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT; DWORD and REAL
+    /// where the bits are copied).
     Keep,
     /// Integers, bit strings, BOOL and characters: the value modulo 2^n of the target; a bit string and a
     /// character count as unsigned.
@@ -40,15 +42,16 @@ pub enum ConversionRule {
     /// Basis: that of the rounding and of the range; rule: not-stated for NaN.
     FromReal(Rounding, OutOfRange),
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
-    /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); dates and times of day are open.
-    ToUnits,
+    /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); strucpp-tests:
+    /// tests/st-validation/data_types/test_time_types.st (the others there, elsewhere they are open).
+    ToUnits(CalendarUnits),
     /// Counts the units as a real number, rounded once.
-    ToRealUnits,
+    ToRealUnits(CalendarUnits),
     /// A number of units as a duration, date or time of day.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms").
-    FromUnits,
+    FromUnits(CalendarUnits),
     /// Returns a real number of units, rounded to the nearest nanosecond, ties to even.
-    FromRealUnits,
+    FromRealUnits(CalendarUnits),
     /// The day of a date and time, also before 1970.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
     Day,
@@ -91,11 +94,24 @@ impl ConversionRule {
             BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, Text, TimeOfDay,
             Unsigned,
         };
+        let calendar = match (from.family(), to.family()) {
+            (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.calendar_units,
+            // The others have one unit in all dialects, and so one rule.
+            _ => CalendarUnits::Seconds,
+        };
         Some(match (from.family(), to.family()) {
             (Boolean | Signed | Unsigned | BitString, Signed | Unsigned | BitString)
             | (Boolean, Boolean)
             | (Character, Signed | Unsigned | BitString)
             | (Signed | Unsigned | BitString, Character) => ConversionRule::Wrap,
+            (BitString, Boolean) if matches!(choices.bit_string_as_bool, BitStringAsBool::LowestBit) => {
+                ConversionRule::Wrap
+            }
+            (BitString, Real) | (Real, BitString)
+                if matches!(choices.bits_as_real, BitsAsReal::Copy) && from.bits() == to.bits() =>
+            {
+                ConversionRule::Keep
+            }
             (Signed | Unsigned | BitString | Real | Duration | Date | TimeOfDay | DateAndTime, Boolean) => {
                 ConversionRule::NonZero
             }
@@ -109,13 +125,13 @@ impl ConversionRule {
             | (TimeOfDay, TimeOfDay | Duration)
             | (DateAndTime, DateAndTime) => ConversionRule::Keep,
             (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
-                ConversionRule::ToUnits
+                ConversionRule::ToUnits(calendar)
             }
-            (Duration | Date | TimeOfDay | DateAndTime, Real) => ConversionRule::ToRealUnits,
+            (Duration | Date | TimeOfDay | DateAndTime, Real) => ConversionRule::ToRealUnits(calendar),
             (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
-                ConversionRule::FromUnits
+                ConversionRule::FromUnits(calendar)
             }
-            (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits,
+            (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits(calendar),
             (DateAndTime, Date) => ConversionRule::Day,
             (DateAndTime | Duration, TimeOfDay) => ConversionRule::TimeOfDay,
             (Character, Character) => ConversionRule::Character,
@@ -149,7 +165,13 @@ macro_rules! one_loop_for_each_rule {
             FromReal(Rounding::HalfAwayFromZero, OutOfRange::Saturate),
             FromReal(Rounding::Up, OutOfRange::Saturate),
             FromReal(Rounding::Down, OutOfRange::Saturate),
-            ToUnits, FromUnits, FromRealUnits, FromBcd, ToBcd)
+            ToUnits(CalendarUnits::Seconds),
+            ToUnits(CalendarUnits::DaysAndMilliseconds),
+            FromUnits(CalendarUnits::Seconds),
+            FromUnits(CalendarUnits::DaysAndMilliseconds),
+            FromRealUnits(CalendarUnits::Seconds),
+            FromRealUnits(CalendarUnits::DaysAndMilliseconds),
+            FromBcd, ToBcd)
     };
     ($self:ident, $conversion:ident => $body:expr; $($name:ident $(($($choice:path),*))?),*) => {
         match $self.rule {
@@ -200,10 +222,10 @@ impl Conversion {
             ConversionRule::FromReal(rounding, OutOfRange::Saturate) => {
                 real::to_nearest_of(real::decode(value, self.from), rounding, self.to)
             }
-            ConversionRule::ToUnits => raw::narrow(moment::to_units(value, self.from), self.to),
-            ConversionRule::ToRealUnits => moment::to_real_units(value, self.from, self.to),
-            ConversionRule::FromUnits => moment::from_units(value, self.to),
-            ConversionRule::FromRealUnits => moment::from_real_units(value, self.from, self.to),
+            ConversionRule::ToUnits(units) => raw::narrow(moment::to_units(value, self.from, units), self.to),
+            ConversionRule::ToRealUnits(units) => moment::to_real_units(value, self.from, self.to, units),
+            ConversionRule::FromUnits(units) => moment::from_units(value, self.to, units),
+            ConversionRule::FromRealUnits(units) => moment::from_real_units(value, self.from, self.to, units),
             ConversionRule::Day => moment::day(value),
             ConversionRule::TimeOfDay => moment::time_of_day(value),
             ConversionRule::Character => text::character(value, self.to),

@@ -123,8 +123,8 @@ impl ForeignSweep<'_> {
         match signature.operation {
             // Only for these the digits of the operand matter.
             Operation::FromBcd | Operation::ToBcd => places.clone().any(is_so),
-            // For an integer the value does not matter, and for a REAL only whether it is too large: within a stretch the
-            // magnitude grows from one end to the other.
+            // Of an integer or a REAL it only matters whether it is too large: within a stretch the magnitude grows or falls
+            // from one end to the other.
             _ => is_so(places.start) || is_so(places.end - 1),
         }
     }

@@ -22,6 +22,50 @@ fn the_documents_own_examples() {
 }
 
 #[test]
+fn what_the_tests_of_rusty_expect() {
+    check(
+        DialectName::Rusty,
+        &[
+            ("LWORD_TO_LREAL", "LWORD#16#4000000000000000", "LREAL#2.0"),
+            ("DWORD_TO_REAL", "DWORD#16#40000000", "REAL#2.0"),
+            ("LREAL_TO_LWORD", "LREAL#2.0", "LWORD#16#4000000000000000"),
+            ("REAL_TO_DWORD", "REAL#2.0", "DWORD#16#40000000"),
+            // Of another width, so no copy.
+            ("WORD_TO_REAL", "WORD#16#4000", "REAL#16384.0"),
+            ("LWORD_TO_REAL", "LWORD#16#2", "REAL#2.0"),
+            ("LWORD_TO_BOOL", "LWORD#16#2", "BOOL#FALSE"),
+            ("BYTE_TO_BOOL", "BYTE#16#FF", "BOOL#TRUE"),
+            ("BOOL_TO_LWORD", "BOOL#TRUE", "LWORD#16#1"),
+            ("DWORD_TO_DINT", "DWORD#16#FFFFFFFF", "DINT#-1"),
+            ("TO_BOOL", "WORD#16#0005", "BOOL#TRUE"),
+            ("LDT_TO_DATE", "LDT#2000-01-01-20:15:11", "DATE#2000-01-01"),
+            ("DT_TO_TOD", "DT#2120-02-12-20:15:11.543", "TOD#20:15:11.543"),
+        ],
+    );
+}
+
+#[test]
+fn what_the_tests_of_strucpp_expect() {
+    check(
+        DialectName::Strucpp,
+        &[
+            ("TIME_TO_DINT", "TIME#1500ms", "DINT#1500"),
+            ("TOD_TO_DINT", "TOD#06:00:00", "DINT#21600000"),
+            ("TO_LINT", "DT#1970-01-01-00:00:01", "LINT#1000"),
+            ("TO_UINT", "DATE#1970-01-15", "UINT#14"),
+            ("DATE_TO_DINT", "DATE#1969-12-31", "DINT#-1"),
+            ("DINT_TO_DATE", "DINT#14", "DATE#1970-01-15"),
+            ("LREAL_TO_DATE", "LREAL#14.5", "DATE#1970-01-15"),
+            ("DATE_TO_LREAL", "DATE#1970-01-15", "LREAL#14.0"),
+            ("TO_INT", "STRING#'3.14'", "INT#3"),
+            // Another system's choice.
+            ("DWORD_TO_REAL", "DWORD#16#40000000", "REAL#1073741824.0"),
+            ("BYTE_TO_BOOL", "BYTE#16#02", "BOOL#TRUE"),
+        ],
+    );
+}
+
+#[test]
 fn integers_wrap_and_bit_strings_have_no_sign() {
     check(
         DialectName::IronplcEd3,

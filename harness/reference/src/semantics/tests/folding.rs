@@ -208,8 +208,8 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
         "LDATE" => "LDATE#1970-01-01",
         "TOD" => "TOD#0:0:0.003",
         "LTOD" => "LTOD#0:0:0.003",
-        "DT" => "DT#1970-01-01-00:00:03",
-        "LDT" => "LDT#1970-01-01-00:00:03",
+        "DT" => "DT#1970-01-01-00:00:00.003",
+        "LDT" => "LDT#1970-01-01-00:00:00.003",
         "REAL" | "LREAL" => "3.0",
         _ => "3",
     };

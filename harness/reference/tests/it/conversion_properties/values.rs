@@ -2,8 +2,8 @@
 
 use super::draw::{conversion, dialects, each, number, one_of, pairs, raw, same};
 use stickler_reference::Dialect;
-use stickler_reference::conversion::{Conversion, function, implicit};
-use stickler_types::{ElementaryType, Family};
+use stickler_reference::conversion::{Conversion, ConversionRule, function, implicit};
+use stickler_types::{CalendarUnits, ElementaryType, Family};
 
 /// Returns whether a conversion keeps this value: its target holds it.
 fn holds(conversion: Conversion, raw: u64) -> bool {
@@ -110,10 +110,17 @@ fn order(left: u64, right: u64, ty: ElementaryType) -> Option<std::cmp::Ordering
 /// Returns whether a conversion cannot wrap at this value.
 fn stays_within(conversion: Conversion, raw: u64) -> bool {
     const MILLION: i128 = 1_000_000;
-    let Conversion { from, to, .. } = conversion;
+    let Conversion { from, to, rule } = conversion;
+    let in_days = matches!(
+        rule,
+        ConversionRule::ToUnits(CalendarUnits::DaysAndMilliseconds)
+            | ConversionRule::FromUnits(CalendarUnits::DaysAndMilliseconds)
+            | ConversionRule::FromRealUnits(CalendarUnits::DaysAndMilliseconds)
+    );
     // Nanoseconds in the unit in which the type is counted.
     let unit = |ty: ElementaryType| match ty.family() {
-        Family::Date | Family::DateAndTime => 1_000 * MILLION,
+        Family::Date if in_days => 86_400_000 * MILLION,
+        Family::Date | Family::DateAndTime if !in_days => 1_000 * MILLION,
         _ => MILLION,
     };
     let moment = |ty: ElementaryType| ty.is_duration() || ty.is_date_or_time();
@@ -162,6 +169,8 @@ fn a_conversion_is_monotonic_where_it_does_not_wrap() {
             .filter(|pair| !pair.from.is_text() && !pair.to.is_text())
             // Zero is less than TRUE from both sides.
             .filter(|pair| pair.to != ElementaryType::Bool)
+            // The bits of a real are in another order than the numbers.
+            .filter(|pair| pair.rule != ConversionRule::Keep || pair.from.is_real() == pair.to.is_real())
             .collect();
         each(3, 60_000, |draw| {
             let conversion = one_of(draw, &ordered)?;
