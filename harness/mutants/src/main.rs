@@ -2,6 +2,7 @@
 
 mod explained;
 mod outcomes;
+mod places;
 mod prepare;
 mod table;
 mod tool;
@@ -17,8 +18,10 @@ use std::process::ExitCode;
 /// Exit codes: 0; 1 where a mutant of the conversion, widening or bit-access code survives that survivors.toml does not
 /// explain; 2 usage, or a broken case file; 3 cargo-mutants is missing or could not be run.
 #[derive(Parser)]
-#[command(name = "stickler-mutants")]
+#[command(name = "stickler-mutants", args_conflicts_with_subcommands = true)]
 struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
     /// Run nothing; read these folders, each a `mutants.out` or one that has it. Of a mutant that several have, the last
     /// counts.
     #[arg(long, value_name = "DIR", num_args = 1..)]
@@ -40,9 +43,19 @@ struct Arguments {
     cargo_mutants: Vec<String>,
 }
 
+#[derive(clap::Subcommand)]
+enum Command {
+    /// Breaks one claim in one place after the other, without building anything, and counts the cases that notice.
+    Places(places::PlacesArguments),
+}
+
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match run(&arguments) {
+    let ended = match &arguments.command {
+        Some(Command::Places(arguments)) => places::run(arguments),
+        None => run(&arguments),
+    };
+    match ended {
         Ok(code) => ExitCode::from(code),
         Err(failure) => {
             eprintln!("error: {:#}", failure.error);

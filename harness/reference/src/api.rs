@@ -8,5 +8,6 @@ mod run;
 mod settings;
 
 pub use diagnose::{check, check_bytes, render, variables};
+pub use located::locate;
 pub use request::{Limits, RequestError};
-pub use run::run;
+pub use run::{execute, run};

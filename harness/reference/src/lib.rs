@@ -42,5 +42,5 @@ pub mod semantics;
 pub mod source;
 pub mod syntax;
 
-pub use api::{Limits, RequestError, check, check_bytes, render, run, variables};
+pub use api::{Limits, RequestError, check, check_bytes, execute, locate, render, run, variables};
 pub use dialect::{COMMON_CHOICES, Dialect};

@@ -53,8 +53,10 @@ mod statements;
 mod suggestion;
 #[cfg(test)]
 mod tests;
+mod trace;
 mod types;
 mod variables;
 
-pub use check::check;
+pub use check::{check, check_traced};
 pub use observation::{CheckedProgram, ObservedType, ObservedVariable};
+pub use trace::{TracedUse, UseKind};

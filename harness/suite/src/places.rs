@@ -22,7 +22,7 @@ const TESTED: [&str; 2] = ["from", "to"];
 
 /// The places that tables may use, in the order of the file.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Places {
+pub struct Places {
     sources: Vec<Place>,
     targets: Vec<Place>,
     surroundings: Vec<Place>,
@@ -37,7 +37,7 @@ pub(crate) struct Places {
 
 /// The part that a place has in a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Role {
+pub enum Role {
     /// The place where a value comes from.
     Source,
     /// The place where a value goes to.
@@ -48,7 +48,7 @@ pub(crate) enum Role {
 
 /// One place. A text that it does not have is empty.
 #[derive(Clone, Debug)]
-struct Place {
+pub struct Place {
     name: Arc<str>,
     groups: Vec<String>,
     /// The dialects whose documents promise the place, or for which the standard does.
@@ -117,7 +117,7 @@ impl Placement {
 
 impl Role {
     /// Returns the role's name in `places.toml`.
-    const fn as_str(self) -> &'static str {
+    pub const fn as_str(self) -> &'static str {
         match self {
             Role::Source => "source",
             Role::Target => "target",
@@ -127,7 +127,8 @@ impl Role {
 }
 
 impl Places {
-    fn of(&self, role: Role) -> &[Place] {
+    /// Returns the places of a role, in the order of the file.
+    pub fn of(&self, role: Role) -> &[Place] {
         match role {
             Role::Source => &self.sources,
             Role::Target => &self.targets,
@@ -206,8 +207,23 @@ impl Places {
 }
 
 impl Place {
+    /// Returns the name of the place.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Returns whether a source is a literal, or a target takes nothing else.
+    pub fn is_literal(&self) -> bool {
+        self.literal
+    }
+
+    /// Returns whether the place is in a group of this name.
+    pub fn is_in(&self, group: &str) -> bool {
+        self.groups.iter().any(|name| name == group)
+    }
+
     fn is(&self, name: &str) -> bool {
-        *self.name == *name || self.groups.iter().any(|group| group == name)
+        *self.name == *name || self.is_in(name)
     }
 
     /// Returns whether a surrounding is the body of a unit and no statement.
@@ -216,7 +232,7 @@ impl Place {
     }
 
     /// Returns whether a dialect has the place for values that go from one type to another.
-    fn stands(&self, dialect: DialectName, from: &str, to: &str) -> bool {
+    pub fn stands(&self, dialect: DialectName, from: &str, to: &str) -> bool {
         self.dialects.contains(&dialect) && self.only.holds(&[from, to])
     }
 }

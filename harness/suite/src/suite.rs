@@ -30,6 +30,8 @@ pub struct Suite {
     pub dialects: Dialects,
     /// The sources that cases may cite, from `sources.toml` and `rules.md`.
     pub sources: Sources,
+    /// The places in which programs can be put together, from `places.toml`.
+    pub places: Places,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -106,6 +108,7 @@ impl Suite {
             suite.take(&file.shown, harvest);
         }
         suite.sources = sources;
+        suite.places = places;
         suite.errors.sort();
         suite
     }

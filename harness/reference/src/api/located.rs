@@ -7,12 +7,10 @@ use crate::diagnostic::SpannedDiagnostic;
 use crate::source::{LineIndex, Span};
 use stickler_types::Diagnostic;
 
-/// Drops what is suppressed, finds lines and columns, sorts by line, column and code, and says nothing twice.
-pub(super) fn locate(
-    mut diagnostics: Vec<SpannedDiagnostic>,
-    text: &str,
-    lines: &LineIndex,
-) -> Vec<Diagnostic> {
+/// Returns the diagnostics of a text as a person reads them: without those that another one suppresses, with lines and columns,
+/// sorted by line, column and code, and none twice.
+#[must_use]
+pub fn locate(mut diagnostics: Vec<SpannedDiagnostic>, text: &str, lines: &LineIndex) -> Vec<Diagnostic> {
     suppress(&mut diagnostics);
     let mut located: Vec<_> = diagnostics
         .into_iter()

@@ -33,7 +33,11 @@ pub fn run(request: &RunRequest<'_>, limits: Limits) -> Result<Outcome, RequestE
     })
 }
 
-fn execute(
+/// Runs a program that has been checked, for `request.scans` scans; of the request, the text and the dialect are not looked at.
+///
+/// # Errors
+/// As [`run`].
+pub fn execute(
     program: &CheckedProgram,
     request: &RunRequest<'_>,
     limits: Limits,

@@ -6,6 +6,7 @@ use super::constants::combine;
 use super::expressions::fitting;
 use super::lowering::{LoweredValue, Lowering};
 use super::operators::{Action, OperatorSignature, TypedOperation};
+use super::trace::UseKind;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
@@ -15,6 +16,7 @@ use stickler_types::{Code, ElementaryType};
 struct Link {
     node: ExpressionId,
     operator: BinaryOperator,
+    left: ExpressionId,
     right: ExpressionId,
     operation: Option<TypedOperation>,
 }
@@ -36,6 +38,7 @@ impl Lowering<'_> {
             links.push(Link {
                 node: at,
                 operator,
+                left,
                 right,
                 operation,
             });
@@ -81,9 +84,9 @@ impl Lowering<'_> {
             self.value(link.right, None);
             return LoweredValue::ERROR;
         };
-        let left = self.adapt(left, operation.left);
+        let left = self.operand(link.left, left, operation.left);
         let right = self.value(link.right, Some(operation.right));
-        let right = self.adapt(right, operation.right);
+        let right = self.operand(link.right, right, operation.right);
         if left.ty == TypeId::ERROR || right.ty == TypeId::ERROR {
             // An operation on enumerated values has no elementary type, yet nothing is wrong with it.
             return LoweredValue::ERROR;
@@ -112,6 +115,15 @@ impl Lowering<'_> {
             ty: operation.result,
             constant: None,
         }
+    }
+
+    /// Converts an operand, which is on the stack, to the type in which its operator computes.
+    fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
+        let converted = self.adapt(value, to);
+        if let (Some(from), Some(to)) = (value.ty.elementary(), to.elementary()) {
+            self.emitter.record(id, UseKind::Operand { from, to });
+        }
+        converted
     }
 
     /// Computes integer arithmetic on two constants that have just been pushed, one of them at least the

@@ -5,6 +5,7 @@ use super::lowering::Lowering;
 use super::model::{Model, SourceText};
 use super::observation::{CheckedProgram, VariableTable};
 use super::reporter::Reporter;
+use super::trace::{Trace, TracedUse};
 use crate::diagnostic::SpannedDiagnostic;
 use crate::dialect::Dialect;
 use crate::instruction::MachineProgram;
@@ -22,17 +23,45 @@ pub fn check(
     lines: &LineIndex,
     dialect: &Dialect,
 ) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>) {
-    let mut reporter = Reporter::default();
     let source = SourceText {
         unit,
         text,
         lines,
         dialect,
     };
+    let (checked, diagnostics, _) = lower(source, None);
+    (checked, diagnostics)
+}
+
+/// Checks a source text as [`check`] does, and gives besides all places at which a value meets a type or a bit is read or written,
+/// whether or not anything is wrong.
+#[must_use]
+pub fn check_traced(
+    unit: &SourceUnit<'_>,
+    text: &str,
+    lines: &LineIndex,
+    dialect: &Dialect,
+) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>, Vec<TracedUse>) {
+    let source = SourceText {
+        unit,
+        text,
+        lines,
+        dialect,
+    };
+    lower(source, Some(Trace::default()))
+}
+
+fn lower(
+    source: SourceText<'_>,
+    trace: Option<Trace>,
+) -> (Option<CheckedProgram>, Vec<SpannedDiagnostic>, Vec<TracedUse>) {
+    let mut reporter = Reporter::default();
     let (model, memory) = declare(source, &mut reporter);
-    let program = Lowering::new(&model, memory, &mut reporter).lower();
+    let mut lowering = Lowering::new(&model, memory, &mut reporter);
+    lowering.emitter.keep(trace);
+    let (program, uses) = lowering.lower();
     let checked = finish(model, program, &reporter);
-    (checked, reporter.finish())
+    (checked, reporter.finish(), uses)
 }
 
 fn finish(model: Model<'_>, program: MachineProgram, reporter: &Reporter) -> Option<CheckedProgram> {

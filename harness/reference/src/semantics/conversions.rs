@@ -5,6 +5,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::parameters::{ParameterList, single_argument};
+use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
 use crate::source::Span;
@@ -80,6 +81,7 @@ impl Lowering<'_> {
         let given = self.coerce(argument, TypeId::of(from), ValueContext::Argument);
         let to = conversion.result_type(from, wanted.and_then(TypeId::elementary));
         self.emitter.convert(conversion.conversion(from, to));
+        self.emitter.record(argument, UseKind::Converted { from, to });
         if given.ty == TypeId::ERROR {
             value
         } else {

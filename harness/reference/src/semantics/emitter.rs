@@ -1,7 +1,9 @@
 //! Puts code together, routine after routine.
 
+use super::trace::{Trace, TracedUse, UseKind};
 use crate::conversion::{Concatenation, Conversion};
 use crate::instruction::{Instruction, Label, MachineProgram, RoutineId};
+use crate::syntax::tree::ExpressionId;
 use rustc_hash::FxHashMap;
 
 /// The code so far. Routines are made one after the other, so it only ever grows at its end.
@@ -13,6 +15,8 @@ pub(super) struct Emitter {
     routines: Vec<Label>,
     text_constants: Vec<Box<[u16]>>,
     known_texts: FxHashMap<Box<[u16]>, u32>,
+    /// The record of uses, where one is kept.
+    trace: Option<Trace>,
 }
 
 /// The most code units of a text that is copied freely.
@@ -41,6 +45,28 @@ impl Emitter {
         self.code.reserve(instructions);
         self.lines.reserve(instructions);
         self.routines = vec![0; routines as usize];
+    }
+
+    /// Keeps a record of uses from here on, if one is given.
+    pub(super) fn keep(&mut self, trace: Option<Trace>) {
+        self.trace = trace;
+    }
+
+    /// Records a use whose code ends here.
+    pub(super) fn record(&mut self, expression: ExpressionId, kind: UseKind) {
+        let end = Some(self.position());
+        if let Some(trace) = &mut self.trace {
+            trace.push(TracedUse {
+                expression,
+                kind,
+                end,
+            });
+        }
+    }
+
+    /// Takes the recorded uses out; none where no record is kept.
+    pub(super) fn uses(&mut self) -> Vec<TracedUse> {
+        self.trace.take().map(Trace::finish).unwrap_or_default()
     }
 
     /// Begins a routine.
@@ -167,6 +193,9 @@ impl Emitter {
     pub(super) fn truncate(&mut self, position: Label) {
         self.code.truncate(position as usize);
         self.lines.truncate(position as usize);
+        if let Some(trace) = &mut self.trace {
+            trace.truncate(position);
+        }
     }
 
     /// Adds a jump that is to be given its destination later.

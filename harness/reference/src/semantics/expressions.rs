@@ -9,6 +9,7 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
+use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::implicit;
 use crate::instruction::Instruction;
@@ -40,10 +41,20 @@ impl<'m> Lowering<'m> {
         let value = self.value(id, wanted.then_some(to));
         if fits == Fit::No {
             self.report_lowered_misfit(id, inferred, value, to, context);
+            self.record_expected(id, flexible, to, false);
             return LoweredValue::ERROR;
         }
         let value = self.adapt(value, to);
+        self.record_expected(id, flexible, to, fits == Fit::Yes);
         self.check_limits(id, value, target)
+    }
+
+    /// Records that a value stands where an elementary type is expected.
+    fn record_expected(&mut self, id: ExpressionId, value: Inferred, expected: TypeId, fits: bool) {
+        if let Some(to) = expected.elementary() {
+            let from = value.elementary();
+            self.emitter.record(id, UseKind::Expected { from, to, fits });
+        }
     }
 
     /// Says that a value which has been lowered does not fit. A type that is known is wrong here whatever is wrong inside; a

@@ -10,6 +10,7 @@ use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, Storage};
+use super::trace::UseKind;
 use super::types::TypeId;
 use crate::diagnostic::SpannedDiagnostic;
 use crate::instruction::Instruction;
@@ -208,6 +209,7 @@ impl<'m> Lowering<'m> {
                 self.finish_store(place, span);
             } else if sound {
                 self.store(place, span);
+                self.record_written(target, place);
             }
         }
     }
@@ -240,6 +242,7 @@ impl<'m> Lowering<'m> {
                 span,
                 message,
             ));
+            self.record_captured(capture.target, from, to, false);
             return false;
         }
         if self.is_aggregate(output.ty) {
@@ -250,7 +253,15 @@ impl<'m> Lowering<'m> {
             self.emit(Instruction::Not(ElementaryType::Bool));
         }
         self.adapt(value, to);
+        self.record_captured(capture.target, from, to, true);
         true
+    }
+
+    /// Records that an output goes to a variable, where both are of elementary types.
+    fn record_captured(&mut self, target: ExpressionId, from: TypeId, to: TypeId, fits: bool) {
+        if let (Some(from), Some(to)) = (from.elementary(), to.elementary()) {
+            self.emitter.record(target, UseKind::Captured { from, to, fits });
+        }
     }
 
     /// Says that a constant cannot be written.

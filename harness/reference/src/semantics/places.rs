@@ -7,6 +7,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
+use super::trace::UseKind;
 use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::Instruction;
 use crate::source::Span;
@@ -17,7 +18,13 @@ impl<'m> Lowering<'m> {
     /// Puts the value of a variable, element, field or bit on the stack.
     pub(super) fn read(&mut self, id: ExpressionId) -> LoweredValue {
         match self.place(id) {
-            Some(place) => self.load(place),
+            Some(place) => {
+                let value = self.load(place);
+                if let (Some(_), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
+                    self.emitter.record(id, UseKind::BitRead { of });
+                }
+                value
+            }
             None => LoweredValue::ERROR,
         }
     }

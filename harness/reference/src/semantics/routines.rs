@@ -4,12 +4,13 @@ use super::inferred::Inferred;
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
 use super::model::{InitialRoutine, PouEntry};
+use super::trace::TracedUse;
 use crate::instruction::{Instruction, MachineProgram};
 use crate::syntax::tree::VariableKind;
 
 impl<'m> Lowering<'m> {
-    /// Lowers everything that is declared.
-    pub(super) fn lower(mut self) -> MachineProgram {
+    /// Lowers everything that is declared. Gives the program, and its uses where a record of them is kept.
+    pub(super) fn lower(mut self) -> (MachineProgram, Vec<TracedUse>) {
         let model = self.model;
         let expressions = model.source.unit.expressions.len();
         self.emitter.reserve(model.routines, expressions);
@@ -38,13 +39,15 @@ impl<'m> Lowering<'m> {
         self.emit(Instruction::Return);
         self.report_recursion();
         let (memory, texts) = (self.memory.cells(), std::mem::take(&mut self.memory.texts));
-        MachineProgram {
+        let uses = self.emitter.uses();
+        let program = MachineProgram {
             startup,
             scan,
             memory,
             texts,
             ..self.emitter.finish()
-        }
+        };
+        (program, uses)
     }
 
     /// A function begins anew at each call; inputs that a call leaves out take their defaults.

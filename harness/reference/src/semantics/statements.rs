@@ -2,7 +2,9 @@
 
 use super::contexts::ValueContext;
 use super::emitter::{Jump, Loop};
+use super::locations::VariablePlace;
 use super::lowering::Lowering;
+use super::trace::UseKind;
 use super::types::TypeId;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
@@ -75,6 +77,14 @@ impl<'m> Lowering<'m> {
         self.begin_store(place);
         self.coerce(value, place.content(), context);
         self.finish_store(place, self.span(target));
+        self.record_written(target, place);
+    }
+
+    /// Records that a bit has been written, where the place is one.
+    pub(super) fn record_written(&mut self, target: ExpressionId, place: VariablePlace) {
+        if let (Some(_), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
+            self.emitter.record(target, UseKind::BitWritten { of });
+        }
     }
 
     /// Leaves the value of a condition on the stack.

@@ -1,0 +1,108 @@
+//! `places`: saboteurs that break one claim in one place, and how many cases notice.
+//!
+//! A saboteur is the reference with one rule broken in one place: an implicit conversion that is refused as an element of an array,
+//! a bit that is written wrongly inside a loop. It works on what the reference made of a program: its errors, its instructions,
+//! and for rendering its tree. It answers as the reference does where a program does not have the rule in that place, so only the
+//! other cases are run against it.
+
+mod analysis;
+mod change;
+mod claim;
+mod explained;
+mod matrix;
+mod measure;
+mod names;
+mod saboteur;
+mod site;
+mod standing;
+mod table;
+#[cfg(test)]
+mod tests;
+mod wrong_code;
+
+use crate::{RunFailure, ends_with};
+use clap::Args;
+use explained::ExplainedSaboteurs;
+use saboteur::Saboteur;
+use std::path::PathBuf;
+use stickler_suite::Suite;
+use table::Judged;
+
+/// Breaks one claim in one place after the other, and lets the cases of the suite say whether anything is wrong.
+///
+/// Exit codes: 0; 1 where a saboteur is not noticed that unnoticed.toml does not explain, or where it explains one that is noticed;
+/// 2 usage, or a broken case file.
+#[derive(Args)]
+pub struct PlacesArguments {
+    /// Only rules whose names contain this text: `implicit.`, `bit`, `.wrong`.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    rule: String,
+    /// Only places whose names contain this text: `target.argument`, `source.`, `from SINT`.
+    #[arg(long, value_name = "TEXT", default_value = "")]
+    place: String,
+    /// A line for each saboteur: rule, place, and how many cases have it, see it and fail.
+    #[arg(long)]
+    each: bool,
+    /// The number of threads; 0 stands for one a processor.
+    #[arg(long, short, value_name = "N", default_value_t = 0)]
+    jobs: usize,
+    /// The folder of the cases.
+    #[arg(long, value_name = "DIR", default_value = "conformance-cases")]
+    cases: PathBuf,
+}
+
+/// Runs the cases against the saboteurs, and prints what came of it.
+pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
+    let suite = Suite::load(&arguments.cases);
+    if let Some(error) = suite.errors.first() {
+        let error =
+            anyhow::anyhow!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
+        return Err(ends_with(2)(error));
+    }
+    let is_wanted = |saboteur: &Saboteur| {
+        saboteur.rule.to_string().contains(&arguments.rule)
+            && saboteur.place.to_string().contains(&arguments.place)
+    };
+    let mut tallies = measure::measure(&suite.cases, arguments.jobs, is_wanted).map_err(ends_with(2))?;
+    for saboteur in matrix::required(&suite).into_iter().filter(is_wanted) {
+        tallies.entry(saboteur).or_default();
+    }
+    let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
+    let judged = table::judge(tallies, &explained);
+    let whole = arguments.rule.is_empty() && arguments.place.is_empty();
+    let listed = judged.iter().filter(|one| one.kind.is_some());
+    let stale = match whole {
+        true => explained.stale(listed.map(|one| &one.saboteur)),
+        false => Vec::new(),
+    };
+    Ok(print(&judged, &stale, arguments.each))
+}
+
+/// Prints the tables and what is wrong, and returns the exit code.
+fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
+    if each {
+        for Judged { saboteur, tally, .. } in judged {
+            let (rule, place) = (saboteur.rule, saboteur.place);
+            println!(
+                "{rule}\t{place}\t{}\t{}\t{}",
+                tally.met, tally.changed, tally.noticed
+            );
+        }
+    }
+    println!("{}\n{}", table::by_place(judged), table::by_rule(judged));
+    let unexplained: Vec<&Judged> = judged.iter().filter(|one| one.is_open()).collect();
+    for one in &unexplained {
+        println!("{}", one.complaint());
+    }
+    for entry in stale {
+        println!("stale: unnoticed.toml explains {entry}, which is noticed or does not exist");
+    }
+    let noticed = judged.iter().filter(|one| one.is_noticed()).count();
+    println!(
+        "{} saboteurs: {noticed} noticed, {} explained, {} neither",
+        judged.len(),
+        judged.len() - noticed - unexplained.len(),
+        unexplained.len()
+    );
+    u8::from(!unexplained.is_empty() || !stale.is_empty())
+}

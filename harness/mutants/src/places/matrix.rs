@@ -1,0 +1,132 @@
+//! The saboteurs that there must be: every rule in every place of `places.toml` in which it can apply.
+
+use super::claim::{BitClaim, Claim, Direction, Fault, Form, LiteralPair, PairKind, Rule};
+use super::saboteur::{BrokenPlace, Saboteur};
+use std::collections::BTreeSet;
+use stickler_reference::Dialect;
+use stickler_reference::conversion::{conversion_function_name, implicit};
+use stickler_reference::dialect::PartialAccess;
+use stickler_suite::{Place, Role, Suite};
+use stickler_types::{DialectName, ElementaryType};
+
+/// A value that goes from one type to another in a dialect.
+type Flow = (DialectName, ElementaryType, ElementaryType);
+
+/// Returns every rule in every place in which some dialect has it.
+pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
+    let dialects = DialectName::ALL.map(|name| (name, Dialect::of(name)));
+    let mut required = BTreeSet::new();
+    for rule in Rule::all() {
+        let flows = flows(rule, &dialects);
+        for role in [Role::Source, Role::Target, Role::Surrounding] {
+            let places = suite.places.of(role).iter();
+            for place in places.filter(|place| fits(rule, role, place)) {
+                let stands = |&(dialect, from, to): &Flow| place.stands(dialect, from.name(), to.name());
+                if flows.iter().any(stands) {
+                    let place = broken(role, place);
+                    required.insert(Saboteur { rule, place });
+                }
+            }
+        }
+    }
+    required
+}
+
+fn broken(role: Role, place: &Place) -> BrokenPlace {
+    // There are some dozens of places, and the program is about to end when they are no longer needed.
+    let name: &'static str = place.name().to_owned().leak();
+    match role {
+        Role::Source => BrokenPlace::Source(name),
+        Role::Target => BrokenPlace::Target(name),
+        Role::Surrounding => BrokenPlace::Surrounding(name),
+    }
+}
+
+/// Returns the values that a rule speaks of.
+fn flows(rule: Rule, dialects: &[(DialectName, Dialect)]) -> Vec<Flow> {
+    let mut flows = Vec::new();
+    for (name, dialect) in dialects {
+        for from in ElementaryType::ALL {
+            for to in ElementaryType::ALL {
+                if speaks_of(rule, dialect, from, to) {
+                    flows.push((*name, from, to));
+                }
+            }
+        }
+    }
+    flows
+}
+
+fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: ElementaryType) -> bool {
+    let converts = || implicit(from, to, dialect).is_some();
+    match rule.claim {
+        Claim::Implicit(kind) => {
+            PairKind::of(from, to) == Some(kind) && converts() == (rule.fault != Fault::Admitted)
+        }
+        Claim::Operand(kind) => PairKind::of(from, to) == Some(kind) && converts() && has_operators(to),
+        Claim::Function(kind) => {
+            PairKind::of(from, to) == Some(kind) && conversion_function_name(from, to, dialect).is_some()
+        }
+        // A literal has no type of its own.
+        Claim::Literal(pair) => from == to && meets(pair, to),
+        Claim::Bit(claim, direction, form) => {
+            let (base, other) = match direction {
+                Direction::Read => (from, to),
+                Direction::Written => (to, from),
+            };
+            let has_bits = base.is_integer() || base.is_bit_string();
+            let form_exists = match form {
+                Form::Short => dialect.bit_access,
+                Form::PartialAccess => dialect.partial_access == PartialAccess::BitsOnly,
+                Form::Wider => false,
+            };
+            match claim {
+                BitClaim::Selected | BitClaim::Outside | BitClaim::Rendered => {
+                    has_bits && form_exists && other == ElementaryType::Bool
+                }
+                BitClaim::NoBits => !has_bits && form_exists && other == ElementaryType::Bool,
+                BitClaim::NoSuchForm => {
+                    let part = match form {
+                        Form::Wider => other.is_bit_string(),
+                        _ => other == ElementaryType::Bool,
+                    };
+                    has_bits && dialect.bit_access && !form_exists && part
+                }
+            }
+        }
+    }
+}
+
+fn has_operators(ty: ElementaryType) -> bool {
+    ty.is_integer() || ty.is_real() || ty.is_bit_string() || ty.is_duration()
+}
+
+fn meets(pair: LiteralPair, to: ElementaryType) -> bool {
+    match pair {
+        LiteralPair::IntegerAsInteger => to.is_integer(),
+        LiteralPair::IntegerAsReal | LiteralPair::RealAsReal => to.is_real(),
+        LiteralPair::IntegerAsBitString => to.is_bit_string(),
+        LiteralPair::TextAsText => to.is_text(),
+        LiteralPair::IntegerAsOther | LiteralPair::RealAsOther | LiteralPair::TextAsOther => {
+            to.is_duration() || to.is_date_or_time()
+        }
+    }
+}
+
+/// Returns whether a rule can apply in a place at all. What selects a bit, calls or computes is no literal, and only a variable has
+/// bits.
+fn fits(rule: Rule, role: Role, place: &Place) -> bool {
+    match (rule.claim, role) {
+        (_, Role::Surrounding) => true,
+        (Claim::Implicit(_), _) => true,
+        (Claim::Literal(_), Role::Target) => true,
+        // It is a source of its own.
+        (Claim::Literal(_), Role::Source) => false,
+        (Claim::Operand(_) | Claim::Function(_), Role::Source) => true,
+        (Claim::Operand(_) | Claim::Function(_), Role::Target) => !place.is_literal(),
+        (Claim::Bit(_, Direction::Read, _), Role::Source) => place.is_in("variable"),
+        (Claim::Bit(_, Direction::Read, _), Role::Target) => !place.is_literal(),
+        (Claim::Bit(_, Direction::Written, _), Role::Source) => true,
+        (Claim::Bit(_, Direction::Written, _), Role::Target) => place.is_in("variable"),
+    }
+}

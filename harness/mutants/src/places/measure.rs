@@ -1,0 +1,103 @@
+//! Runs the cases of the suite against every saboteur, and counts how many notice.
+
+use super::analysis::Analysis;
+use super::saboteur::{SabotagedReference, Saboteur};
+use super::site::sites;
+use rustc_hash::FxHashMap;
+use std::collections::{BTreeMap, BTreeSet};
+use stickler_engines::{EngineSession, Grade, Outcome, Reference};
+use stickler_reference::Dialect;
+use stickler_run::{Verdict, ask, judge};
+use stickler_suite::Case;
+use stickler_workers::WorkerPool;
+
+/// The cases that were run against one saboteur.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Tally {
+    /// The number of cases in whose program the saboteur breaks something.
+    pub met: usize,
+    /// The number of those to which it answers otherwise than the reference.
+    pub changed: usize,
+    /// The number of those that fail.
+    pub noticed: usize,
+    /// The key of the first case that is changed.
+    pub example: Option<String>,
+}
+
+/// The number of cases that a thread takes at a time.
+const CHUNK: usize = 256;
+
+/// Runs cases against all saboteurs that `wanted` selects. A case is run against those that break something in its program: to
+/// all others it is the same as the reference.
+///
+/// # Errors
+/// A message where no thread can be started, or where a case fails without a saboteur.
+pub fn measure(
+    cases: &[Case],
+    jobs: usize,
+    wanted: impl Fn(&Saboteur) -> bool + Sync,
+) -> anyhow::Result<BTreeMap<Saboteur, Tally>> {
+    let measured = WorkerPool::new(jobs).map(
+        cases.chunks(CHUNK),
+        || Ok(()),
+        |(), chunk| {
+            let mut tallies = FxHashMap::default();
+            for case in chunk {
+                try_case(case, &wanted, &mut tallies)?;
+            }
+            Ok::<_, anyhow::Error>(tallies)
+        },
+    )?;
+    let mut all = BTreeMap::<Saboteur, Tally>::new();
+    for tallies in measured {
+        for (saboteur, tally) in tallies {
+            let sum = all.entry(saboteur).or_default();
+            sum.met += tally.met;
+            sum.changed += tally.changed;
+            sum.noticed += tally.noticed;
+            sum.example = sum.example.take().or(tally.example);
+        }
+    }
+    Ok(all)
+}
+
+fn try_case(
+    case: &Case,
+    wanted: &impl Fn(&Saboteur) -> bool,
+    tallies: &mut FxHashMap<Saboteur, Tally>,
+) -> anyhow::Result<()> {
+    let analysis = Analysis::new(&case.source, &Dialect::of(case.dialect));
+    let sites = sites(&analysis, case.expectation.rendered.is_some());
+    let saboteurs: BTreeSet<Saboteur> = sites.iter().flat_map(Saboteur::of).filter(wanted).collect();
+    if saboteurs.is_empty() {
+        return Ok(());
+    }
+    let reference = Reference::new();
+    let right = ask(&mut EngineSession::open(&reference)?, case)?;
+    let verdict = judge(case, &right, Grade::Code).verdict;
+    anyhow::ensure!(
+        verdict == Verdict::Pass,
+        "{} fails without a saboteur; `cargo run` shows why",
+        case.key()
+    );
+    for saboteur in saboteurs {
+        let engine = SabotagedReference::new(saboteur);
+        let answers = ask(&mut EngineSession::open(&engine)?, case)?;
+        let broken = answers
+            .outcomes()
+            .find(|outcome| matches!(outcome, Outcome::Crashed { .. } | Outcome::Error { .. }));
+        anyhow::ensure!(
+            broken.is_none(),
+            "{saboteur} breaks the machine and not a claim, in {}",
+            case.key()
+        );
+        let tally = tallies.entry(saboteur).or_default();
+        tally.met += 1;
+        if answers != right {
+            tally.changed += 1;
+            tally.example.get_or_insert_with(|| case.key());
+            tally.noticed += usize::from(judge(case, &answers, Grade::Code).verdict != Verdict::Pass);
+        }
+    }
+    Ok(())
+}

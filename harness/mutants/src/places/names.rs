@@ -1,0 +1,114 @@
+//! The names that a source text declares, as far as they tell in which place a value stands.
+
+use rustc_hash::FxHashMap;
+use stickler_reference::syntax::tree::{
+    CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
+    VariableBlock, VariableKind,
+};
+
+/// The program organization units and the global variables of a source text.
+#[derive(Debug, Default)]
+pub struct Names<'u> {
+    pous: FxHashMap<CaseFolded<'u>, &'u Pou<'u>>,
+    globals: FxHashMap<CaseFolded<'u>, Variable<'u>>,
+}
+
+/// The variables of a program organization unit.
+#[derive(Debug, Default)]
+pub struct Variables<'u> {
+    by_name: FxHashMap<CaseFolded<'u>, Variable<'u>>,
+    /// The name of the function whose result is a variable of that name.
+    function: Option<CaseFolded<'u>>,
+}
+
+/// A variable, and the section in which it is declared.
+#[derive(Clone, Copy, Debug)]
+pub struct Variable<'u> {
+    /// The kind of section.
+    pub kind: VariableKind,
+    /// Whether CONSTANT stands behind the section's keyword.
+    pub constant: bool,
+    /// Whether RETAIN stands behind the section's keyword.
+    pub retained: bool,
+    specification: &'u TypeSpecification<'u>,
+}
+
+impl<'u> Names<'u> {
+    /// Collects the names of a source text.
+    pub fn new(unit: &'u SourceUnit<'u>) -> Names<'u> {
+        let mut names = Names::default();
+        for declaration in &unit.declarations {
+            match declaration {
+                Declaration::Pou(pou) => {
+                    names.pous.insert(CaseFolded(pou.name.text), pou);
+                }
+                Declaration::Globals(block) => declare(&mut names.globals, block),
+                Declaration::Configuration(configuration) => {
+                    let blocks = configuration.globals.iter();
+                    blocks.for_each(|block| declare(&mut names.globals, block));
+                }
+                Declaration::Types(_) => {}
+            }
+        }
+        names
+    }
+
+    /// Returns the kind of the program organization unit of a name.
+    pub fn pou(&self, name: &str) -> Option<PouKind> {
+        self.pous.get(&CaseFolded(name)).map(|pou| pou.kind)
+    }
+
+    /// Returns a variable of a unit, or else a global one.
+    pub fn variable(&self, variables: &Variables<'u>, name: &str) -> Option<Variable<'u>> {
+        let name = CaseFolded(name);
+        let found = variables.by_name.get(&name).or_else(|| self.globals.get(&name));
+        found.copied()
+    }
+
+    /// Returns whether a type is that of a function block.
+    pub fn is_block(&self, specification: &TypeSpecification<'_>) -> bool {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.pou(name.text) == Some(PouKind::FunctionBlock),
+            _ => false,
+        }
+    }
+
+    /// Returns whether a variable is an instance of a function block.
+    pub fn is_instance(&self, variable: Variable<'_>) -> bool {
+        self.is_block(variable.specification)
+    }
+}
+
+impl<'u> Variables<'u> {
+    /// Collects the variables of a unit.
+    pub fn new(pou: &'u Pou<'u>) -> Variables<'u> {
+        let mut variables = Variables {
+            function: (pou.kind == PouKind::Function).then_some(CaseFolded(pou.name.text)),
+            ..Variables::default()
+        };
+        for block in &pou.blocks {
+            declare(&mut variables.by_name, block);
+        }
+        variables
+    }
+
+    /// Returns whether a name is that of the function itself, which is its result there.
+    pub fn is_result(&self, name: &str) -> bool {
+        self.function.is_some_and(|function| function == CaseFolded(name))
+    }
+}
+
+fn declare<'u>(variables: &mut FxHashMap<CaseFolded<'u>, Variable<'u>>, block: &'u VariableBlock<'u>) {
+    let retained = block
+        .retention
+        .is_some_and(|word| word.eq_ignore_ascii_case("RETAIN"));
+    for group in &block.groups {
+        let variable = Variable {
+            kind: block.kind,
+            constant: block.constant,
+            retained,
+            specification: &group.specification,
+        };
+        variables.extend(group.names.iter().map(|name| (CaseFolded(name.text), variable)));
+    }
+}

@@ -1,0 +1,170 @@
+//! Saboteurs: engines that are the reference but for one claim, which they break in one place.
+
+use super::analysis::Analysis;
+use super::change::{self, Change};
+use super::claim::Rule;
+use super::site::{Site, sites};
+use std::fmt;
+use stickler_engines::{Engine, EngineError, Identity, NamedValue, Outcome, Reference, RunRequest, Session};
+use stickler_reference::{self as reference, Dialect, Limits};
+use stickler_types::{DialectName, ElementaryType};
+
+/// A rule that is broken in one place and kept everywhere else.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct Saboteur {
+    /// The rule.
+    pub rule: Rule,
+    /// The place.
+    pub place: BrokenPlace,
+}
+
+/// The place in which a saboteur breaks its rule.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum BrokenPlace {
+    /// Where a value comes from.
+    Source(&'static str),
+    /// Where a value goes to.
+    Target(&'static str),
+    /// The statement or body around.
+    Surrounding(&'static str),
+    /// One pair of types in one target.
+    Cell(ElementaryType, ElementaryType, &'static str),
+    /// One bit of one type.
+    Bit(ElementaryType, u64),
+}
+
+impl Saboteur {
+    /// Returns the saboteurs that break a rule at a site.
+    pub fn of(site: &Site) -> impl Iterator<Item = Saboteur> {
+        let rule = site.rule;
+        let standing = site.standing;
+        let places = [
+            standing.source.map(BrokenPlace::Source),
+            standing.target.map(BrokenPlace::Target),
+            standing.surrounding.map(BrokenPlace::Surrounding),
+            site.pair
+                .zip(standing.target)
+                .map(|((from, to), target)| BrokenPlace::Cell(from, to, target)),
+            site.bit.map(|(of, index)| BrokenPlace::Bit(of, index)),
+        ];
+        places
+            .into_iter()
+            .flatten()
+            .map(move |place| Saboteur { rule, place })
+    }
+
+    /// Returns the changes that the saboteur makes at sites of a program.
+    fn changes(self, sites: &[Site]) -> Vec<&Change> {
+        let broken = |site: &&Site| Saboteur::of(site).any(|saboteur| saboteur == self);
+        sites.iter().filter(broken).map(|site| &site.change).collect()
+    }
+}
+
+impl fmt::Display for Saboteur {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} in {}", self.rule, self.place)
+    }
+}
+
+impl fmt::Display for BrokenPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BrokenPlace::Source(name) => write!(f, "source.{name}"),
+            BrokenPlace::Target(name) => write!(f, "target.{name}"),
+            BrokenPlace::Surrounding(name) => write!(f, "surrounding.{name}"),
+            BrokenPlace::Cell(from, to, target) => {
+                write!(f, "target.{target} from {} to {}", from.name(), to.name())
+            }
+            BrokenPlace::Bit(of, index) => write!(f, "{}.{index}", of.name()),
+        }
+    }
+}
+
+/// The reference with one claim broken in one place.
+#[derive(Clone, Debug)]
+pub struct SabotagedReference {
+    identity: Identity,
+    saboteur: Saboteur,
+}
+
+impl SabotagedReference {
+    /// Returns the engine of a saboteur.
+    #[must_use]
+    pub fn new(saboteur: Saboteur) -> SabotagedReference {
+        let identity = Identity {
+            name: saboteur.to_string(),
+            ..Reference::new().identity().clone()
+        };
+        SabotagedReference { identity, saboteur }
+    }
+}
+
+impl Engine for SabotagedReference {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(SabotagedSession(self.saboteur)))
+    }
+}
+
+struct SabotagedSession(Saboteur);
+
+impl SabotagedSession {
+    /// Returns the program with the changes of the saboteur; `None` where it changes nothing.
+    fn sabotaged<'s>(&self, source: &'s str, dialect: &Dialect, rendered: bool) -> Option<Analysis<'s>> {
+        let mut analysis = Analysis::new(source, dialect);
+        let sites = sites(&analysis, rendered);
+        let changes = self.0.changes(&sites);
+        if changes.is_empty() {
+            return None;
+        }
+        change::apply(&mut analysis, changes);
+        Some(analysis)
+    }
+}
+
+impl Session for SabotagedSession {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let dialect = Dialect::of(request.dialect);
+        let outcome = match self.sabotaged(request.source, &dialect, false) {
+            None => reference::run(request, Limits::default()),
+            Some(analysis) if !analysis.diagnostics.is_empty() => Ok(rejected(analysis)),
+            Some(analysis) => match &analysis.program {
+                Some(program) => reference::execute(program, request, Limits::default()),
+                None => Ok(Outcome::Accepted),
+            },
+        };
+        outcome.unwrap_or_else(|error| Outcome::Error {
+            message: error.to_string(),
+        })
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let no_values: &[NamedValue] = &[];
+        let request = RunRequest::once(dialect, source, &[]);
+        match self.run(&request) {
+            Outcome::Executed { values } if values == no_values => Outcome::Accepted,
+            outcome => outcome,
+        }
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let rendered = match self.sabotaged(source, &Dialect::of(dialect), true) {
+            Some(analysis) if analysis.diagnostics.is_empty() => {
+                Ok(reference::syntax::render(&analysis.unit, source))
+            }
+            _ => reference::render(source, dialect),
+        };
+        match rendered {
+            Ok(text) => Outcome::Rendered { text },
+            Err(diagnostics) => Outcome::Rejected { diagnostics },
+        }
+    }
+}
+
+fn rejected(analysis: Analysis<'_>) -> Outcome {
+    let diagnostics = reference::locate(analysis.diagnostics, analysis.source, &analysis.lines);
+    Outcome::Rejected { diagnostics }
+}

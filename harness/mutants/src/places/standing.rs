@@ -1,0 +1,485 @@
+//! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
+
+use super::names::{Names, Variables};
+use stickler_reference::source::{LineIndex, Span};
+use stickler_reference::syntax::tree::{
+    Argument, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou,
+    PouKind, SourceUnit, Statement, StatementKind, TypeSpecification, TypeSpecificationKind, UnaryOperator,
+    VariableGroup, VariableKind,
+};
+
+/// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Standing {
+    /// The form of the expression; of one that is written, the form of the value.
+    pub source: Option<&'static str>,
+    /// The form of what a bit is selected of, where the expression selects one.
+    pub base: Option<&'static str>,
+    /// The place that the value goes to.
+    pub target: Option<&'static str>,
+    /// The statement or the body around both.
+    pub surrounding: Option<&'static str>,
+    /// The call that the expression is an argument of.
+    pub call: Option<ExpressionId>,
+    /// Whether the expression is written, not read.
+    pub written: bool,
+}
+
+impl Standing {
+    /// Returns the places of a bit: where it is read, its source is that of what it is part of.
+    pub fn of_bit(self) -> Standing {
+        let source = if self.written { self.source } else { self.base };
+        Standing { source, ..self }
+    }
+}
+
+/// The places of all expressions of a program.
+#[derive(Debug)]
+pub struct Standings(Vec<Standing>);
+
+impl Standings {
+    /// Finds the places of all expressions.
+    pub fn new(unit: &SourceUnit<'_>, lines: &LineIndex) -> Standings {
+        let names = Names::new(unit);
+        let mut walk = Walk {
+            unit,
+            lines,
+            names: &names,
+            variables: Variables::default(),
+            found: vec![Standing::default(); unit.expressions.len()],
+            around: Vec::new(),
+            body: None,
+            waiting: Vec::new(),
+        };
+        for declaration in &unit.declarations {
+            walk.declaration(declaration);
+        }
+        Standings(walk.found)
+    }
+
+    /// Returns the places of an expression.
+    pub fn of(&self, id: ExpressionId) -> Standing {
+        self.0.get(id.0 as usize).copied().unwrap_or_default()
+    }
+}
+
+struct Walk<'w, 'u> {
+    unit: &'u SourceUnit<'u>,
+    lines: &'w LineIndex,
+    names: &'w Names<'u>,
+    variables: Variables<'u>,
+    found: Vec<Standing>,
+    /// The statements around, the innermost last.
+    around: Vec<&'static str>,
+    /// The body around.
+    body: Option<&'static str>,
+    /// Expressions whose parts have not been visited yet.
+    waiting: Vec<(ExpressionId, Standing)>,
+}
+
+impl<'u> Walk<'_, 'u> {
+    fn declaration(&mut self, declaration: &'u Declaration<'u>) {
+        match declaration {
+            Declaration::Pou(pou) => self.pou(pou),
+            Declaration::Types(types) => {
+                for declared in types {
+                    self.specification(&declared.specification);
+                    if let Some(initializer) = &declared.initializer {
+                        self.initializer(initializer, "type-initial-value", false);
+                    }
+                }
+            }
+            Declaration::Globals(block) => self.groups(&block.groups, "initial-value"),
+            Declaration::Configuration(configuration) => {
+                for block in &configuration.globals {
+                    self.groups(&block.groups, "initial-value");
+                }
+            }
+        }
+    }
+
+    fn pou(&mut self, pou: &'u Pou<'u>) {
+        self.variables = Variables::new(pou);
+        let body = match pou.kind {
+            PouKind::Program => "program",
+            PouKind::Function => "function",
+            PouKind::FunctionBlock => "function-block",
+        };
+        self.body = Some(body);
+        for block in &pou.blocks {
+            let input = block.kind == VariableKind::Input && pou.kind == PouKind::FunctionBlock;
+            let target = if input {
+                "input-initial-value"
+            } else {
+                "initial-value"
+            };
+            self.groups(&block.groups, target);
+        }
+        self.statements(&pou.body);
+        self.variables = Variables::default();
+        self.body = None;
+    }
+
+    fn groups(&mut self, groups: &'u [VariableGroup<'u>], target: &'static str) {
+        for group in groups {
+            self.specification(&group.specification);
+            if let Some(initializer) = &group.initializer {
+                self.initializer(initializer, target, self.names.is_block(&group.specification));
+            }
+        }
+    }
+
+    fn specification(&mut self, specification: &'u TypeSpecification<'u>) {
+        match &specification.kind {
+            TypeSpecificationKind::Structure(groups) => self.groups(groups, "type-initial-value"),
+            TypeSpecificationKind::Array { element, .. } => self.specification(element),
+            _ => {}
+        }
+    }
+
+    fn initializer(&mut self, initializer: &'u Initializer<'u>, target: &'static str, instance: bool) {
+        match &initializer.kind {
+            InitializerKind::Expression(id) => self.value(*id, target),
+            InitializerKind::Array(elements) => {
+                for element in elements {
+                    let target = match element.repetition {
+                        Some(_) => "array-repetition",
+                        None => "array-initial-value",
+                    };
+                    if let Some(value) = &element.value {
+                        self.initializer(value, target, false);
+                    }
+                }
+            }
+            InitializerKind::Structure(fields) => {
+                let target = if instance {
+                    "instance-initial-value"
+                } else {
+                    "structure-initial-value"
+                };
+                for (_, value) in fields {
+                    self.initializer(value, target, false);
+                }
+            }
+        }
+    }
+
+    fn statements(&mut self, statements: &'u [Statement]) {
+        for (index, statement) in statements.iter().enumerate() {
+            let before = index.checked_sub(1).and_then(|before| statements.get(before));
+            let on_its_line =
+                before.is_some_and(|before| self.line(before.span) == self.line(statement.span));
+            let returns = statements
+                .get(index + 1)
+                .is_some_and(|next| next.kind == StatementKind::Return);
+            let depth = self.around.len();
+            if on_its_line && depth == 0 {
+                self.around.push("second-on-a-line");
+            }
+            self.statement(statement, returns);
+            self.around.truncate(depth);
+        }
+    }
+
+    fn line(&self, span: Span) -> u32 {
+        self.lines.line(span.start)
+    }
+
+    fn inside(&mut self, around: &'static str, statements: &'u [Statement]) {
+        self.around.push(around);
+        self.statements(statements);
+        self.around.pop();
+    }
+
+    fn statement(&mut self, statement: &'u Statement, returns: bool) {
+        match &statement.kind {
+            StatementKind::Assignment { target, value } => self.assignment(*target, *value, returns),
+            StatementKind::Call(id) => self.value(*id, "call"),
+            StatementKind::If { branches, otherwise } => {
+                for (index, (condition, body)) in branches.iter().enumerate() {
+                    let (target, around) = match index {
+                        0 => ("if-condition", "if"),
+                        _ => ("elsif-condition", "elsif"),
+                    };
+                    self.value(*condition, target);
+                    self.inside(around, body);
+                }
+                self.inside("else", otherwise.as_deref().unwrap_or_default());
+            }
+            StatementKind::Case {
+                selector,
+                branches,
+                otherwise,
+            } => {
+                self.value(*selector, "case-selector");
+                for branch in branches {
+                    for label in &branch.labels {
+                        match label {
+                            CaseLabel::Value(value) => self.value(*value, "case-label"),
+                            CaseLabel::Range(low, high) => {
+                                self.value(*low, "case-label");
+                                self.value(*high, "case-label");
+                            }
+                        }
+                    }
+                    self.inside("case", &branch.body);
+                }
+                self.inside("case", otherwise.as_deref().unwrap_or_default());
+            }
+            StatementKind::For {
+                from, to, by, body, ..
+            } => {
+                for bound in [Some(*from), Some(*to), *by].into_iter().flatten() {
+                    self.value(bound, "for-bound");
+                }
+                self.inside("for", body);
+            }
+            StatementKind::While { condition, body } => {
+                self.value(*condition, "while-condition");
+                self.inside("while", body);
+            }
+            StatementKind::Repeat { body, until } => {
+                self.inside("repeat", body);
+                self.value(*until, "until-condition");
+            }
+            StatementKind::Exit | StatementKind::Continue | StatementKind::Return | StatementKind::Empty => {}
+        }
+    }
+
+    fn assignment(&mut self, target: ExpressionId, value: ExpressionId, returns: bool) {
+        let place = self.target(target).map(|place| match (place, returns) {
+            ("result", true) => "result-and-return",
+            _ => place,
+        });
+        let written = Standing {
+            source: self.source(value),
+            target: place,
+            written: true,
+            ..self.here()
+        };
+        self.found[target.0 as usize] = written;
+        self.parts(target, written);
+        let arriving = Standing {
+            target: place,
+            ..self.here()
+        };
+        self.visit(value, arriving);
+    }
+
+    /// Returns the surrounding of what stands here, with no source and no target.
+    fn here(&self) -> Standing {
+        let surrounding = match self.around[..] {
+            [] => self.body,
+            [.., _, _, _] => Some("nested"),
+            [.., innermost] => Some(innermost),
+        };
+        Standing {
+            surrounding,
+            ..Standing::default()
+        }
+    }
+
+    fn value(&mut self, id: ExpressionId, target: &'static str) {
+        let standing = Standing {
+            target: Some(target),
+            ..self.here()
+        };
+        self.visit(id, standing);
+    }
+
+    /// Visits an expression and all of its parts. A chain of operators may be long, so this does not recurse.
+    fn visit(&mut self, id: ExpressionId, standing: Standing) {
+        self.waiting.push((id, standing));
+        while let Some((id, standing)) = self.waiting.pop() {
+            self.found[id.0 as usize] = Standing {
+                source: self.source(id),
+                base: self.base(id),
+                ..standing
+            };
+            self.parts(id, standing);
+        }
+    }
+
+    /// Visits the parts of an expression later. The operands of an operator go where its result goes.
+    fn parts(&mut self, id: ExpressionId, standing: Standing) {
+        let elsewhere = |target| Standing {
+            target: Some(target),
+            call: None,
+            written: false,
+            ..standing
+        };
+        match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary { operand: inner, .. } => {
+                self.waiting.push((*inner, standing));
+            }
+            ExpressionKind::Binary { left, right, .. } => {
+                self.waiting.extend([(*right, standing), (*left, standing)]);
+            }
+            ExpressionKind::Field { base, .. } | ExpressionKind::Bit { base, .. } => {
+                self.waiting.push((*base, elsewhere("part")));
+            }
+            ExpressionKind::Index { base, subscripts } => {
+                self.waiting.push((*base, elsewhere("part")));
+                let subscripts = subscripts.iter().map(|&id| (id, elsewhere("subscript")));
+                self.waiting.extend(subscripts);
+            }
+            ExpressionKind::Call { callee, arguments } => {
+                let arguments = arguments
+                    .iter()
+                    .map(|argument| self.argument(id, *callee, argument, standing));
+                let arguments: Vec<_> = arguments.collect();
+                self.waiting.extend(arguments);
+            }
+            ExpressionKind::Literal(_)
+            | ExpressionKind::Name(_)
+            | ExpressionKind::EnumeratedValue(_)
+            | ExpressionKind::Error => {}
+        }
+    }
+
+    fn argument(
+        &self,
+        call: ExpressionId,
+        callee: ExpressionId,
+        argument: &Argument<'_>,
+        standing: Standing,
+    ) -> (ExpressionId, Standing) {
+        let called = match &self.unit.expressions[callee.0 as usize].kind {
+            ExpressionKind::Name(name) => self.names.pou(name.text),
+            _ => None,
+        };
+        let function = called == Some(PouKind::Function);
+        let block = self.is_instance(callee);
+        let within = standing
+            .target
+            .is_some_and(|target| target.starts_with("argument"));
+        let (id, target) = match argument {
+            Argument::Positional(id) if function => (*id, "argument-by-position"),
+            Argument::Named { value, .. } if function && within => (*value, "argument-in-an-argument"),
+            Argument::Named { value, .. } if function => (*value, "argument"),
+            Argument::Named { value: id, .. } | Argument::Positional(id) if block => (*id, "block-input"),
+            Argument::Output { target, .. } if function => (*target, "function-output"),
+            Argument::Output { target, .. } => (*target, "block-output"),
+            Argument::Named { value: id, .. } | Argument::Positional(id) => (*id, "standard-argument"),
+        };
+        let standing = Standing {
+            target: Some(target),
+            call: Some(call),
+            written: matches!(argument, Argument::Output { .. }),
+            ..standing
+        };
+        (id, standing)
+    }
+
+    /// Returns whether an expression names an instance of a function block.
+    fn is_instance(&self, id: ExpressionId) -> bool {
+        match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Name(name) => self
+                .names
+                .variable(&self.variables, name.text)
+                .is_some_and(|variable| self.names.is_instance(variable)),
+            _ => false,
+        }
+    }
+
+    /// Returns what a bit is selected of; `None` where an expression selects none.
+    fn selected_of(&self, id: ExpressionId) -> Option<ExpressionId> {
+        match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Bit { base, .. } => Some(*base),
+            // A form that the dialect does not have leaves its base before it.
+            ExpressionKind::Error => refused_base(self.unit, id),
+            _ => None,
+        }
+    }
+
+    fn base(&self, id: ExpressionId) -> Option<&'static str> {
+        self.source(self.selected_of(id)?)
+    }
+
+    /// Returns the source that an expression is.
+    fn source(&self, id: ExpressionId) -> Option<&'static str> {
+        Some(match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Parenthesized(_) => "parentheses",
+            ExpressionKind::Binary { .. } => "sum",
+            ExpressionKind::Unary { operator, .. } => match operator {
+                UnaryOperator::Negate => "negation",
+                UnaryOperator::Not => "complement",
+                UnaryOperator::Plus => "plus",
+            },
+            ExpressionKind::Literal(literal) => match literal.prefix() {
+                Some(_) => "typed-literal",
+                None => "literal",
+            },
+            ExpressionKind::Call { callee, .. } => match &self.unit.expressions[callee.0 as usize].kind {
+                ExpressionKind::Name(name) if self.names.pou(name.text).is_some() => "function-result",
+                _ => "standard-function-result",
+            },
+            ExpressionKind::Bit { .. } => "bit",
+            ExpressionKind::Name(name) => {
+                let variable = self.names.variable(&self.variables, name.text)?;
+                match variable.kind {
+                    VariableKind::Local if variable.constant => "constant",
+                    VariableKind::Local if variable.retained => "retained",
+                    VariableKind::Local => "variable",
+                    VariableKind::Temporary => "temporary",
+                    VariableKind::Input => "input",
+                    VariableKind::Output => "output",
+                    VariableKind::InOut => "in-out",
+                    VariableKind::External => "external",
+                    VariableKind::Global => "global",
+                }
+            }
+            ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-output",
+            _ => self.part(id)?,
+        })
+    }
+
+    /// Returns the target that an expression is.
+    fn target(&self, id: ExpressionId) -> Option<&'static str> {
+        let id = self.selected_of(id).unwrap_or(id);
+        Some(match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Name(name) if self.variables.is_result(name.text) => "result",
+            ExpressionKind::Name(name) => match self.names.variable(&self.variables, name.text)?.kind {
+                VariableKind::Local => "assignment",
+                VariableKind::Temporary => "temporary",
+                VariableKind::Input => "input",
+                VariableKind::Output => "output",
+                VariableKind::InOut => "in-out",
+                VariableKind::External => "external",
+                VariableKind::Global => "global",
+            },
+            ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
+            _ => self.part(id)?,
+        })
+    }
+
+    /// Returns the place of an element of an array or a structure.
+    fn part(&self, id: ExpressionId) -> Option<&'static str> {
+        let (base, place) = match &self.unit.expressions[id.0 as usize].kind {
+            ExpressionKind::Field { base, .. } => (*base, "field"),
+            ExpressionKind::Index { base, subscripts } => {
+                let constant = |id: &ExpressionId| {
+                    let kind = &self.unit.expressions[id.0 as usize].kind;
+                    matches!(kind, ExpressionKind::Literal(_) | ExpressionKind::Unary { .. })
+                };
+                match subscripts.iter().all(constant) {
+                    true => (*base, "array-element"),
+                    false => (*base, "array-element-by-variable"),
+                }
+            }
+            _ => return None,
+        };
+        match &self.unit.expressions[base.0 as usize].kind {
+            ExpressionKind::Name(_) => Some(place),
+            _ => Some("path"),
+        }
+    }
+}
+
+/// Returns what a form of partial access was applied to that the dialect does not have.
+pub fn refused_base(unit: &SourceUnit<'_>, id: ExpressionId) -> Option<ExpressionId> {
+    let before = ExpressionId(id.0.checked_sub(1)?);
+    let span = |id: ExpressionId| unit.expressions.get(id.0 as usize).map(|found| found.span);
+    let (base, whole) = (span(before)?, span(id)?);
+    (base.start == whole.start && base.end < whole.end).then_some(before)
+}

@@ -1,0 +1,162 @@
+//! The table of saboteurs, by rule and by place.
+
+use super::claim::Rule;
+use super::explained::ExplainedSaboteurs;
+use super::measure::Tally;
+use super::saboteur::{BrokenPlace, Saboteur};
+use crate::explained::ExplanationKind;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+/// A saboteur and what came of it.
+pub struct Judged {
+    /// The saboteur.
+    pub saboteur: Saboteur,
+    /// The cases that were run against it; none where no program has its rule in its place.
+    pub tally: Tally,
+    /// Why no case notices, where that is listed.
+    pub kind: Option<ExplanationKind>,
+}
+
+impl Judged {
+    /// Returns whether some case notices.
+    pub fn is_noticed(&self) -> bool {
+        self.tally.noticed > 0
+    }
+
+    /// Returns whether no case notices and nobody has said why.
+    pub fn is_open(&self) -> bool {
+        !self.is_noticed() && self.kind.is_none()
+    }
+
+    /// Returns the line that says what is wrong with a saboteur that no case notices.
+    pub fn complaint(&self) -> String {
+        let Judged { saboteur, tally, .. } = self;
+        match tally {
+            Tally { met: 0, .. } => {
+                format!("no case: {saboteur}: no program of the suite has this rule in this place")
+            }
+            Tally { changed: 0, met, .. } => {
+                format!("changes nothing: {saboteur}: {met} cases have it, and no value of theirs shows it")
+            }
+            Tally { changed, example, .. } => {
+                let example = example.as_deref().unwrap_or_default();
+                format!(
+                    "unnoticed: {saboteur}: {changed} cases see it, and none of them asserts what it breaks ({example})"
+                )
+            }
+        }
+    }
+}
+
+/// Looks every saboteur up that is not noticed.
+pub fn judge(tallies: BTreeMap<Saboteur, Tally>, explained: &ExplainedSaboteurs) -> Vec<Judged> {
+    let judged = |(saboteur, tally): (Saboteur, Tally)| {
+        let noticed = tally.noticed > 0;
+        let kind = (!noticed).then(|| explained.kind(&saboteur)).flatten();
+        Judged {
+            saboteur,
+            tally,
+            kind,
+        }
+    };
+    tallies.into_iter().map(judged).collect()
+}
+
+/// The columns of the table.
+const COLUMNS: [&str; 5] = ["sources", "targets", "surroundings", "pairs", "bits"];
+
+const fn column(place: BrokenPlace) -> usize {
+    match place {
+        BrokenPlace::Source(_) => 0,
+        BrokenPlace::Target(_) => 1,
+        BrokenPlace::Surrounding(_) => 2,
+        BrokenPlace::Cell(..) => 3,
+        BrokenPlace::Bit(..) => 4,
+    }
+}
+
+/// A field of the table.
+#[derive(Clone, Copy, Default)]
+struct Field {
+    noticed: usize,
+    explained: usize,
+    all: usize,
+}
+
+impl Field {
+    fn add(&mut self, judged: &Judged) {
+        self.all += 1;
+        self.noticed += usize::from(judged.is_noticed());
+        self.explained += usize::from(judged.kind.is_some());
+    }
+
+    fn text(self) -> String {
+        match (self.all, self.explained) {
+            (0, _) => "-".to_owned(),
+            (all, 0) => format!("{}/{all}", self.noticed),
+            (all, explained) => format!("{}+{explained}/{all}", self.noticed),
+        }
+    }
+}
+
+/// Returns the table of rules: of the saboteurs in sources, targets, surroundings, pairs of types in a target, and bits, how many
+/// are noticed, how many explained, and how many there are; and the fewest cases that notice one of them.
+pub fn by_rule(judged: &[Judged]) -> String {
+    let mut rows: BTreeMap<Rule, ([Field; COLUMNS.len()], usize)> = BTreeMap::new();
+    let mut sums = [Field::default(); COLUMNS.len()];
+    for one in judged {
+        let at = column(one.saboteur.place);
+        let (fields, fewest) = rows
+            .entry(one.saboteur.rule)
+            .or_insert(([Field::default(); COLUMNS.len()], usize::MAX));
+        fields[at].add(one);
+        sums[at].add(one);
+        if one.is_noticed() {
+            *fewest = (*fewest).min(one.tally.noticed);
+        }
+    }
+    let mut table = String::new();
+    line(&mut table, "rule", COLUMNS.map(str::to_owned), "fewest cases");
+    for (rule, (fields, fewest)) in rows {
+        let fewest = match fewest {
+            usize::MAX => "-".to_owned(),
+            fewest => fewest.to_string(),
+        };
+        line(&mut table, &rule.to_string(), fields.map(Field::text), &fewest);
+    }
+    line(&mut table, "all", sums.map(Field::text), "");
+    table
+}
+
+fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
+    let _ = write!(table, "{name:<48}");
+    for (field, width) in fields.iter().zip([10, 10, 13, 16, 11]) {
+        let _ = write!(table, "{field:>width$}");
+    }
+    let _ = writeln!(table, "{fewest:>14}");
+}
+
+/// Returns the table of places: how many rules are noticed there, and the fewest cases that notice one.
+pub fn by_place(judged: &[Judged]) -> String {
+    let mut rows: BTreeMap<String, (Field, usize)> = BTreeMap::new();
+    let places = judged.iter().filter(|one| column(one.saboteur.place) < 3);
+    for one in places {
+        let (field, fewest) = rows
+            .entry(one.saboteur.place.to_string())
+            .or_insert((Field::default(), usize::MAX));
+        field.add(one);
+        if one.is_noticed() {
+            *fewest = (*fewest).min(one.tally.noticed);
+        }
+    }
+    let mut table = format!("{:<48}{:>10}{:>14}\n", "place", "rules", "fewest cases");
+    for (place, (field, fewest)) in rows {
+        let fewest = match fewest {
+            usize::MAX => "-".to_owned(),
+            fewest => fewest.to_string(),
+        };
+        let _ = writeln!(table, "{place:<48}{:>10}{fewest:>14}", field.text());
+    }
+    table
+}

@@ -1,0 +1,207 @@
+//! Saboteurs on small programs, and a sample of the suite against some of them.
+
+use super::analysis::Analysis;
+use super::claim::Rule;
+use super::explained::ExplainedSaboteurs;
+use super::matrix::required;
+use super::measure::{Tally, measure};
+use super::saboteur::{BrokenPlace, SabotagedReference, Saboteur};
+use super::site::sites;
+use super::table::Judged;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::sync::LazyLock;
+use stickler_engines::{EngineSession, Observation, Outcome, RunRequest};
+use stickler_reference::Dialect;
+use stickler_suite::{FileKind, Suite};
+use stickler_types::DialectName;
+
+/// A part of the suite that has programs of every place.
+static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    const FILES: [&str; 3] = [
+        "widening/bool",
+        "bit-access/placed-disabled",
+        "conversion/placed-reals",
+    ];
+    Suite::load_files(&folder, &[], |id, kind| {
+        kind == FileKind::Table && FILES.contains(&id)
+    })
+});
+
+const PROGRAM: &str = "\
+FUNCTION TAKE : INT
+VAR_INPUT in : INT; END_VAR
+    TAKE := in;
+END_FUNCTION
+PROGRAM main
+VAR
+    small : SINT := -1;
+    flags : BYTE := 16#02;
+    list  : ARRAY[0..1] OF INT;
+    plain : INT;
+    given : INT;
+    bit   : BOOL;
+END_VAR
+    plain := small;
+    list[0] := small;
+    IF small < 0 THEN given := TAKE(in := small); END_IF;
+    bit := flags.1;
+END_PROGRAM
+";
+
+/// Returns what a program does where a rule is broken in a place: the values of its variables, or the lines of its errors.
+fn told(rule: &str, place: BrokenPlace) -> String {
+    let rule = *Rule::all()
+        .iter()
+        .find(|known| known.to_string() == rule)
+        .expect("the rule is known");
+    let engine = SabotagedReference::new(Saboteur { rule, place });
+    let observe = ["plain", "list[0]", "given", "bit"].map(|name| Observation::last(name, ""));
+    let request = RunRequest::once(DialectName::IronplcEd3, PROGRAM, &observe);
+    let mut session = EngineSession::open(&engine).expect("it opens");
+    match session.run(&request).expect("it answers") {
+        Outcome::Executed { values } => {
+            let values = values.iter().map(|(_, value)| value.to_string());
+            values.collect::<Vec<_>>().join(" ")
+        }
+        Outcome::Rejected { diagnostics } => {
+            let lines = diagnostics
+                .iter()
+                .filter_map(|found| Some(found.line?.to_string()));
+            lines.collect::<Vec<_>>().join(" ")
+        }
+        other => other.to_string(),
+    }
+}
+
+#[test]
+fn a_rule_is_broken_in_its_place_and_nowhere_else() {
+    const WRONG: &str = "implicit.signed-to-wider.wrong";
+    let right = "INT#-1 INT#-1 INT#-1 BOOL#TRUE";
+    assert_eq!(told(WRONG, BrokenPlace::Target("field")), right);
+    let in_element = BrokenPlace::Target("array-element");
+    assert_eq!(told(WRONG, in_element), "INT#-1 INT#255 INT#-1 BOOL#TRUE");
+    assert_eq!(told("implicit.signed-to-wider.refused", in_element), "15");
+    let in_argument = BrokenPlace::Target("argument");
+    assert_eq!(told(WRONG, in_argument), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
+    let in_if = BrokenPlace::Surrounding("if");
+    assert_eq!(told(WRONG, in_if), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
+    let bit = BrokenPlace::Bit(stickler_types::ElementaryType::Byte, 1);
+    assert_eq!(
+        told("bit.read-short.wrong", bit),
+        "INT#-1 INT#-1 INT#-1 BOOL#FALSE"
+    );
+}
+
+#[test]
+fn an_error_that_is_admitted_is_not_reported() {
+    let source = "PROGRAM main\nVAR a : INT; b : SINT; END_VAR\nb := a;\nb := c;\nEND_PROGRAM\n";
+    let admitted = Saboteur {
+        rule: *Rule::all()
+            .iter()
+            .find(|rule| rule.to_string() == "implicit.integer-to-narrower.admitted")
+            .expect("the rule is known"),
+        place: BrokenPlace::Target("assignment"),
+    };
+    let engine = SabotagedReference::new(admitted);
+    let mut session = EngineSession::open(&engine).expect("it opens");
+    let outcome = session
+        .check(DialectName::IronplcEd3, source)
+        .expect("it answers");
+    let Outcome::Rejected { diagnostics } = outcome else {
+        panic!("the other error stays: {outcome}")
+    };
+    let lines: Vec<_> = diagnostics.iter().map(|found| found.line).collect();
+    assert_eq!(lines, [Some(4)]);
+}
+
+/// Where the design of places says that a value stands, the tree says so too.
+#[test]
+fn the_places_of_a_program_that_is_put_together_are_those_of_its_case() {
+    let mut seen = BTreeSet::new();
+    for case in &SAMPLE.cases {
+        let Some(placement) = &case.placement else {
+            continue;
+        };
+        // Behind a parameter another value stands, and no source goes to an output.
+        let passed = ["result", "result-and-return", "block-output", "function-output"];
+        if passed.contains(&&*placement.target) || !seen.insert((**placement).clone()) {
+            continue;
+        }
+        let analysis = Analysis::new(&case.source, &Dialect::of(case.dialect));
+        let found = sites(&analysis, false).iter().any(|site| {
+            let standing = site.standing;
+            standing.source == Some(&placement.source)
+                && standing.target == Some(&placement.target)
+                && (standing.surrounding == Some(&placement.surrounding)
+                    // A declaration stands in the unit that it belongs to, and the condition of UNTIL a line behind.
+                    || placement.target.ends_with("initial-value")
+                    || &*placement.target == "until-condition")
+        });
+        assert!(found, "{}: {placement:?}\n{}", case.key(), case.source);
+    }
+    assert!(seen.len() > 500, "{}", seen.len());
+}
+
+#[test]
+fn a_sample_of_the_suite_notices_saboteurs() {
+    assert_eq!(SAMPLE.errors, []);
+    let wanted = |saboteur: &Saboteur| {
+        let rule = saboteur.rule.to_string();
+        let place = matches!(saboteur.place, BrokenPlace::Source(_) | BrokenPlace::Target(_));
+        place
+            && [
+                "implicit.bool-to-number.admitted",
+                "no-such-form.read-partial-access.admitted",
+            ]
+            .contains(&&*rule)
+    };
+    let measured = measure(&SAMPLE.cases, 0, wanted).expect("all cases pass");
+    assert!(measured.len() > 25, "{}", measured.len());
+    for (saboteur, tally) in measured {
+        assert!(tally.noticed > 0, "{saboteur}: {tally:?}");
+    }
+}
+
+#[test]
+fn a_saboteur_that_changes_nothing_is_said_to() {
+    let saboteur = Saboteur {
+        rule: Rule::all()[0],
+        place: BrokenPlace::Target("field"),
+    };
+    let complaint = |tally| {
+        let judged = Judged {
+            saboteur,
+            tally,
+            kind: None,
+        };
+        judged.complaint()
+    };
+    let met = Tally {
+        met: 2,
+        ..Tally::default()
+    };
+    assert!(
+        complaint(met)
+            .starts_with("changes nothing: implicit.signed-to-wider.refused in target.field: 2 cases")
+    );
+    assert!(complaint(Tally::default()).starts_with("no case: "));
+}
+
+#[test]
+fn the_list_names_rules_and_places_that_there_are() {
+    let known: BTreeSet<String> = Rule::all().iter().map(Rule::to_string).collect();
+    assert_eq!(known.len(), Rule::all().len(), "each rule has a name of its own");
+    let explained = ExplainedSaboteurs::read().expect("the list is readable");
+    let unknown: Vec<&str> = explained.rules().filter(|rule| !known.contains(*rule)).collect();
+    assert_eq!(unknown, [""; 0]);
+    let all = required(&SAMPLE);
+    assert!(
+        all.iter()
+            .any(|saboteur| saboteur.place == BrokenPlace::Source("in-out"))
+    );
+    // REAL becomes LREAL in every dialect but matiec, where nothing stands for another type.
+    let admitted = |saboteur: &&Saboteur| saboteur.rule.to_string() == "implicit.real-to-lreal.admitted";
+    assert!(all.iter().any(|saboteur| admitted(&saboteur)));
+}
