@@ -1,6 +1,7 @@
 //! ReproductionCommands that see a finding again, to be pasted into a shell.
 
 use crate::finding::Finding;
+use crate::inputs::Inputs;
 use std::path::PathBuf;
 use stickler_engines::shell_quote;
 use stickler_types::DialectName;
@@ -18,8 +19,10 @@ pub struct ReproductionCommands {
     pub dialects: Vec<DialectName>,
     /// The targets that were asked for; the place of an input says which of them judges it.
     pub targets: Vec<String>,
-    /// The value of each `--without`.
+    /// The value of each `--without`, and the words for what a survey found.
     pub without: Vec<String>,
+    /// The number of bytes of the largest inputs.
+    pub max_input: usize,
 }
 
 impl ReproductionCommands {
@@ -46,9 +49,16 @@ impl ReproductionCommands {
             find.push_str(" --target ");
             find.push_str(target);
         }
-        for word in &self.without {
+        if !self.without.is_empty() {
             find.push_str(" --without ");
-            find.push_str(&shell_quote(word));
+            find.push_str(&shell_quote(&self.without.join(",")));
+        }
+        if !self.engines.is_empty() {
+            // What it would find is named already.
+            find.push_str(" --no-survey");
+            if self.max_input != Inputs::MAX_LEN {
+                find.push_str(&format!(" --max-input {}", self.max_input));
+            }
         }
         if finding.origin.open {
             find.push_str(" --open");

@@ -16,7 +16,7 @@ mod worker;
 pub(crate) use comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
 pub(crate) use describe::describe;
 pub use engine::EngineUnderTest;
-pub(crate) use engine::ask;
+pub(crate) use engine::{ask, ask_all};
 pub(crate) use evaluated::EvaluatedProgram;
 pub use pace::PackPolicy;
 pub(crate) use reduction::expected;

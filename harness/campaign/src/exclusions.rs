@@ -11,7 +11,32 @@ use stickler_types::{DialectName, ElementaryType};
 
 /// The parts of the language that programs shall not have, by their words.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Exclusions(Vec<String>);
+pub struct Exclusions(Vec<Exclusion>);
+
+/// A part of the language that programs of a dialect, or of any dialect, shall not have.
+#[derive(Clone, PartialEq, Eq, Debug)]
+struct Exclusion {
+    word: String,
+    dialect: Option<DialectName>,
+}
+
+impl Exclusion {
+    /// Reads `WORD` or `WORD@DIALECT`.
+    fn new(text: &str) -> Exclusion {
+        let parts = text.rsplit_once('@');
+        let limited = parts.and_then(|(word, dialect)| Some((word, dialect.parse().ok()?)));
+        match limited {
+            Some((word, dialect)) => Exclusion {
+                word: word.to_owned(),
+                dialect: Some(dialect),
+            },
+            None => Exclusion {
+                word: text.to_owned(),
+                dialect: None,
+            },
+        }
+    }
+}
 
 /// A word that names no part of the language that can be left out.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -23,30 +48,36 @@ pub struct Exclusions(Vec<String>);
 pub struct UnknownWord(String);
 
 impl Exclusions {
-    /// Reads the words, in any case.
+    /// Reads the words, in any case. A word may be followed by `@` and a dialect, of whose programs alone it speaks then.
     ///
     /// # Errors
     /// [`UnknownWord`]: the first that stands for nothing, so that a slip does not pass for a wish that was granted.
     pub fn new(words: &[String]) -> Result<Exclusions, UnknownWord> {
-        let known = |word: &String| match is_known(word) {
-            true => Ok(word.clone()),
-            false => Err(UnknownWord(word.clone())),
+        let known = |text: &String| {
+            let exclusion = Exclusion::new(text);
+            match is_known(&exclusion.word) {
+                true => Ok(exclusion),
+                false => Err(UnknownWord(text.clone())),
+            }
         };
         words.iter().map(known).collect::<Result<_, _>>().map(Exclusions)
     }
 
-    /// Returns whether nothing is excluded.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.0.is_empty()
-    }
-
     /// Returns whether the program has nothing that is excluded.
     pub(crate) fn admits(&self, program: &Program) -> bool {
-        if self.is_empty() {
+        let applies =
+            |exclusion: &&Exclusion| exclusion.dialect.is_none_or(|dialect| dialect == program.dialect);
+        let own: Vec<&str> = self
+            .0
+            .iter()
+            .filter(applies)
+            .map(|exclusion| exclusion.word.as_str())
+            .collect();
+        if own.is_empty() {
             return true;
         }
         let has = features(program, FeatureDetail::Complete);
-        let unwanted = |name: &String| self.0.iter().any(|other| other.eq_ignore_ascii_case(name));
+        let unwanted = |name: &String| own.iter().any(|word| word.eq_ignore_ascii_case(name));
         !has.keys().any(unwanted)
     }
 }
@@ -141,6 +172,18 @@ mod tests {
         assert!(came > 190, "{came}");
         let all = Inputs::new(3).program_without(1, &ed3, false, &Exclusions::default());
         assert_eq!(all, Some(Inputs::new(3).program(1, &ed3, false)));
+    }
+
+    #[test]
+    fn a_word_with_a_dialect_speaks_of_its_programs_alone() {
+        let without = without(&["bool@ironplc-ed3"]).unwrap();
+        let program = |dialect| Inputs::new(3).program(1, &[dialect], false);
+        let has_it = |program: &Program| features(program, FeatureDetail::Complete).contains_key("BOOL");
+        let [second, third] = [DialectName::IronplcEd2, DialectName::IronplcEd3].map(program);
+        assert!(has_it(&second) && has_it(&third));
+        assert!(without.admits(&second) && !without.admits(&third));
+        let unknown = Exclusions::new(&["BOOL@ed3".to_owned()]).unwrap_err().to_string();
+        assert!(unknown.contains("`BOOL@ed3`"), "{unknown}");
     }
 
     #[test]

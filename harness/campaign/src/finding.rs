@@ -162,10 +162,7 @@ impl Finding {
     /// Returns the kind of symptom, without the type of a value: what a compiler does wrong it mostly does with several types.
     #[must_use]
     pub fn kind(&self) -> &str {
-        match self.symptom.split_once(':') {
-            Some((kind @ ("value" | "missing"), _)) => kind,
-            _ => &self.symptom,
-        }
+        kind(&self.symptom)
     }
 
     /// Returns whether this finding is probably the same as another: the same is wrong with more of the language around it.
@@ -239,6 +236,14 @@ impl Finding {
             self.origin.place,
             self.origin.seed,
         )
+    }
+}
+
+/// Returns the kind of a symptom, as [`Finding::kind`] does.
+pub(crate) fn kind(symptom: &str) -> &str {
+    match symptom.split_once(':') {
+        Some((kind @ ("value" | "missing"), _)) => kind,
+        _ => symptom,
     }
 }
 

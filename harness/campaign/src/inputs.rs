@@ -14,12 +14,12 @@ const ATTEMPTS: u64 = 2000;
 pub struct Inputs {
     seed: u64,
     row: SplitMix64,
+    /// The lengths of inputs are so many powers of two from 2 to the [`LEAST_LENGTH`] on.
+    lengths: u64,
 }
 
-/// The lengths of inputs are powers of two from here …
+/// The exponent of the least length.
 const LEAST_LENGTH: u32 = 5;
-/// … and so many.
-const LENGTHS: u64 = 7;
 
 impl Inputs {
     /// Returns the inputs of this seed.
@@ -28,6 +28,23 @@ impl Inputs {
         Inputs {
             seed,
             row: SplitMix64::separate(seed),
+            lengths: (Inputs::MAX_LEN.ilog2() - LEAST_LENGTH + 1) as u64,
+        }
+    }
+
+    /// The number of bytes of the smallest inputs.
+    pub const MIN_LEN: usize = 1 << LEAST_LENGTH;
+
+    /// The number of bytes of the largest inputs, unless [`Inputs::up_to`] limits it.
+    pub const MAX_LEN: usize = 2048;
+
+    /// Returns the inputs of the same seed with at most so many bytes, which is taken for the power of two below it.
+    #[must_use]
+    pub fn up_to(self, length: usize) -> Inputs {
+        let length = length.clamp(Inputs::MIN_LEN, Inputs::MAX_LEN);
+        Inputs {
+            lengths: u64::from(length.ilog2() - LEAST_LENGTH + 1),
+            ..self
         }
     }
 
@@ -43,13 +60,13 @@ impl Inputs {
         self.row.split(place)
     }
 
-    /// Returns the bytes at this place: 32 to 2048, short ones as often as long ones, so that small programs come as often as large
-    /// ones.
+    /// Returns the bytes at this place: from 32 on, short ones as often as long ones, so that small programs come as often as
+    /// large ones.
     #[must_use]
     pub fn bytes(self, place: u64) -> Vec<u8> {
         let draws = self.draws(place);
-        let length = draws.at(0) % LENGTHS;
-        // It is below LENGTHS.
+        let length = draws.at(0) % self.lengths;
+        // It is below the number of lengths.
         let length = 1_usize << (LEAST_LENGTH + length as u32);
         (1..)
             .map(|number| draws.at(number))
@@ -129,6 +146,10 @@ mod tests {
         lengths.sort_unstable();
         lengths.dedup();
         assert_eq!(lengths, [32, 64, 128, 256, 512, 1024, 2048]);
+        let shorter = inputs.up_to(300);
+        assert_eq!((0..200).map(|place| shorter.bytes(place).len()).max(), Some(256));
+        assert_eq!(inputs.up_to(1).bytes(9).len(), 32);
+        assert_eq!(inputs.up_to(9999), inputs);
         let named = [DialectName::Matiec, DialectName::Plcnext];
         let mut dialects: Vec<DialectName> = (0..50)
             .map(|place| inputs.program(place, &named, false).dialect)

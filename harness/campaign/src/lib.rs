@@ -4,6 +4,8 @@
 //! [`InputVerdict`]s in order, has each [`Mismatch`] reduced, and reports each [`Finding`] once. A [`DifferentialOracle`]
 //! compares engines with the evaluator, a [`TargetOracle`] judges the reference by the oracles of the fuzz targets.
 //!
+//! Before a campaign [`survey()`] asks engines for each part of the language alone, so that what fails is left out.
+//!
 //! A [`Store`] keeps findings in a folder; [`replay()`] judges one again, [`promote()`] makes a case of it, and [`merge()`]
 //! puts the folders of several machines together.
 //!
@@ -28,6 +30,7 @@ mod run;
 mod sample;
 mod shrink;
 mod store;
+mod survey;
 mod targets;
 mod texts;
 
@@ -44,4 +47,5 @@ pub use record::{CampaignRequest, Record};
 pub use replay::{Replayed, replay};
 pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignProgress, CampaignSummary, run};
 pub use store::{Saved, Store, StoreError, load};
+pub use survey::{FailingPart, Survey, SurveyError, SurveyPlan, survey};
 pub use targets::TargetOracle;

@@ -129,6 +129,10 @@ impl Merged {
             programs: sum(|record| record.programs),
             disagreements: sum(|record| record.disagreements),
             findings: Vec::new(),
+            failing: parts
+                .first()
+                .map(|(record, _)| record.failing.clone())
+                .unwrap_or_default(),
         });
     }
 }
@@ -156,6 +160,7 @@ mod tests {
                 dialects: Vec::new(),
                 open: false,
                 without: Vec::new(),
+                max_input: None,
             },
             part,
             parts: 3,
@@ -163,6 +168,7 @@ mod tests {
             programs: 33,
             disagreements: 2,
             findings: Vec::new(),
+            failing: Vec::new(),
         }
     }
 

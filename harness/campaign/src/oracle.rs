@@ -1,6 +1,6 @@
 //! The trait [`Oracle`], which a campaign asks to judge inputs and to reduce what it finds.
 
-use crate::finding::Finding;
+use crate::finding::{Finding, kind};
 use stickler_engines::EngineError;
 
 /// A judge of inputs, which are named by their places in the row of a seed. It is shared by all workers.
@@ -51,6 +51,20 @@ pub struct Mismatch {
     pub subject: String,
     /// The symptom in a word, such as `value:INT` or `crash`.
     pub symptom: String,
+    /// The features of the language that the input uses, as [`Finding::rule`] has them; none where the input is no program.
+    pub rule: Vec<String>,
+    /// The number of bytes of the input, or of its text where it is a program.
+    pub size: usize,
+}
+
+impl Mismatch {
+    /// Returns whether a finding probably has the same cause: the program contains all that is wrong in that one.
+    pub(crate) fn is_explained_by(&self, finding: &Finding) -> bool {
+        finding.subject() == self.subject
+            && finding.kind() == kind(&self.symptom)
+            && !finding.rule.is_empty()
+            && finding.rule.iter().all(|part| self.rule.contains(part))
+    }
 }
 
 impl InputVerdict {

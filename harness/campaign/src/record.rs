@@ -1,6 +1,7 @@
 //! The record of a campaign, and whether it came to its end: a file beside its findings.
 
 use crate::store::StoreError;
+use crate::survey::FailingPart;
 use serde::{Deserialize, Serialize};
 use std::fs;
 use std::path::Path;
@@ -32,6 +33,9 @@ pub struct Record {
     pub disagreements: u64,
     /// The names of the findings.
     pub findings: Vec<String>,
+    /// The parts of the language with which an engine failed alone before the campaign, so that its programs have none of them.
+    #[serde(default)]
+    pub failing: Vec<FailingPart>,
 }
 
 /// The options of a campaign, which are the same for all its parts.
@@ -56,6 +60,9 @@ pub struct CampaignRequest {
     /// The parts of the language that programs shall not have.
     #[serde(default)]
     pub without: Vec<String>,
+    /// The number of bytes of the largest inputs, where they were limited.
+    #[serde(default)]
+    pub max_input: Option<usize>,
 }
 
 impl Record {

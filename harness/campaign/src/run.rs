@@ -12,7 +12,7 @@ use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Oracle};
 use crate::plan::{CampaignPlan, Until};
 use ledger::Ledger;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::EngineError;
@@ -54,7 +54,7 @@ pub struct CampaignSummary {
     pub findings: BTreeMap<String, Finding>,
     /// The number of disagreements that became the finding of this name.
     pub times: BTreeMap<String, u64>,
-    /// The number of disagreements that were not reduced, since many like them were.
+    /// The number of disagreements that were not reduced, since many like them were, or a finding explains them.
     pub left: u64,
     /// The way in which the campaign ended.
     pub ended: CampaignEnd,
@@ -92,7 +92,8 @@ pub fn run(
         batches_ahead: pool.threads() * BATCHES_AHEAD,
         begun: 0,
         verdicts: Reorder::default(),
-        reductions: VecDeque::new(),
+        reductions: Vec::new(),
+        spent: Spent::default(),
         ledger: Ledger::default(),
         tell,
     };
@@ -119,6 +120,8 @@ pub enum CampaignError {
 /// The times at which the work of a campaign ends.
 pub(crate) struct Clock<'c> {
     begun: Instant,
+    /// The time from which on no place is judged while a mismatch waits for its reduction.
+    reserve: Option<Instant>,
     /// The time from which on no place is judged any more.
     end: Option<Instant>,
     /// The time from which on nothing is reduced any more.
@@ -134,12 +137,13 @@ const REDUCTION_TIMEOUT: Duration = Duration::from_secs(10);
 impl<'c> Clock<'c> {
     fn new(until: Until, cancel: &'c Cancellation) -> Clock<'c> {
         let begun = Instant::now();
-        let end = match until {
-            Until::Count(_) => None,
-            Until::Time(time) => begun.checked_add(time),
+        let (reserve, end) = match until {
+            Until::Count(_) => (None, None),
+            Until::Time(time) => (begun.checked_add(time / 4 * 3), begun.checked_add(time)),
         };
         Clock {
             begun,
+            reserve,
             end,
             late: end.and_then(|end| end.checked_add(REDUCTION_TIMEOUT)),
             cancel,
@@ -150,6 +154,16 @@ impl<'c> Clock<'c> {
     /// Returns whether more inputs are to be judged.
     pub(crate) fn judges(&self) -> bool {
         !self.over.load(Ordering::Relaxed) && self.before(self.end)
+    }
+
+    /// Returns whether mismatches that wait for their reduction come before all inputs.
+    fn reserves(&self) -> bool {
+        !self.before(self.reserve)
+    }
+
+    /// Returns whether mismatches are reduced that are probably known.
+    fn reduces_known(&self) -> bool {
+        self.before(self.end)
     }
 
     /// Returns whether a reduction is to go on.
@@ -174,23 +188,31 @@ struct Campaign<'c, 't, B> {
     /// The number of batches that were given out.
     begun: usize,
     verdicts: Reorder<Vec<InputVerdict>>,
-    /// Done before further batches: a campaign that is cut short has then reduced most of what it found.
-    reductions: VecDeque<Mismatch>,
+    /// The mismatches that wait for their reduction.
+    reductions: Vec<Mismatch>,
+    spent: Spent,
     ledger: Ledger,
     tell: &'t mut dyn FnMut(CampaignEvent<'_>),
 }
 
+/// The time that all workers together spent.
+#[derive(Default)]
+struct Spent {
+    judging: Duration,
+    reducing: Duration,
+}
+
 impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for Campaign<'_, '_, B> {
+    /// Returns a reduction as long as these have not taken more than half of the time, and otherwise a batch.
     fn next_task(&mut self) -> Option<CampaignTask> {
-        if let Some(mismatch) = self.reductions.pop_front() {
+        let is_due = self.clock.reserves() || self.spent.reducing <= self.spent.judging;
+        if is_due && let Some(mismatch) = self.next_reduction() {
             return Some(CampaignTask::Reduce(mismatch));
         }
-        if self.begun - self.verdicts.taken() >= self.batches_ahead || !self.clock.judges() {
-            return None;
+        if let Some((number, places)) = self.next_batch() {
+            return Some(CampaignTask::Judge { number, places });
         }
-        let (number, places) = self.batches.next()?;
-        self.begun += 1;
-        Some(CampaignTask::Judge { number, places })
+        self.next_reduction().map(CampaignTask::Reduce)
     }
 
     fn take(&mut self, done: Done) {
@@ -199,7 +221,9 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
                 number,
                 verdicts,
                 lost,
+                took,
             } => {
+                self.spent.judging += took;
                 self.lost(lost);
                 self.verdicts.put(number, verdicts);
                 while let Some(verdicts) = self.verdicts.pop() {
@@ -209,7 +233,8 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
                     self.reductions.extend(entered);
                 }
             }
-            Done::Reduced { finding, lost } => {
+            Done::Reduced { finding, lost, took } => {
+                self.spent.reducing += took;
                 self.lost(lost);
                 if let Some(finding) = self.ledger.found(*finding) {
                     (self.tell)(CampaignEvent::Found(finding));
@@ -221,7 +246,34 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Supervisor<CampaignTask, Done> for C
     }
 }
 
-impl<B> Campaign<'_, '_, B> {
+impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
+    fn next_batch(&mut self) -> Option<(usize, Vec<u64>)> {
+        let is_ahead = self.begun - self.verdicts.taken() >= self.batches_ahead;
+        let waits = self.clock.reserves() && !self.reductions.is_empty();
+        if is_ahead || waits || !self.clock.judges() {
+            return None;
+        }
+        let batch = self.batches.next()?;
+        self.begun += 1;
+        Some(batch)
+    }
+
+    /// Returns the next mismatch to reduce: one that no finding explains before one that is probably known, and small inputs
+    /// before large ones. Once the time is up, what is probably known is left.
+    fn next_reduction(&mut self) -> Option<Mismatch> {
+        let ledger = &self.ledger;
+        let is_known = |mismatch: &Mismatch| ledger.explains(mismatch);
+        let waiting = self.reductions.iter().enumerate();
+        let next = waiting.min_by_key(|(_, mismatch)| (is_known(mismatch), mismatch.size, mismatch.place));
+        let (place, mismatch) = next?;
+        if is_known(mismatch) && !self.clock.reduces_known() {
+            // All others are known too.
+            self.ledger.leave(self.reductions.drain(..).count());
+            return None;
+        }
+        Some(self.reductions.swap_remove(place))
+    }
+
     /// Ends the campaign where an engine can no longer be used.
     fn lost(&mut self, reason: Option<String>) {
         if let Some(reason) = reason {

@@ -2,7 +2,7 @@
 
 use super::comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};
 use crate::finding::EngineInfo;
-use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, RunRequest};
+use stickler_engines::{Engine, EngineSession, Identity, Observation, Outcome, Packed, RunRequest};
 use stickler_types::DialectName;
 
 /// An engine that takes part in a campaign, with the name by which it was asked for.
@@ -35,15 +35,68 @@ impl EngineUnderTest<'_> {
 
 /// Runs a program for one scan and observes all of it. An engine that cannot be started again after a crash has crashed.
 pub(crate) fn ask(session: &mut EngineSession<'_>, question: JudgedProgram<'_>) -> Outcome {
-    let observe: Vec<Observation> = question
-        .values
-        .iter()
-        .map(|(name, value)| Observation::last(name, value.type_name()))
-        .collect();
+    let observe = observations(&question);
     let request = RunRequest::once(question.dialect, question.text, &observe);
     session.run(&request).unwrap_or_else(|error| Outcome::Crashed {
         reason: error.to_string(),
     })
+}
+
+/// Runs programs of one dialect, in packs where the engine takes several at a time. Programs about which the answer to a pack
+/// says nothing are asked about again, in packs of half the size, so that a pack changes no outcome. Returns the outcome of each
+/// program; `None` for those that were not reached while `going` held.
+pub(crate) fn ask_all(
+    session: &mut EngineSession<'_>,
+    questions: &[JudgedProgram<'_>],
+    going: &dyn Fn() -> bool,
+) -> Vec<Option<Outcome>> {
+    let mut outcomes: Vec<Option<Outcome>> = vec![None; questions.len()];
+    let places: Vec<usize> = (0..questions.len()).collect();
+    let most = session.engine().pack_size().max(1);
+    let mut open: Vec<Vec<usize>> = places.chunks(most).rev().map(<[usize]>::to_vec).collect();
+    while let Some(pack) = open.pop() {
+        if !going() {
+            break;
+        }
+        if let [place] = pack[..] {
+            outcomes[place] = Some(ask(session, questions[place]));
+            continue;
+        }
+        let mut unknown = Vec::new();
+        for (place, packed) in pack.iter().copied().zip(ask_pack(session, questions, &pack)) {
+            match packed {
+                Packed::Answered(outcome) => outcomes[place] = Some(outcome),
+                Packed::Unknown => unknown.push(place),
+                Packed::Alone => open.push(vec![place]),
+            }
+        }
+        let half = pack.len().div_ceil(2);
+        open.extend(unknown.chunks(half).map(<[usize]>::to_vec));
+    }
+    outcomes
+}
+
+/// Runs a pack of these programs. Where no session can be opened, nothing is known of any.
+fn ask_pack(session: &mut EngineSession<'_>, questions: &[JudgedProgram<'_>], pack: &[usize]) -> Vec<Packed> {
+    let observed: Vec<Vec<Observation>> = pack
+        .iter()
+        .map(|&place| observations(&questions[place]))
+        .collect();
+    let requests: Vec<RunRequest<'_>> = pack
+        .iter()
+        .zip(&observed)
+        .map(|(&place, observe)| RunRequest::once(questions[place].dialect, questions[place].text, observe))
+        .collect();
+    session
+        .run_pack(&requests)
+        .unwrap_or_else(|_| vec![Packed::Unknown; pack.len()])
+}
+
+fn observations(question: &JudgedProgram<'_>) -> Vec<Observation> {
+    let values = question.values.iter();
+    values
+        .map(|(name, value)| Observation::last(name, value.type_name()))
+        .collect()
 }
 
 /// Asks an engine that has died over a program whether it still answers at all.

@@ -12,12 +12,16 @@ use crate::finding::{
 use crate::oracle::Mismatch;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
-use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
+use stickler_generate::reduce::{self, CandidateJudge, Interestingness, ReductionBudget, StopReason};
 
 /// The number of smaller programs that are tried at most where an engine answers from within this process.
 const MAX_TRIES_IN_PROCESS: u64 = 5000;
 /// The number of smaller programs that are tried at most where each starts a compiler.
 const MAX_TRIES: u64 = 800;
+/// The number of smaller programs that are tried at most where a compiler is given several at a time.
+const MAX_TRIES_IN_PACKS: u64 = 3000;
+/// The number of smaller programs in a pack at most: those behind the first that shows the symptom were tried for nothing.
+const MAX_REDUCTION_PACK_LEN: usize = 32;
 /// The number of smaller programs that are tried at most where each takes as long as an engine may take.
 const MAX_TRIES_OF_HANG: u64 = 30;
 
@@ -44,12 +48,15 @@ impl DifferentialWorker<'_> {
             stop: &stop,
         };
         let opened = EvaluatedProgram::new(start.clone()).is_ok_and(|subject| !subject.opened.is_empty());
-        let reduced = reduce::program(
-            &start,
-            |candidate| self.shows(index, mismatch, candidate, opened),
-            &budget,
-        );
-        let again = self.shows(index, mismatch, &reduced.value, opened);
+        let mut judge = MismatchJudge {
+            worker: self,
+            index,
+            symptom: &mismatch.symptom,
+            opened,
+        };
+        let reduced = reduce::program_in_packs(&start, &mut judge, &budget);
+        let again = judge.shows(std::slice::from_ref(&reduced.value));
+        let again = again.first().copied().unwrap_or(Interestingness::Invalid);
         let standing = match (reduced.ended, again) {
             (StopReason::NotInteresting, _) => Confirmation::Flaky,
             (_, Interestingness::Interesting) => Confirmation::Confirmed,
@@ -77,40 +84,9 @@ impl DifferentialWorker<'_> {
         match (&*mismatch.symptom, self.oracle.engines[index].is_reference) {
             ("hang", _) => MAX_TRIES_OF_HANG,
             (_, true) => MAX_TRIES_IN_PROCESS,
+            (_, false) if self.pack_size(index) > 1 => MAX_TRIES_IN_PACKS,
             (_, false) => MAX_TRIES,
         }
-    }
-
-    /// Returns whether the engine shows the symptom on this program.
-    ///
-    /// An engine that is gone seems to die over every program. So one that has died is asked whether it lives, before the
-    /// program is blamed.
-    fn shows(
-        &mut self,
-        index: usize,
-        mismatch: &Mismatch,
-        candidate: &Program,
-        opened: bool,
-    ) -> Interestingness {
-        if self.gone(index).is_some() {
-            return Interestingness::Invalid;
-        }
-        // Some compilers reject a program without variables or statements for itself, whatever else was wrong with it.
-        if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
-            return Interestingness::Invalid;
-        }
-        let Ok(subject) = EvaluatedProgram::new(candidate.clone()) else {
-            return Interestingness::Invalid;
-        };
-        // A program that the documents settle must not become one of which they say nothing.
-        if !opened && !subject.opened.is_empty() {
-            return Interestingness::Invalid;
-        }
-        let (outcome, agreement) = self.hold(index, &subject);
-        if has_died(&outcome) && !self.lives(index, candidate.dialect) {
-            return Interestingness::Invalid;
-        }
-        Interestingness::from(agreement.symptom() == Some(&mismatch.symptom))
     }
 
     fn written_down(
@@ -212,6 +188,67 @@ impl DifferentialWorker<'_> {
             Some(reason) => format!("{symptom}, and it could not be run again; {reason}"),
             None => format!("{symptom}, but not when it was run again"),
         }
+    }
+}
+
+/// Judges smaller programs by whether an engine shows a symptom on them.
+struct MismatchJudge<'j, 'b> {
+    worker: &'j mut DifferentialWorker<'b>,
+    index: usize,
+    symptom: &'j str,
+    /// Whether no document settled all of the program that was found.
+    opened: bool,
+}
+
+impl MismatchJudge<'_, '_> {
+    /// Returns whether the engine shows the symptom on each of these programs.
+    ///
+    /// An engine that is gone seems to die over every program. So one that has died is asked whether it lives, before the
+    /// program is blamed.
+    fn shows(&mut self, candidates: &[Program]) -> Vec<Interestingness> {
+        let subjects: Vec<Option<EvaluatedProgram>> = candidates
+            .iter()
+            .map(|candidate| EvaluatedProgram::new(candidate.clone()).ok())
+            .collect();
+        let evaluated: Vec<&EvaluatedProgram> = subjects.iter().flatten().collect();
+        let mut outcomes = self.worker.hold_all(self.index, &evaluated, &|| true).into_iter();
+        let mut shows = Vec::with_capacity(candidates.len());
+        for subject in &subjects {
+            let outcome = subject.as_ref().and_then(|_| outcomes.next().flatten());
+            shows.push(match (subject, outcome) {
+                (Some(subject), Some((outcome, agreement))) => {
+                    let is_gone =
+                        has_died(&outcome) && !self.worker.lives(self.index, subject.program.dialect);
+                    match is_gone {
+                        true => Interestingness::Invalid,
+                        false => Interestingness::from(agreement.symptom() == Some(self.symptom)),
+                    }
+                }
+                _ => Interestingness::Invalid,
+            });
+        }
+        shows
+    }
+}
+
+impl CandidateJudge<Program> for MismatchJudge<'_, '_> {
+    fn admits(&mut self, candidate: &Program) -> bool {
+        // Some compilers reject a program without variables or statements for itself, whatever else was wrong with it.
+        if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
+            return false;
+        }
+        let subject = EvaluatedProgram::new(candidate.clone());
+        // A program that the documents settle must not become one of which they say nothing.
+        let is_settled = subject.is_ok_and(|subject| self.opened || subject.opened.is_empty());
+        is_settled && self.worker.gone(self.index).is_none()
+    }
+
+    fn judge(&mut self, candidates: &[Program]) -> Vec<Interestingness> {
+        self.shows(candidates)
+    }
+
+    fn pack_size(&self) -> usize {
+        self.worker.pack_size(self.index).min(MAX_REDUCTION_PACK_LEN)
     }
 }
 

@@ -1,15 +1,16 @@
 //! A worker with a session of each engine: programs are judged alone or in packs.
 
 use super::DifferentialOracle;
-use super::comparison::{Agreement, compare};
-use super::engine::{ask, has_died, lives};
+use super::comparison::{Agreement, JudgedProgram, compare};
+use super::engine::{ask, ask_all, has_died, lives};
 use super::evaluated::EvaluatedProgram;
-use super::pace::Pace;
+use super::pace::{Pace, PackPolicy};
 use super::pack::{Pack, packs};
 use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
 use std::time::Instant;
 use stickler_engines::{EngineError, EngineSession, Outcome};
+use stickler_generate::features::distinctive;
 use stickler_types::DialectName;
 
 /// A worker with a session of each engine.
@@ -78,6 +79,9 @@ impl<'b> DifferentialWorker<'b> {
         let mut alone: Vec<usize> = (0..inputs.len())
             .filter(|&number| speaks(&inputs[number]))
             .collect();
+        if self.pack_size(index) > 1 {
+            return self.ask_in_packs(index, alone, inputs, going);
+        }
         if self.paces[index].width() > 1 {
             for dialect in DialectName::ALL {
                 let pack = |number: &usize| {
@@ -94,6 +98,38 @@ impl<'b> DifferentialWorker<'b> {
         alone
             .iter()
             .all(|&number| going() && self.ask_alone(index, &mut inputs[number]))
+    }
+
+    /// Asks an engine that takes several programs at a time. Returns whether it lives, and was asked about all of them.
+    fn ask_in_packs(
+        &mut self,
+        index: usize,
+        mut numbers: Vec<usize>,
+        inputs: &mut [Input],
+        going: &dyn Fn() -> bool,
+    ) -> bool {
+        let dialect = |number: &usize| {
+            let subject = inputs[*number].subject.as_ref();
+            subject.map(|subject| subject.program.dialect)
+        };
+        numbers.sort_by_key(dialect);
+        let groups: Vec<Vec<usize>> = numbers
+            .chunk_by(|one, other| dialect(one) == dialect(other))
+            .map(<[usize]>::to_vec)
+            .collect();
+        groups.iter().all(|group| {
+            let subjects: Vec<&EvaluatedProgram> = group
+                .iter()
+                .filter_map(|&number| inputs[number].subject.as_ref())
+                .collect();
+            let outcomes = self.hold_all(index, &subjects, going);
+            let mut all = group.iter().zip(outcomes);
+            all.all(|(&number, outcome)| {
+                outcome.is_some_and(|(outcome, agreement)| {
+                    self.enter(index, &mut inputs[number], &outcome, &agreement)
+                })
+            })
+        })
     }
 
     /// Asks about programs of one dialect in packs. Returns whether the engine lives.
@@ -158,15 +194,25 @@ impl<'b> DifferentialWorker<'b> {
         let begun = Instant::now();
         let (outcome, agreement) = self.hold(index, subject);
         self.paces[index].took(begun.elapsed());
-        input.asked += usize::from(agreement != Agreement::Unsupported);
+        self.enter(index, input, &outcome, &agreement)
+    }
+
+    /// Adds to the verdict on a program what an engine did with it. Returns whether the engine lives.
+    fn enter(&mut self, index: usize, input: &mut Input, outcome: &Outcome, agreement: &Agreement) -> bool {
+        let Some(subject) = &input.subject else {
+            return true;
+        };
+        input.asked += usize::from(*agreement != Agreement::Unsupported);
         if let Some(symptom) = agreement.symptom() {
             input.verdict.mismatches.push(Mismatch {
                 place: input.verdict.place,
                 subject: self.oracle.engines[index].identity().name.clone(),
                 symptom: symptom.to_owned(),
+                rule: distinctive(&subject.program),
+                size: subject.text.len(),
             });
         }
-        if has_died(&outcome) {
+        if has_died(outcome) {
             input.verdict.deaths += 1;
             return self.lives(index, subject.program.dialect);
         }
@@ -179,6 +225,36 @@ impl<'b> DifferentialWorker<'b> {
         let outcome = ask(&mut self.sessions[index], question);
         let agreement = compare(question, &outcome);
         (outcome, agreement)
+    }
+
+    /// Gives programs of one dialect to one engine, and compares what it does with what it must do. Returns `None` for those
+    /// that were not reached while `going` held.
+    pub(super) fn hold_all(
+        &mut self,
+        index: usize,
+        subjects: &[&EvaluatedProgram],
+        going: &dyn Fn() -> bool,
+    ) -> Vec<Option<(Outcome, Agreement)>> {
+        let is_reference = self.oracle.engines[index].is_reference;
+        let questions: Vec<JudgedProgram<'_>> = subjects
+            .iter()
+            .map(|subject| subject.question(is_reference))
+            .collect();
+        let outcomes = ask_all(&mut self.sessions[index], &questions, going);
+        let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
+            let outcome = outcome?;
+            let agreement = compare(*question, &outcome);
+            Some((outcome, agreement))
+        });
+        compared.collect()
+    }
+
+    /// Returns how many programs an engine is best given at a time.
+    pub(super) fn pack_size(&self, index: usize) -> usize {
+        match self.oracle.packs {
+            PackPolicy::Never => 1,
+            PackPolicy::WhereSlow | PackPolicy::Always => self.sessions[index].engine().pack_size(),
+        }
     }
 
     /// Returns whether an engine that has died can be started again; if not, the campaign is at its end.

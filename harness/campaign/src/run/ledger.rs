@@ -1,7 +1,7 @@
 //! The counts and findings of a campaign.
 
 use super::{CampaignEnd, CampaignProgress, CampaignSummary};
-use crate::finding::Finding;
+use crate::finding::{Confirmation, Finding};
 use crate::oracle::{InputVerdict, Mismatch};
 use crate::plan::is_reduced;
 use std::collections::BTreeMap;
@@ -55,6 +55,18 @@ impl Ledger {
         }
         self.findings.insert(id.clone(), finding);
         self.findings.get(&id)
+    }
+
+    /// Returns whether a finding that was confirmed probably has the cause of a mismatch.
+    pub(super) fn explains(&self, mismatch: &Mismatch) -> bool {
+        let mut findings = self.findings.values();
+        findings
+            .any(|finding| finding.standing == Confirmation::Confirmed && mismatch.is_explained_by(finding))
+    }
+
+    /// Counts disagreements that are not reduced.
+    pub(super) fn leave(&mut self, number: usize) {
+        self.left += number as u64;
     }
 
     /// Notes that an engine can no longer be used.

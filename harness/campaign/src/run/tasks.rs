@@ -5,6 +5,7 @@ use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Worker};
 use std::fmt;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
 
 /// A task of a worker.
 pub(super) enum CampaignTask {
@@ -29,6 +30,8 @@ pub(super) enum Done {
         verdicts: Vec<InputVerdict>,
         /// The reason for which an engine can no longer be used.
         lost: Option<String>,
+        /// The time that it took.
+        took: Duration,
     },
     /// A mismatch was reduced.
     Reduced {
@@ -36,6 +39,8 @@ pub(super) enum Done {
         finding: Box<Finding>,
         /// The reason for which an engine can no longer be used.
         lost: Option<String>,
+        /// The time that it took.
+        took: Duration,
     },
     /// Stickler itself panicked over a task, which has no result; holds the message.
     Panicked(String),
@@ -45,16 +50,19 @@ impl CampaignTask {
     /// Does the task. A panic is reported like the loss of an engine: the campaign ends, and keeps what it has.
     pub(super) fn attempt(self, worker: &mut dyn Worker, clock: &Clock<'_>) -> Done {
         let what = self.to_string();
+        let begun = Instant::now();
         // A worker that has panicked judges nothing more, for the campaign ends.
         let done = catch_unwind(AssertUnwindSafe(|| match self {
             CampaignTask::Judge { number, places } => Done::Judged {
                 number,
                 verdicts: worker.judge(&places, &|| clock.judges()),
                 lost: worker.lost(),
+                took: begun.elapsed(),
             },
             CampaignTask::Reduce(mismatch) => Done::Reduced {
                 finding: Box::new(worker.reduce(&mismatch, &|| clock.reduces())),
                 lost: worker.lost(),
+                took: begun.elapsed(),
             },
         }));
         done.unwrap_or_else(|_| {

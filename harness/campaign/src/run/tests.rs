@@ -38,6 +38,8 @@ fn verdict(place: u64) -> InputVerdict {
         place,
         subject: "engine".to_owned(),
         symptom: (*symptom).to_owned(),
+        rule: vec!["FOR".to_owned(), "MOD".to_owned()],
+        size: 100,
     };
     InputVerdict {
         mismatches: symptoms.iter().map(mismatch).collect(),

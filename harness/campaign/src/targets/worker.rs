@@ -25,13 +25,16 @@ impl TargetWorker<'_> {
     fn judge_one(&self, place: u64) -> InputVerdict {
         let target = self.oracle.target(place);
         let mut verdict = InputVerdict::agreed(place);
-        match target.judge(&self.oracle.input(place)) {
+        let input = self.oracle.input(place);
+        match target.judge(&input) {
             Ok(InputOutcome::Checked) => {}
             Ok(InputOutcome::Skipped(word)) => verdict.passed_over = Some(word),
             Err(failure) => verdict.mismatches.push(Mismatch {
                 place,
                 subject: target.name().to_owned(),
                 symptom: failure.symptom,
+                rule: Vec::new(),
+                size: input.len(),
             }),
         }
         verdict

@@ -46,6 +46,7 @@ fn campaign_with(
             dialects: Vec::new(),
             targets: Vec::new(),
             without: Vec::new(),
+            max_input: Inputs::MAX_LEN,
         },
     };
     let plan = CampaignPlan {

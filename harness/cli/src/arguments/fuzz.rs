@@ -48,14 +48,22 @@ pub struct FuzzArguments {
     pub open: bool,
     /// With --engine: only programs that have nothing of this, a type or a word that findings show for their programs (MUX,
     /// CHAR, REAL_TO_INT, 'ARRAY[n..n]'); may be repeated. What an engine was found to reject then no longer hides what else
-    /// is wrong with it
-    #[arg(long, value_name = "WORD", requires = "engine")]
+    /// is wrong with it. WORD@DIALECT leaves it out of the programs of one dialect
+    #[arg(long, value_name = "WORD", requires = "engine", value_delimiter = ',')]
     pub without: Vec<String>,
+    /// With --engine: do not ask the engine for each part of the language alone first. Without this, what it fails with is
+    /// left out of the programs, and said
+    #[arg(long, requires = "engine")]
+    pub no_survey: bool,
+    /// With --engine: make programs of at most N random bytes, 32 to 2048; 256 make some 60 lines [default: 2048, and less
+    /// for a slow engine without --count]
+    #[arg(long, value_name = "N", requires = "engine", value_parser = whole::<u16>(32, 2048), allow_negative_numbers = true)]
+    pub max_input: Option<u16>,
     /// Keep findings in DIR [default: reports/findings beside the folder of the cases]
     #[arg(long, value_name = "DIR")]
     pub findings: Option<PathBuf>,
     /// Judge a finding again, its folder or its name in the folder of findings, or, with --target, the bytes of any file
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without"])]
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without", "no_survey", "max_input"])]
     pub replay: Option<PathBuf>,
 }
 

@@ -4,6 +4,7 @@ mod bar;
 mod keeper;
 mod page;
 mod replay;
+mod survey;
 
 use crate::arguments::FuzzArguments;
 use crate::case_folder::CaseFolder;
@@ -16,7 +17,7 @@ use keeper::Keeper;
 use page::FuzzPage;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use stickler_campaign::{
     CampaignEnd, CampaignEvent, CampaignPlan, CampaignRequest, CampaignSummary, DifferentialOracle,
     EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
@@ -25,6 +26,7 @@ use stickler_campaign::{
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
+use survey::{Surveyed, surveyed};
 
 /// The default duration of a campaign.
 const DEFAULT_TIME: Duration = Duration::from_secs(60);
@@ -39,80 +41,122 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
     }
     // An engine may take its time to start; the campaign itself ends in an orderly way.
     interrupt::at_once()?;
-    let without = Exclusions::new(&arguments.without)?;
+    Exclusions::new(&arguments.without)?;
     let engines = engines_of(&arguments.engine)?;
     let store = Store::open(&findings_folder(arguments.findings.as_ref()))?;
-    let inputs = Inputs::new(arguments.seed);
-    let commands = commands(arguments, &store);
-    if engines.is_empty() {
-        if !arguments.dialect.is_empty() {
-            bail!("--dialect needs an --engine; the oracles of the reference choose dialects by their input");
-        }
-        let targets = match &arguments.target[..] {
-            [] => TargetOracle::TARGETS.to_vec(),
-            named => named.to_vec(),
-        };
-        let request = request(arguments, &targets, Vec::new(), &[]);
-        let oracle = TargetOracle {
-            targets,
-            inputs,
-            commands,
-        };
-        return campaign(&oracle, 64, arguments, request, store, out);
+    match engines.is_empty() {
+        true => campaign_on_targets(arguments, store, out),
+        false => campaign_on_engines(arguments, &engines, store, out),
     }
-    let dialects = dialects_of(arguments, &engines)?;
-    let names = engines
-        .iter()
-        .map(|named| named.identity().name.clone())
-        .collect();
-    let request = request(arguments, &[FuzzTarget::Differential], names, &dialects);
-    let oracle = DifferentialOracle {
-        engines: engines.iter().map(under_test).collect(),
-        inputs,
-        dialects,
-        open: arguments.open,
-        without,
-        packs: PackPolicy::WhereSlow,
-        commands,
-    };
-    campaign(&oracle, 16, arguments, request, store, out)
 }
 
-/// Runs a campaign on an oracle.
-fn campaign(
-    oracle: &dyn Oracle,
-    batch: usize,
+/// Runs a campaign that asks the reference alone, with the oracles of the fuzz targets.
+fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    if !arguments.dialect.is_empty() {
+        bail!("--dialect needs an --engine; the oracles of the reference choose dialects by their input");
+    }
+    let targets = match &arguments.target[..] {
+        [] => TargetOracle::TARGETS.to_vec(),
+        named => named.to_vec(),
+    };
+    let names = |targets: &[FuzzTarget]| targets.iter().map(|target| target.name().to_owned()).collect();
+    let request = CampaignRequest {
+        targets: names(&targets),
+        ..request(arguments, &Surveyed::default())
+    };
+    let oracle = TargetOracle {
+        targets,
+        inputs: Inputs::new(arguments.seed),
+        commands: ReproductionCommands {
+            targets: names(&arguments.target),
+            ..commands(arguments, &Surveyed::default(), &store)
+        },
+    };
+    let plan = plan(arguments, Duration::ZERO, 64);
+    Campaign { plan, request, store }.run(&oracle, &Surveyed::default(), out)
+}
+
+/// Runs a campaign that gives random programs to engines.
+fn campaign_on_engines(
     arguments: &FuzzArguments,
-    request: CampaignRequest,
+    engines: &[NamedEngine],
     store: Store,
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
-    let shard = arguments.shard.unwrap_or(Shard::WHOLE);
-    let plan = CampaignPlan {
+    let begun = Instant::now();
+    let dialects = dialects_of(arguments, engines)?;
+    let under_test: Vec<EngineUnderTest<'_>> = engines.iter().map(under_test).collect();
+    let surveyed = surveyed(arguments, &under_test, &dialects)?;
+    let request = CampaignRequest {
+        targets: vec![FuzzTarget::Differential.name().to_owned()],
+        engines: engines
+            .iter()
+            .map(|named| named.identity().name.clone())
+            .collect(),
+        dialects: dialects
+            .iter()
+            .map(|dialect| dialect.as_str().to_owned())
+            .collect(),
+        ..request(arguments, &surveyed)
+    };
+    let largest_pack = engines.iter().map(|named| named.engine.pack_size()).max();
+    let batch = largest_pack.unwrap_or(1).clamp(16, 64);
+    let oracle = DifferentialOracle {
+        engines: under_test,
+        inputs: Inputs::new(arguments.seed).up_to(surveyed.max_input),
+        dialects,
+        open: arguments.open,
+        without: Exclusions::new(&surveyed.without)?,
+        packs: PackPolicy::WhereSlow,
+        commands: commands(arguments, &surveyed, &store),
+    };
+    let plan = plan(arguments, begun.elapsed(), batch);
+    Campaign { plan, request, store }.run(&oracle, &surveyed, out)
+}
+
+/// Returns the plan of a campaign, of whose time some was spent already.
+fn plan(arguments: &FuzzArguments, spent: Duration, batch: usize) -> CampaignPlan {
+    let left = |time: Option<Duration>| time.unwrap_or(DEFAULT_TIME).saturating_sub(spent);
+    CampaignPlan {
         first: arguments.first,
         until: match (arguments.count, arguments.time) {
             (Some(count), _) => Until::Count(count),
-            (None, time) => Until::Time(time.unwrap_or(DEFAULT_TIME)),
+            (None, time) => Until::Time(left(time)),
         },
-        shard,
+        shard: arguments.shard.unwrap_or(Shard::WHOLE),
         jobs: arguments.jobs.map_or(0, usize::from),
         batch,
-    };
-    let mut page = FuzzPage::new(out);
-    page.begin(&request, shard)?;
-    let cancel = interrupt::cancellation()?;
-    let mut keeper = Keeper::begin(store, request, shard)?;
-    let bar = FuzzBar::new(&plan);
-    let mut tell = |event: CampaignEvent<'_>| match event {
-        CampaignEvent::Progress(progress) => bar.reach(progress),
-        CampaignEvent::Found(finding) => keeper.keep(finding),
-    };
-    let summary = stickler_campaign::run(&plan, oracle, &mut tell, cancel);
-    bar.finish();
-    let summary = summary?;
-    let unsaved = keeper.end(&summary);
-    page.end(&summary, &unsaved)?;
-    Ok(exit(&summary).worst(unsaved.exit()))
+    }
+}
+
+/// A campaign that is to be run and kept.
+struct Campaign {
+    plan: CampaignPlan,
+    request: CampaignRequest,
+    store: Store,
+}
+
+impl Campaign {
+    /// Runs the campaign on an oracle.
+    fn run(self, oracle: &dyn Oracle, surveyed: &Surveyed, out: &mut dyn Write) -> anyhow::Result<Exit> {
+        let Campaign { plan, request, store } = self;
+        let mut page = FuzzPage::new(out);
+        page.begin(&request, plan.shard)?;
+        page.surveyed(&surveyed.survey)?;
+        let cancel = interrupt::cancellation()?;
+        let mut keeper = Keeper::begin(store, request, surveyed.survey.failing.clone(), plan.shard)?;
+        let bar = FuzzBar::new(&plan);
+        let mut tell = |event: CampaignEvent<'_>| match event {
+            CampaignEvent::Progress(progress) => bar.reach(progress),
+            CampaignEvent::Found(finding) => keeper.keep(finding),
+        };
+        let summary = stickler_campaign::run(&plan, oracle, &mut tell, cancel);
+        bar.finish();
+        let summary = summary?;
+        let unsaved = keeper.end(&summary);
+        page.end(&summary, &unsaved)?;
+        Ok(exit(&summary).worst(unsaved.exit()))
+    }
 }
 
 fn exit(summary: &CampaignSummary) -> Exit {
@@ -201,27 +245,19 @@ fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
     named.cloned().unwrap_or_else(default)
 }
 
-fn commands(arguments: &FuzzArguments, store: &Store) -> ReproductionCommands {
+fn commands(arguments: &FuzzArguments, surveyed: &Surveyed, store: &Store) -> ReproductionCommands {
     ReproductionCommands {
         program: shell::program().to_owned(),
         folder: store.folder().to_owned(),
         engines: arguments.engine.clone(),
         dialects: arguments.dialect.clone(),
-        targets: arguments
-            .target
-            .iter()
-            .map(|target| target.name().to_owned())
-            .collect(),
-        without: arguments.without.clone(),
+        targets: Vec::new(),
+        without: surveyed.without.clone(),
+        max_input: surveyed.max_input,
     }
 }
 
-fn request(
-    arguments: &FuzzArguments,
-    targets: &[FuzzTarget],
-    engines: Vec<String>,
-    dialects: &[DialectName],
-) -> CampaignRequest {
+fn request(arguments: &FuzzArguments, surveyed: &Surveyed) -> CampaignRequest {
     let time = arguments.time.unwrap_or(DEFAULT_TIME).as_millis();
     CampaignRequest {
         seed: arguments.seed,
@@ -231,13 +267,11 @@ fn request(
             .count
             .is_none()
             .then(|| u64::try_from(time).unwrap_or(u64::MAX)),
-        targets: targets.iter().map(|target| target.name().to_owned()).collect(),
-        engines,
-        dialects: dialects
-            .iter()
-            .map(|dialect| dialect.as_str().to_owned())
-            .collect(),
+        targets: Vec::new(),
+        engines: Vec::new(),
+        dialects: Vec::new(),
         open: arguments.open,
-        without: arguments.without.clone(),
+        without: surveyed.without.clone(),
+        max_input: (surveyed.max_input != Inputs::MAX_LEN).then_some(surveyed.max_input),
     }
 }

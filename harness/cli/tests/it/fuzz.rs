@@ -116,7 +116,7 @@ fn what_cannot_be_saved_any_more_is_shown_at_the_end() {
     // At its fifth request the engine puts a file in the place of the folder.
     let place = text(&findings);
     let engine = defective(&format!("5e rm -r {place}; touch {place}\n"));
-    let (code, shown) = campaign(&engine, place, &["--jobs", "1"]);
+    let (code, shown) = campaign(&engine, place, &["--jobs", "1", "--no-survey"]);
     assert_eq!(code, Some(2), "{shown}");
     assert!(
         shown.contains("the campaign goes on, and what cannot be saved is shown at its end"),

@@ -21,4 +21,4 @@ mod usage;
 mod values;
 mod weight;
 
-pub use method::program;
+pub use method::{program, program_in_packs};

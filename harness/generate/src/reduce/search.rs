@@ -138,6 +138,33 @@ pub enum StopReason {
     NotInteresting,
 }
 
+/// The judge of the candidates of a reduction.
+pub trait CandidateJudge<T> {
+    /// Returns whether a candidate keeps the rules that candidates must keep. Only such candidates are judged.
+    fn admits(&mut self, candidate: &T) -> bool;
+
+    /// Judges candidates that do not depend on one another. Returns one answer for each, in their order.
+    fn judge(&mut self, candidates: &[T]) -> Vec<Interestingness>;
+
+    /// Returns how many candidates are best judged at a time; 1 where several cost as much as one after the other.
+    fn pack_size(&self) -> usize {
+        1
+    }
+}
+
+/// A judge that is asked about one candidate after the other.
+struct OneByOne<'f, T>(&'f mut dyn FnMut(&T) -> Interestingness);
+
+impl<T> CandidateJudge<T> for OneByOne<'_, T> {
+    fn admits(&mut self, _: &T) -> bool {
+        true
+    }
+
+    fn judge(&mut self, candidates: &[T]) -> Vec<Interestingness> {
+        candidates.iter().map(|candidate| (self.0)(candidate)).collect()
+    }
+}
+
 /// Makes `start` as small as the passes can, asking `interesting` about the start and each candidate.
 ///
 /// The same start and the same answers give the same result. Each interesting candidate becomes the base of the next ones,
@@ -148,19 +175,38 @@ pub fn minimise<T: Clone>(
     interesting: &mut dyn FnMut(&T) -> Interestingness,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<T> {
+    minimise_in_packs(start, method, &mut OneByOne(interesting), budget)
+}
+
+/// Makes `start` as small as the passes can, like [`minimise`], with a judge that may be asked about several candidates at a
+/// time.
+///
+/// The candidates of a pack are those that would be tried one after the other if none of them were interesting; of those that
+/// are, the first is taken. So the result is the same whatever the size of the packs is, and only the number of tries grows.
+pub fn minimise_in_packs<T: Clone>(
+    start: T,
+    method: &ReductionMethod<T>,
+    judge: &mut dyn CandidateJudge<T>,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<T> {
     let mut search = PassSearch {
         weight: (method.weight)(&start),
         seen: HashSet::from([(method.key)(&start)]),
         best: start,
         method,
-        interesting,
+        width: judge.pack_size().min(FIRST_PACK_LEN),
+        judge,
         budget,
         tries: 1,
         refused: 0,
     };
-    let ended = match (search.interesting)(&search.best) {
-        Interestingness::Interesting => search.rounds(),
-        Interestingness::Uninteresting | Interestingness::Invalid => StopReason::NotInteresting,
+    let first = match search.judge.admits(&search.best) {
+        true => search.judge.judge(std::slice::from_ref(&search.best)),
+        false => Vec::new(),
+    };
+    let ended = match first.first() {
+        Some(Interestingness::Interesting) => search.rounds(),
+        _ => StopReason::NotInteresting,
     };
     Reduction {
         value: search.best,
@@ -170,15 +216,39 @@ pub fn minimise<T: Clone>(
     }
 }
 
+/// The maximum number of candidates in the first pack: at the beginning many candidates are interesting, and those behind
+/// the first of them were judged for nothing.
+const FIRST_PACK_LEN: usize = 4;
+
 struct PassSearch<'a, T: 'static> {
     best: T,
     weight: (u64, u128),
     seen: HashSet<u64>,
     method: &'a ReductionMethod<T>,
-    interesting: &'a mut dyn FnMut(&T) -> Interestingness,
+    judge: &'a mut dyn CandidateJudge<T>,
+    /// The number of candidates in the next pack.
+    width: usize,
     budget: &'a ReductionBudget<'a>,
     tries: u64,
     refused: u64,
+}
+
+/// A position in a round: the sites that a pass is to change next.
+#[derive(Clone, Copy)]
+struct Position {
+    pass: usize,
+    /// The number of sites that the pass has in the best candidate.
+    sites: usize,
+    chunk: usize,
+    at: usize,
+}
+
+/// Candidates that are judged together.
+struct CandidatePack<T> {
+    candidates: Vec<T>,
+    /// The position at which each was made.
+    positions: Vec<Position>,
+    keys: Vec<u64>,
 }
 
 impl<T: Clone> PassSearch<'_, T> {
@@ -186,10 +256,8 @@ impl<T: Clone> PassSearch<'_, T> {
     fn rounds(&mut self) -> StopReason {
         loop {
             let before = self.weight;
-            for pass in self.method.passes {
-                if let Err(ended) = self.chunks(pass) {
-                    return ended;
-                }
+            if let Err(ended) = self.round() {
+                return ended;
             }
             if self.weight == before {
                 return StopReason::Smallest;
@@ -197,172 +265,145 @@ impl<T: Clone> PassSearch<'_, T> {
         }
     }
 
-    /// Runs one pass, with ever smaller chunks of its sites.
-    fn chunks(&mut self, pass: &Pass<T>) -> Result<(), StopReason> {
-        let mut chunk = self.sites(pass);
-        while chunk > 0 {
-            let mut at = 0;
-            while at < self.sites(pass) {
-                // After a change the next sites have moved to this position.
-                if !self.attempt(pass, at..at + chunk)? {
-                    at += chunk;
-                }
+    /// Runs each pass once, with ever smaller chunks of its sites.
+    fn round(&mut self) -> Result<(), StopReason> {
+        let mut position = self.begin(0);
+        loop {
+            let pack = self.pack(&mut position)?;
+            if pack.candidates.is_empty() {
+                return Ok(());
             }
-            chunk = chunk.min(self.sites(pass)) / 2;
+            if let Some(found) = self.judge(pack) {
+                // After a change the next sites have moved to this position.
+                position = Position {
+                    sites: self.sites(found.pass),
+                    ..found
+                };
+            }
         }
-        Ok(())
     }
 
-    fn sites(&self, pass: &Pass<T>) -> usize {
+    /// Returns the first position of a pass.
+    fn begin(&self, pass: usize) -> Position {
+        let sites = self.sites(pass);
+        Position {
+            pass,
+            sites,
+            chunk: sites,
+            at: 0,
+        }
+    }
+
+    /// Moves a position behind the end of a chunk size or of a pass to the next one. Returns whether there is a site.
+    fn settle(&self, position: &mut Position) -> bool {
+        while position.at >= position.sites || position.chunk == 0 {
+            position.chunk = position.chunk.min(position.sites) / 2;
+            position.at = 0;
+            if position.chunk == 0 {
+                if position.pass >= self.method.passes.len() {
+                    return false;
+                }
+                *position = self.begin(position.pass + 1);
+            }
+        }
+        true
+    }
+
+    /// Returns the number of sites of a pass; none behind the last pass.
+    fn sites(&self, pass: usize) -> usize {
         let mut sites = Sites::new(0..0);
-        (pass.edit)(&mut self.best.clone(), &mut sites);
+        if let Some(pass) = self.method.passes.get(pass) {
+            (pass.edit)(&mut self.best.clone(), &mut sites);
+        }
         sites.next
     }
 
-    /// Tries to change the chosen sites; returns whether the candidate was interesting and replaced the best one.
-    fn attempt(&mut self, pass: &Pass<T>, chosen: Range<usize>) -> Result<bool, StopReason> {
-        let mut candidate = self.best.clone();
-        let mut sites = Sites::new(chosen);
-        (pass.edit)(&mut candidate, &mut sites);
-        let weight = (self.method.weight)(&candidate);
-        if !sites.changed || weight >= self.weight || !self.seen.insert((self.method.key)(&candidate)) {
-            return Ok(false);
-        }
-        if self.tries >= self.budget.tries {
-            return Err(StopReason::OutOfTries);
-        }
-        if (self.budget.stop)() {
-            return Err(StopReason::Stopped);
-        }
-        match (self.interesting)(&candidate) {
-            Interestingness::Invalid => self.refused += 1,
-            Interestingness::Uninteresting => self.tries += 1,
-            Interestingness::Interesting => {
-                self.tries += 1;
-                self.best = candidate;
-                self.weight = weight;
-                return Ok(true);
+    /// Collects the next candidates, as if none of them were interesting, and moves the position behind them. None are left at
+    /// the end of the round.
+    ///
+    /// # Errors
+    /// [`StopReason`] where the budget admits no candidate more and none was collected.
+    fn pack(&mut self, position: &mut Position) -> Result<CandidatePack<T>, StopReason> {
+        let mut pack = CandidatePack {
+            candidates: Vec::new(),
+            positions: Vec::new(),
+            keys: Vec::new(),
+        };
+        while pack.candidates.len() < self.width && self.settle(position) {
+            let here = *position;
+            let Some((candidate, key)) = self.candidate(here) else {
+                position.at += position.chunk;
+                continue;
+            };
+            if let Some(ended) = self.ended(pack.candidates.len()) {
+                return if pack.candidates.is_empty() {
+                    Err(ended)
+                } else {
+                    Ok(pack)
+                };
+            }
+            position.at += position.chunk;
+            self.seen.insert(key);
+            if self.judge.admits(&candidate) {
+                pack.candidates.push(candidate);
+                pack.positions.push(here);
+                pack.keys.push(key);
+            } else {
+                self.refused += 1;
             }
         }
-        Ok(false)
+        Ok(pack)
+    }
+
+    /// Returns why no candidate may be tried beside so many; `None` where one may.
+    fn ended(&self, collected: usize) -> Option<StopReason> {
+        if self.tries + collected as u64 >= self.budget.tries {
+            Some(StopReason::OutOfTries)
+        } else {
+            (self.budget.stop)().then_some(StopReason::Stopped)
+        }
+    }
+
+    /// Returns the candidate with the sites of a position changed, and its key, if it is lighter and was not seen before.
+    fn candidate(&self, position: Position) -> Option<(T, u64)> {
+        let pass = self.method.passes.get(position.pass)?;
+        let mut candidate = self.best.clone();
+        let mut sites = Sites::new(position.at..position.at + position.chunk);
+        (pass.edit)(&mut candidate, &mut sites);
+        if !sites.changed || (self.method.weight)(&candidate) >= self.weight {
+            return None;
+        }
+        let key = (self.method.key)(&candidate);
+        (!self.seen.contains(&key)).then_some((candidate, key))
+    }
+
+    /// Judges the candidates of a pack; the first interesting one becomes the best. Returns its position.
+    fn judge(&mut self, pack: CandidatePack<T>) -> Option<Position> {
+        let verdicts = self.judge.judge(&pack.candidates);
+        for verdict in &verdicts {
+            match verdict {
+                Interestingness::Invalid => self.refused += 1,
+                Interestingness::Uninteresting | Interestingness::Interesting => self.tries += 1,
+            }
+        }
+        let first = verdicts
+            .iter()
+            .position(|verdict| *verdict == Interestingness::Interesting);
+        let most = self.judge.pack_size().max(1);
+        let Some(first) = first else {
+            self.width = (self.width * 2).min(most);
+            return None;
+        };
+        self.width = (self.width / 2).max(1);
+        // Those behind it were changes of a base that is no more.
+        for key in &pack.keys[first + 1..] {
+            self.seen.remove(key);
+        }
+        self.best = pack.candidates.into_iter().nth(first)?;
+        self.weight = (self.method.weight)(&self.best);
+        pack.positions.get(first).copied()
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::cell::Cell;
-    use std::hash::{DefaultHasher, Hash, Hasher};
-
-    /// A method for lists of numbers: drops elements, or decrements them.
-    const LISTS: ReductionMethod<Vec<u32>> = ReductionMethod {
-        passes: &[
-            Pass {
-                name: "drop",
-                edit: |list, sites| list.retain(|_| !sites.here()),
-            },
-            Pass {
-                name: "decrease",
-                edit: |list, sites| {
-                    for element in list.iter_mut().filter(|element| **element > 0) {
-                        if sites.here() {
-                            *element -= 1;
-                        }
-                    }
-                },
-            },
-        ],
-        weight: |list| {
-            (
-                list.len() as u64,
-                list.iter().map(|element| u128::from(*element)).sum(),
-            )
-        },
-        key: |list| {
-            let mut hasher = DefaultHasher::new();
-            list.hash(&mut hasher);
-            hasher.finish()
-        },
-    };
-
-    fn list() -> Vec<u32> {
-        (1..=200).collect()
-    }
-
-    #[test]
-    fn what_matters_remains_and_all_else_goes() {
-        let mut both = |list: &Vec<u32>| {
-            Interestingness::from(list.contains(&17) && list.iter().any(|element| *element > 150))
-        };
-        let found = minimise(list(), &LISTS, &mut both, &ReductionBudget::default());
-        assert_eq!(found.value, [17, 151]);
-        assert_eq!(found.ended, StopReason::Smallest);
-        assert!(found.tries < 200, "{} tries", found.tries);
-    }
-
-    #[test]
-    fn the_same_question_is_never_asked_twice() {
-        let mut asked = HashSet::new();
-        let mut ask = |list: &Vec<u32>| {
-            assert!(asked.insert(list.clone()), "{list:?} was asked twice");
-            Interestingness::from(list.len() >= 3)
-        };
-        let found = minimise(list(), &LISTS, &mut ask, &ReductionBudget::default());
-        assert_eq!(found.value, [0, 0, 0]);
-        assert_eq!(found.tries, asked.len() as u64);
-    }
-
-    #[test]
-    fn a_start_without_the_symptom_is_given_back_as_it_is() {
-        let found = minimise(
-            list(),
-            &LISTS,
-            &mut |_| Interestingness::Uninteresting,
-            &ReductionBudget::default(),
-        );
-        assert_eq!(
-            (found.value, found.tries, found.ended),
-            (list(), 1, StopReason::NotInteresting)
-        );
-    }
-
-    #[test]
-    fn the_best_so_far_is_given_when_the_budget_ends() {
-        let few = ReductionBudget {
-            tries: 5,
-            ..ReductionBudget::default()
-        };
-        let mut long = |list: &Vec<u32>| Interestingness::from(list.contains(&17));
-        let found = minimise(list(), &LISTS, &mut long, &few);
-        assert_eq!((found.tries, found.ended), (5, StopReason::OutOfTries));
-        assert!(found.value.contains(&17) && found.value.len() < 200);
-    }
-
-    #[test]
-    fn the_best_so_far_is_given_when_it_is_stopped() {
-        let asked = Cell::new(0);
-        let stop = || asked.get() == 3;
-        let budget = ReductionBudget {
-            stop: &stop,
-            ..ReductionBudget::default()
-        };
-        let mut long = |list: &Vec<u32>| {
-            asked.set(asked.get() + 1);
-            Interestingness::from(list.contains(&17))
-        };
-        let found = minimise(list(), &LISTS, &mut long, &budget);
-        assert_eq!((found.tries, found.ended), (3, StopReason::Stopped));
-        assert!(found.value.contains(&17));
-    }
-
-    #[test]
-    fn what_is_refused_costs_no_try() {
-        let mut even = |list: &Vec<u32>| match list.len() % 2 {
-            0 => Interestingness::from(list.contains(&17)),
-            _ => Interestingness::Invalid,
-        };
-        let found = minimise(list(), &LISTS, &mut even, &ReductionBudget::default());
-        assert!(found.refused > 0);
-        assert_eq!(found.value.len() % 2, 0);
-    }
-}
+mod tests;

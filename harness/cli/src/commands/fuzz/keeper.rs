@@ -4,7 +4,9 @@ use crate::exit::Exit;
 use crate::output;
 use std::collections::BTreeMap;
 use stickler_campaign::record::FORMAT;
-use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding, Record, Store, StoreError};
+use stickler_campaign::{
+    CampaignEnd, CampaignRequest, CampaignSummary, FailingPart, Finding, Record, Store, StoreError,
+};
 use stickler_workers::Shard;
 
 /// The storage of the findings of one campaign.
@@ -30,7 +32,12 @@ impl Keeper {
     ///
     /// # Errors
     /// [`StoreError`] where the folder cannot be written.
-    pub fn begin(store: Store, asked: CampaignRequest, shard: Shard) -> Result<Keeper, StoreError> {
+    pub fn begin(
+        store: Store,
+        asked: CampaignRequest,
+        failing: Vec<FailingPart>,
+        shard: Shard,
+    ) -> Result<Keeper, StoreError> {
         let record = Record {
             format: FORMAT,
             stickler: env!("CARGO_PKG_VERSION").to_owned(),
@@ -41,6 +48,7 @@ impl Keeper {
             programs: 0,
             disagreements: 0,
             findings: Vec::new(),
+            failing,
         };
         record.write(store.folder())?;
         Ok(Keeper {

@@ -4,9 +4,10 @@ use super::bar::rate;
 use super::keeper::Unsaved;
 use anstyle::{AnsiColor, Style};
 use indicatif::HumanCount;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_campaign::finding::Confirmation;
-use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding};
+use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding, Survey};
 use stickler_workers::Shard;
 
 const BOLD: Style = Style::new().bold();
@@ -51,11 +52,45 @@ impl<'o> FuzzPage<'o> {
             };
             let (engines, dialects) = (request.engines.join(", "), request.dialects.join(", "));
             write!(self.out, ", {engines}: programs in {dialects}{open}")?;
+            if let Some(bytes) = request.max_input {
+                write!(self.out, " of at most {bytes} random bytes")?;
+            }
             match &request.without[..] {
                 [] => writeln!(self.out)?,
                 words => writeln!(self.out, ", without {}", words.join(", "))?,
             }
         }
+        self.out.flush()
+    }
+
+    /// Writes in one line what the survey before a campaign found; nothing where there was none.
+    ///
+    /// # Errors
+    /// Errors of writing to the stream.
+    pub fn surveyed(&mut self, survey: &Survey) -> io::Result<()> {
+        if survey.asked == 0 {
+            return Ok(());
+        }
+        let mut symptoms: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for part in &survey.failing {
+            let symptom = part.symptom.split(':').next().unwrap_or_default();
+            symptoms.entry(symptom).or_default().insert(&part.word);
+        }
+        let failing: BTreeSet<&str> = survey.failing.iter().map(|part| part.word.as_str()).collect();
+        let counts = symptoms
+            .iter()
+            .map(|(symptom, words)| format!("{} {symptom}", words.len()));
+        let of = match failing.is_empty() {
+            true => String::new(),
+            false => format!(" ({})", counts.collect::<Vec<_>>().join(", ")),
+        };
+        writeln!(
+            self.out,
+            "asked for {} parts of the language alone in {:.1} s: {} failed{of} and are left out",
+            survey.asked,
+            survey.elapsed.as_secs_f64(),
+            failing.len()
+        )?;
         self.out.flush()
     }
 
@@ -129,8 +164,20 @@ impl<'o> FuzzPage<'o> {
         if summary.left > 0 {
             writeln!(
                 self.out,
-                "{DIM}{:>10} of them were not made small, for many like them were{DIM:#}",
+                "{DIM}{:>10} of them were not made small, for findings explain them, or many like them were{DIM:#}",
                 HumanCount(summary.left)
+            )?;
+        }
+        let unfinished = summary
+            .findings
+            .values()
+            .filter(|finding| !finding.origin.smallest)
+            .count();
+        if unfinished > 0 {
+            writeln!(
+                self.out,
+                "{:>10} findings are not as small as they could be: the time was up, or their tries; a longer --time helps",
+                unfinished
             )?;
         }
         if summary.deaths > 0 {
@@ -154,9 +201,14 @@ impl<'o> FuzzPage<'o> {
             .as_deref()
             .map(|name| format!("{name}, "))
             .unwrap_or_default();
+        let unfinished = if finding.origin.smallest || finding.standing == Confirmation::Flaky {
+            ""
+        } else {
+            ", not as small as it could be"
+        };
         writeln!(
             self.out,
-            "  {dialect}{} {} of {}, found {times}x{flaky}",
+            "  {dialect}{} {} of {}, found {times}x{flaky}{unfinished}",
             finding.origin.size,
             finding.unit(),
             finding.origin.size_found

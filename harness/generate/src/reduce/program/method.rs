@@ -4,7 +4,9 @@ use super::soundness::breaches;
 use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
 use crate::reduce::search::pass;
-use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, minimise};
+use crate::reduce::{
+    CandidateJudge, Interestingness, Reduction, ReductionBudget, ReductionMethod, minimise, minimise_in_packs,
+};
 
 /// The passes for programs: first those that remove many lines, last those that simplify a literal.
 const METHOD: ReductionMethod<Program> = ReductionMethod {
@@ -92,4 +94,38 @@ pub fn program(
         }
     };
     minimise(start.clone(), &METHOD, &mut ask, budget)
+}
+
+/// Makes a program as small as possible, like [`program`], with a judge that may be asked about several programs at a time.
+pub fn program_in_packs(
+    start: &Program,
+    judge: &mut dyn CandidateJudge<Program>,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<Program> {
+    let mut sound = SoundCandidates {
+        most: breaches(start),
+        judge,
+    };
+    minimise_in_packs(start.clone(), &METHOD, &mut sound, budget)
+}
+
+/// A judge of candidates that break no more rules than the start: if the start breaks such a rule, the breach may be the
+/// symptom.
+struct SoundCandidates<'j> {
+    most: usize,
+    judge: &'j mut dyn CandidateJudge<Program>,
+}
+
+impl CandidateJudge<Program> for SoundCandidates<'_> {
+    fn admits(&mut self, candidate: &Program) -> bool {
+        breaches(candidate) <= self.most && self.judge.admits(candidate)
+    }
+
+    fn judge(&mut self, candidates: &[Program]) -> Vec<Interestingness> {
+        self.judge.judge(candidates)
+    }
+
+    fn pack_size(&self) -> usize {
+        self.judge.pack_size()
+    }
 }

@@ -1,0 +1,267 @@
+//! The survey before a campaign: engines are asked for each part of the language alone, so that the programs of the campaign
+//! need nothing that is known to fail.
+//!
+//! A part of the language is a word of [`Exclusions`]. First an engine is given small random programs that together use all
+//! parts; a program that it gets right shows that its parts are there. Of each part that is left the smallest program is made
+//! that uses it, by reducing random programs without any engine. An engine that fails with that program is blamed for the
+//! part, unless the program contains another one for which it is blamed: then a program without that one is asked about.
+
+mod probes;
+
+use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all, compare};
+use crate::exclusions::{Exclusions, UnknownWord};
+use crate::inputs::Inputs;
+use probes::{Probe, ProbeProgram, ProbeSource};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+use std::time::{Duration, Instant};
+use stickler_engines::{EngineError, EngineSession};
+use stickler_types::DialectName;
+use stickler_workers::{SpawnError, WorkerPool};
+
+/// The number of times that an engine is given random programs with the parts that are left.
+const COVERING_ROUNDS: usize = 3;
+
+/// The number of times that parts are asked for again with programs that contain nothing for which the engine is blamed.
+const ROUNDS: usize = 3;
+
+/// The number of programs that a worker is given at a time, where an engine takes one at a time.
+const CHUNK_LEN: usize = 8;
+
+/// The plan of a survey.
+pub struct SurveyPlan<'s> {
+    /// The engines of the campaign; the reference is not asked.
+    pub engines: &'s [EngineUnderTest<'s>],
+    /// The dialects of the campaign; an engine is asked only for those that it speaks.
+    pub dialects: &'s [DialectName],
+    /// The parts of the language that are left out anyway.
+    pub without: &'s Exclusions,
+    /// The number of workers; 0 stands for one a processor.
+    pub jobs: usize,
+    /// The time that the survey may take; `None` where it has no limit.
+    pub time: Option<Duration>,
+    /// Returns whether the survey may ask more.
+    pub going: &'s (dyn Fn() -> bool + Sync),
+}
+
+/// The result of a survey.
+#[derive(Clone, PartialEq, Debug, Default)]
+pub struct Survey {
+    /// The parts of the language with which an engine fails alone, those that most programs have first.
+    pub failing: Vec<FailingPart>,
+    /// The number of parts that engines were asked for.
+    pub asked: u64,
+    /// The number of parts that they should have been asked for.
+    pub parts: u64,
+    /// The time that the slowest engine took for one program, in packs where it takes several at a time.
+    pub pace: Duration,
+    /// The time that the survey took.
+    pub elapsed: Duration,
+}
+
+/// A part of the language with which an engine fails alone.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct FailingPart {
+    /// The name of the engine.
+    pub engine: String,
+    /// The dialect of the program.
+    pub dialect: String,
+    /// The word for the part.
+    pub word: String,
+    /// The symptom in a word, such as `rejected:P4017` or `value:INT`.
+    pub symptom: String,
+    /// The program that shows it.
+    pub program: String,
+}
+
+/// An error that ends a survey.
+#[derive(Debug, thiserror::Error)]
+pub enum SurveyError {
+    /// An engine could not be started.
+    #[error(transparent)]
+    Engine(#[from] EngineError),
+    /// The worker threads could not be started.
+    #[error(transparent)]
+    Workers(#[from] SpawnError),
+}
+
+/// Asks the engines of a campaign for each part of the language alone.
+///
+/// # Errors
+/// [`SurveyError`] where an engine or a thread cannot be started.
+pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, SurveyError> {
+    let begun = Instant::now();
+    let mut survey = Survey::default();
+    for &dialect in plan.dialects {
+        let foreign =
+            |engine: &&EngineUnderTest<'_>| !engine.is_reference && engine.identity().speaks(dialect);
+        let mut engines = plan.engines.iter().filter(foreign).peekable();
+        if engines.peek().is_none() {
+            continue;
+        }
+        let source = ProbeSource::new(dialect, plan.without);
+        for engine in engines {
+            survey.ask(plan, engine, &source)?;
+        }
+    }
+    survey.elapsed = begun.elapsed();
+    Ok(survey)
+}
+
+impl Survey {
+    /// Returns the number of bytes of the largest inputs that suit the speed of the engines: short programs where one takes long,
+    /// for these are reduced with fewer questions.
+    #[must_use]
+    pub fn input_len(&self) -> usize {
+        /// The times for one program from which on inputs are at most so long.
+        const LENGTHS: [(Duration, usize); 2] =
+            [(Duration::from_millis(40), 256), (Duration::from_millis(5), 512)];
+        let slow = LENGTHS.iter().find(|(pace, _)| self.pace >= *pace);
+        slow.map_or(Inputs::MAX_LEN, |(_, length)| *length)
+    }
+
+    /// Returns the words for what failed, for [`Exclusions`]: with the dialect where the part did not fail in all of these.
+    #[must_use]
+    pub fn words(&self, dialects: &[DialectName]) -> Vec<String> {
+        let mut words: Vec<String> = Vec::new();
+        for part in &self.failing {
+            let fails_in = |dialect: &DialectName| {
+                let mut failing = self.failing.iter();
+                failing.any(|other| other.word == part.word && other.dialect == dialect.as_str())
+            };
+            let word = match dialects.iter().all(fails_in) {
+                true => part.word.clone(),
+                false => format!("{}@{}", part.word, part.dialect),
+            };
+            if !words.contains(&word) {
+                words.push(word);
+            }
+        }
+        words
+    }
+
+    /// Returns the exclusions of a campaign: these words and those for what failed.
+    ///
+    /// # Errors
+    /// [`UnknownWord`] where one of the words stands for nothing.
+    pub fn exclusions(&self, words: &[String], dialects: &[DialectName]) -> Result<Exclusions, UnknownWord> {
+        let mut all = words.to_vec();
+        all.extend(self.words(dialects));
+        Exclusions::new(&all)
+    }
+
+    /// Asks one engine in one dialect.
+    fn ask(
+        &mut self,
+        plan: &SurveyPlan<'_>,
+        engine: &EngineUnderTest<'_>,
+        source: &ProbeSource,
+    ) -> Result<(), SurveyError> {
+        let mut suspects = source.words();
+        let parts = suspects.len();
+        self.parts += parts as u64;
+        let mut covering = source.covering();
+        for _ in 0..COVERING_ROUNDS {
+            let programs = covering.next(&suspects);
+            let symptoms = self.symptoms(plan, engine, &programs)?;
+            for (program, symptom) in programs.iter().zip(symptoms) {
+                if symptom == Some(None) {
+                    suspects.retain(|word| !program.words.contains(word));
+                }
+            }
+        }
+        self.asked += (parts - suspects.len()) as u64;
+        self.blame(plan, engine, source, suspects)
+    }
+
+    /// Asks one engine for each part that no program has shown to be there.
+    fn blame(
+        &mut self,
+        plan: &SurveyPlan<'_>,
+        engine: &EngineUnderTest<'_>,
+        source: &ProbeSource,
+        mut suspects: BTreeSet<String>,
+    ) -> Result<(), SurveyError> {
+        let mut blamed: BTreeSet<String> = BTreeSet::new();
+        for round in 0..ROUNDS {
+            let probes = source.probes(&suspects, &blamed, plan.going);
+            let programs: Vec<&ProbeProgram> = probes.iter().map(|probe| &probe.program).collect();
+            let symptoms = self.symptoms(plan, engine, &programs)?;
+            if round == 0 {
+                self.asked += symptoms.iter().flatten().count() as u64;
+            }
+            let before = blamed.len();
+            for (Probe { word, program }, symptom) in probes.into_iter().zip(symptoms) {
+                match symptom {
+                    None => {}
+                    Some(None) => _ = suspects.remove(&word),
+                    // It fails for another part, or is asked about with a program without that one.
+                    Some(Some(_)) if !program.words.is_disjoint(&blamed) => {}
+                    Some(Some(symptom)) => {
+                        suspects.remove(&word);
+                        blamed.insert(word.clone());
+                        self.failing.push(FailingPart {
+                            engine: engine.identity().name.clone(),
+                            dialect: source.dialect().as_str().to_owned(),
+                            word,
+                            symptom,
+                            program: program.subject.text,
+                        });
+                    }
+                }
+            }
+            if blamed.len() == before {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the symptom that an engine shows on each program, `Some(None)` where it does what it must, and `None` where it was
+    /// not asked.
+    fn symptoms(
+        &mut self,
+        plan: &SurveyPlan<'_>,
+        engine: &EngineUnderTest<'_>,
+        programs: &[&ProbeProgram],
+    ) -> Result<Vec<Option<Option<String>>>, SurveyError> {
+        let begun = Instant::now();
+        let pool = WorkerPool::new(plan.jobs);
+        let chunk = engine.engine.pack_size().max(CHUNK_LEN);
+        let open = || Ok::<_, SurveyError>(EngineSession::open(engine.engine)?);
+        let work = |session: &mut EngineSession<'_>, chunk: &[&ProbeProgram]| {
+            Ok(symptoms_of(session, chunk, plan.going))
+        };
+        let all: Vec<_> = pool.map(programs.chunks(chunk), open, work)?.concat();
+        let reached = u32::try_from(all.iter().flatten().count()).unwrap_or(u32::MAX);
+        if reached > 0 {
+            let threads = pool.threads().min(programs.len().div_ceil(chunk));
+            let spent = begun.elapsed() * u32::try_from(threads).unwrap_or(u32::MAX);
+            self.pace = self.pace.max(spent / reached);
+        }
+        Ok(all)
+    }
+}
+
+fn symptoms_of(
+    session: &mut EngineSession<'_>,
+    programs: &[&ProbeProgram],
+    going: &dyn Fn() -> bool,
+) -> Vec<Option<Option<String>>> {
+    let questions: Vec<JudgedProgram<'_>> = programs
+        .iter()
+        .map(|program| program.subject.question(false))
+        .collect();
+    let outcomes = ask_all(session, &questions, going);
+    let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
+        Some(match compare(*question, &outcome?) {
+            Agreement::Agrees => None,
+            Agreement::Unsupported => Some("unsupported".to_owned()),
+            Agreement::Disagrees(disagreement) => Some(disagreement.symptom),
+        })
+    });
+    compared.collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,113 @@
+//! The survey of engines that are known to fail with some parts of the language.
+
+use super::{Survey, SurveyPlan, survey};
+use crate::differential::EngineUnderTest;
+use crate::exclusions::Exclusions;
+use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
+use stickler_types::DialectName;
+
+/// The reference, which rejects programs with one of these texts.
+struct Lacking {
+    inner: Reference,
+    identity: Identity,
+    texts: &'static [&'static str],
+}
+
+impl Lacking {
+    fn new(texts: &'static [&'static str]) -> Lacking {
+        let inner = Reference::default();
+        let identity = Identity {
+            name: "lacking".to_owned(),
+            ..inner.identity().clone()
+        };
+        Lacking {
+            inner,
+            identity,
+            texts,
+        }
+    }
+}
+
+impl Engine for Lacking {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(LackingSession(self, self.inner.session()?)))
+    }
+}
+
+struct LackingSession<'e>(&'e Lacking, Box<dyn Session + 'e>);
+
+impl Session for LackingSession<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        if self.0.texts.iter().any(|text| request.source.contains(text)) {
+            return Outcome::Rejected {
+                diagnostics: Vec::new(),
+            };
+        }
+        self.1.run(request)
+    }
+
+    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.1.check(dialect, source)
+    }
+
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        self.1.render(dialect, source)
+    }
+}
+
+fn surveyed(engine: &Lacking, without: &[&str], going: &(dyn Fn() -> bool + Sync)) -> Survey {
+    let words: Vec<String> = without.iter().map(|&word| word.to_owned()).collect();
+    let engines = [EngineUnderTest {
+        engine,
+        asked_for: "lacking",
+        is_reference: false,
+    }];
+    let plan = SurveyPlan {
+        engines: &engines,
+        dialects: &[DialectName::IronplcEd3],
+        without: &Exclusions::new(&words).unwrap(),
+        jobs: 1,
+        time: None,
+        going,
+    };
+    survey(&plan).unwrap()
+}
+
+#[test]
+fn an_engine_is_blamed_for_what_it_lacks_and_for_nothing_that_only_occurs_beside_it() {
+    let lacking = Lacking::new(&["ARRAY", " MOD "]);
+    let survey = surveyed(&lacking, &[], &|| true);
+    let dialects = [DialectName::IronplcEd3];
+    let mut words = survey.words(&dialects);
+    words.sort();
+    assert_eq!(words, ["ARRAY", "MOD"]);
+    assert!(survey.failing.iter().all(|part| part.symptom == "rejected"));
+    assert!(
+        survey
+            .failing
+            .iter()
+            .all(|part| part.program.lines().count() < 10)
+    );
+    assert!(survey.asked > 50, "{}", survey.asked);
+    let surveyed_again = surveyed(&lacking, &["MOD"], &|| true);
+    assert_eq!(surveyed_again.words(&dialects), ["ARRAY"]);
+}
+
+#[test]
+fn a_word_has_its_dialect_where_it_fails_in_some_only() {
+    let survey = surveyed(&Lacking::new(&[" MOD "]), &[], &|| true);
+    let dialects = [DialectName::IronplcEd2, DialectName::IronplcEd3];
+    assert_eq!(survey.words(&dialects), ["MOD@ironplc-ed3"]);
+    assert!(survey.exclusions(&["CHAR".to_owned()], &dialects).is_ok());
+}
+
+#[test]
+fn a_survey_without_time_learns_nothing() {
+    let survey = surveyed(&Lacking::new(&[" MOD "]), &[], &|| false);
+    assert_eq!((survey.asked, survey.failing.len()), (0, 0));
+    assert!(survey.parts > 50);
+}
