@@ -268,12 +268,12 @@ impl Call<'_> {
         }
     }
 
-    /// Returns the basis of `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; the page does not list other conversions of dates.
+    /// Returns the basis of `DATE_TO_DT`, `DT_TO_DATE` and `DT_TO_TOD`; the page does not list other conversions of dates, and says
+    /// nothing of the range and precision of these types, which the standard leaves to the implementer (Table 10).
     fn of_date(self, raw: u64) -> Option<&'static str> {
         use ElementaryType::{Date, Dt, Tod};
         match (self.from, self.to) {
-            (Date, Dt) | (Dt, Tod) => self.rules.only_matiec(NAMING),
-            (Dt, Date) if moment::has_day(raw) => self.rules.only_matiec(NAMING),
+            (Date, Dt) | (Dt, Tod | Date) if moment::is_in_every_range(raw) => self.rules.only_matiec(NAMING),
             _ => None,
         }
     }

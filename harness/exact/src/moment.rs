@@ -153,6 +153,14 @@ pub(crate) fn has_day(raw: u64) -> bool {
     fits(nanoseconds(raw).div_euclid(DAY) * DAY)
 }
 
+/// Returns whether every system can be expected to hold a moment: whole milliseconds from 1970 on, before 32 bits of seconds
+/// overflow in 2038.
+pub(crate) fn is_in_every_range(raw: u64) -> bool {
+    const MILLISECOND: i128 = 1_000_000;
+    let nanoseconds = nanoseconds(raw);
+    (0..(1 << 31) * 1_000 * MILLISECOND).contains(&nanoseconds) && nanoseconds % MILLISECOND == 0
+}
+
 /// Returns the time that has passed since midnight, also before 1970.
 fn time_of_day(moment: i64) -> u64 {
     wrapped(i128::from(moment).rem_euclid(DAY)).cast_unsigned()

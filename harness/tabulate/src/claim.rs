@@ -18,10 +18,13 @@ const RECORD_MORE: [&str; 5] = [
 /// The dialects that differ in their documents; the three of IronPLC have one page on conversion functions.
 const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcEd3, DialectName::Plcnext];
 
+/// The word of a row whose result no document states.
+const OPEN: &str = "open";
+
 /// The result on which the asserting probes of a table agree for a call.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Agreed {
-    /// The result as a typed literal; an empty text where no probe asserts one.
+    /// The result as a typed literal, or `open` where no document of a dialect states it; an empty text where no probe asserts one.
     pub value: String,
     /// The bases of the call, as the column `basis` has them: an empty text where those of the probes are right.
     pub basis: String,
@@ -42,6 +45,7 @@ impl Table {
         let mut bases: Vec<(DialectName, &'static str)> = Vec::new();
         let mut misnamed = None;
         let mut leaves_out = false;
+        let mut leaves_open = Vec::new();
         for probe in &self.probes {
             for &dialect in &probe.dialects {
                 let expected = call.expected(dialect);
@@ -51,6 +55,14 @@ impl Table {
                     && self.has_column("dialects")
                 {
                     leaves_out = true;
+                    continue;
+                }
+                if probe.claim == Some(ProbeClaim::Value)
+                    && expected.basis.is_none()
+                    && self.generate.is_none()
+                    && probe.may_be_open
+                {
+                    leaves_open.push(dialect);
                     continue;
                 }
                 self.check(probe, call, dialect, &expected)?;
@@ -67,6 +79,10 @@ impl Table {
                 bases.push((dialect, basis));
             }
         }
+        if let (Some(_), [dialect, ..]) = (&agreed, &leaves_open[..]) {
+            return Err(format!("one dialect asserts what is open in {dialect}"));
+        }
+        let open = leaves_open.first().map_or("", |_| OPEN);
         let basis = match misnamed {
             None => String::new(),
             Some(_) if self.has_column("basis") => self.bases(&bases)?,
@@ -79,7 +95,7 @@ impl Table {
         };
         let asserted: Vec<DialectName> = bases.iter().map(|(dialect, _)| *dialect).collect();
         Ok(Agreed {
-            value: agreed.unwrap_or_default(),
+            value: agreed.unwrap_or_else(|| open.to_owned()),
             basis,
             dialects: if leaves_out {
                 self.asked(&asserted)

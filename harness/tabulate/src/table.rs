@@ -31,6 +31,7 @@ struct ProbeKeys {
     basis: Option<Bases>,
     dialects: Option<Vec<String>>,
     expect: Option<String>,
+    observe: Option<toml::Value>,
     #[serde(default)]
     source: String,
 }
@@ -78,6 +79,8 @@ pub struct Probe {
     pub dialects: Vec<DialectName>,
     /// The sources that say so, as one text: a dialect's is the first that speaks for it.
     pub basis: String,
+    /// Whether a row may be recorded instead: the variable is observed with its type.
+    pub may_be_open: bool,
     /// The template of the program; empty for a probe whose programs are put together of places.
     pub source: String,
 }
@@ -110,6 +113,9 @@ impl Table {
                     Some(names) => resolve(names, dialects)?,
                     None => all.clone(),
                 },
+                may_be_open: probe
+                    .observe
+                    .is_some_and(|observe| observe.as_str().is_some_and(|name| name.contains(" : "))),
                 name: probe.name,
                 basis: probe.basis.as_ref().unwrap_or(&own).text().to_owned(),
                 source: probe.source,
@@ -355,6 +361,23 @@ rows = [
         assert_eq!(
             error,
             "WORD_TO_BOOL(WORD#16#0001): `variable` does not name rule: bool-is-zero-or-one, which says so in ironplc-ed3"
+        );
+    }
+
+    #[test]
+    fn a_row_of_which_no_document_speaks_is_open_where_the_variable_has_a_type() {
+        let rows = "rows = [['DATE', 'DT', 'DATE#2024-02-29', ''], ['DATE', 'DT', 'DATE#2200-02-28', '']]\n";
+        let typed = table(&format!("{HEAD}{rows}{PROBE}observe = 'into : {{to}}'\n"));
+        let written = typed.rows_of(&typed.calls().unwrap()).unwrap();
+        assert_eq!(
+            [&written[0][3], &written[1][3]],
+            ["DT#2024-02-29-00:00:00", "open"]
+        );
+        let untyped = table(&format!("{HEAD}{rows}{PROBE}observe = 'into'\n"));
+        let error = untyped.rows_of(&untyped.calls().unwrap()).unwrap_err();
+        assert!(
+            error.ends_with("`variable` asserts what is open in matiec"),
+            "{error}"
         );
     }
 

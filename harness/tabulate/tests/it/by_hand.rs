@@ -115,8 +115,8 @@ fn conversions_of_conversions_are_done_step_by_step() {
             };
             let result = result.map(|value| value.to_string());
             assert_eq!(
-                result.as_deref(),
-                Some(row["expected"]),
+                result.as_deref().unwrap_or("open"),
+                row["expected"],
                 "{name} in {dialect}: {row:?}"
             );
         }
