@@ -8,6 +8,8 @@
 mod cause_page;
 mod page;
 
+pub(crate) use cause_page::page as cause_page_of;
+
 use crate::ReportError;
 use crate::observations::probe;
 use crate::overview::{Overview, entry, kept};

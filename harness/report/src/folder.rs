@@ -6,6 +6,7 @@ use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
 use crate::overview::Overview;
+use crate::page::Page;
 use crate::results::Results;
 use crate::summary::Summary;
 use std::fs;
@@ -20,6 +21,7 @@ pub struct Reports {
     summary: Summary,
     badge: Badge,
     discrepancies: Discrepancies,
+    page: Page,
 }
 
 impl Reports {
@@ -37,6 +39,7 @@ impl Reports {
             summary: Summary::create(folder.join("summary.md"))?,
             badge: Badge::create(folder.join("badge.json"))?,
             discrepancies: Discrepancies::create(folder)?,
+            page: Page::create(folder.join("index.html"))?,
         })
     }
 
@@ -49,6 +52,7 @@ impl Reports {
         self.results.take(event, group)?;
         self.junit.take(event, group);
         self.discrepancies.take(event);
+        self.page.take(event, group);
         Ok(())
     }
 
@@ -63,6 +67,7 @@ impl Reports {
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
         self.badge.finish(overview)?;
+        self.page.finish(overview, groups)?;
         self.summary.finish(overview)
     }
 }
@@ -93,6 +98,7 @@ mod tests {
         let expected = [
             "badge.json",
             "events.jsonl",
+            "index.html",
             "junit.xml",
             "results.json",
             "summary.md",

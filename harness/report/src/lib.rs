@@ -6,6 +6,7 @@
 //! | `results` | `results.json` | programs |
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
+//! | `page` | `index.html` | everybody: one file that a browser opens |
 //! | `badge` | `badge.json` | the first page of a compiler's project |
 //! | `discrepancies` | `discrepancies/ENGINE/*.md` | the authors of a compiler |
 //! | [`terminal`] | (the terminal) | the person who started the run |
@@ -34,6 +35,7 @@ mod groups;
 mod junit;
 pub mod observations;
 pub mod overview;
+mod page;
 pub mod parts;
 mod pending;
 mod results;
@@ -44,6 +46,7 @@ pub mod summary;
 mod table;
 pub mod terminal;
 mod text;
+mod words;
 
 pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};

@@ -1,5 +1,6 @@
 //! Compares what engines do where no document states what they must do. Observations are recorded, never judged.
 
+use crate::words::Words;
 use std::collections::{BTreeMap, HashMap};
 use stickler_run::CaseEvent;
 
@@ -20,30 +21,6 @@ struct Seen {
     engine: u32,
     dialect: u32,
     value: u32,
-}
-
-/// A table of words that keeps each word once, under a number.
-#[derive(Debug, Default)]
-struct Words {
-    numbers: HashMap<String, u32>,
-    words: Vec<String>,
-}
-
-impl Words {
-    fn number(&mut self, word: &str) -> u32 {
-        if let Some(number) = self.numbers.get(word) {
-            return *number;
-        }
-        // A run has fewer events than `u32` has values.
-        let number = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
-        self.words.push(word.to_owned());
-        self.numbers.insert(word.to_owned(), number);
-        number
-    }
-
-    fn word(&self, number: u32) -> &str {
-        self.words.get(number as usize).map_or("", String::as_str)
-    }
 }
 
 /// Cases of one probe on which the engines form the same groups by their results.

@@ -105,7 +105,7 @@ pub(super) fn file(number: usize, cause: &Cause) -> String {
 }
 
 /// Returns the page of a cause.
-pub(super) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, overview: &Overview) -> String {
+pub(crate) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, overview: &Overview) -> String {
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
     reproduction(&mut text, about, shown);

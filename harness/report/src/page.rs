@@ -1,0 +1,102 @@
+//! `index.html`: the run as one page that a browser opens, without anything else.
+//!
+//! The page is a skeleton, a style sheet and scripts, which stand in files of their own beside this module and are part of the
+//! program, and the data of the run as JSON, in elements that no browser runs. The scripts build what is looked at, and only
+//! through the interface of the document, so that no text of a run becomes markup.
+//!
+//! | element | data |
+//! |---|---|
+//! | `run` | header, totals, claims, causes, observations on which engines disagree: small, read at once |
+//! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases |
+
+mod assets;
+mod cases;
+mod run;
+mod script_json;
+mod texts;
+
+use crate::ReportError;
+use crate::groups::{GroupNumber, Groups};
+use crate::overview::Overview;
+use crate::pending::PendingFile;
+use cases::FailedCases;
+use serde::Serialize;
+use std::io::{self, Write};
+use std::path::PathBuf;
+use stickler_run::{Event, Totals, Verdict};
+
+/// The page of a run, gathered until it is written.
+pub(crate) struct Page {
+    file: PendingFile,
+    /// The verdict counts of each group of cases, by the number of the group.
+    totals: Vec<Totals>,
+    cases: FailedCases,
+}
+
+impl Page {
+    /// Creates the file.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the file cannot be created.
+    pub(crate) fn create(path: PathBuf) -> Result<Page, ReportError> {
+        Ok(Page {
+            file: PendingFile::create(path)?,
+            totals: Vec::new(),
+            cases: FailedCases::default(),
+        })
+    }
+
+    /// Adds one event, with the group of a case.
+    pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) {
+        match (event, group) {
+            (Event::Case(case), Some(group)) => {
+                if self.totals.len() <= group {
+                    self.totals.resize_with(group + 1, Totals::default);
+                }
+                self.totals[group].count(case.verdict);
+                if case.verdict != Verdict::Pass {
+                    self.cases.take(case, group);
+                }
+            }
+            // All else is taken from the overview, when the page is written.
+            (Event::Header(_) | Event::Case(_) | Event::Cause(_) | Event::Footer(_), _) => {}
+        }
+    }
+
+    /// Writes the page. A run without header or footer has none.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the file cannot be written.
+    pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
+        let Some(run) = run::data(overview) else {
+            return Ok(());
+        };
+        let path = self.file.path().to_owned();
+        let cases = self.cases.into_data(groups, &self.totals);
+        write(&mut self.file, &run, &cases).map_err(ReportError::writing(&path))?;
+        self.file.commit()
+    }
+}
+
+/// Writes the skeleton with its style, data and scripts.
+fn write(out: &mut impl Write, run: &impl Serialize, cases: &impl Serialize) -> io::Result<()> {
+    let (before_style, before_data, before_script, end) = assets::skeleton();
+    write!(out, "{before_style}{}{before_data}", assets::STYLE)?;
+    data(out, "run", run)?;
+    data(out, "cases", cases)?;
+    out.write_all(before_script.as_bytes())?;
+    for script in assets::SCRIPTS {
+        out.write_all(script.as_bytes())?;
+    }
+    out.write_all(end.as_bytes())
+}
+
+/// Writes an element with data that a script reads.
+fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()> {
+    write!(out, "<script type=\"application/json\" id=\"data-{id}\">")?;
+    script_json::write(out, value)?;
+    out.write_all(b"</script>\n")
+}
+
+#[cfg(test)]
+mod tests;

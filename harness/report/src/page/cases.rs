@@ -1,0 +1,148 @@
+//! The cases that did not pass, in columns of numbers.
+
+use super::texts::{TextNumber, Texts};
+use crate::groups::{Group, GroupNumber, Groups};
+use crate::text::{clip_facts, noted, visible};
+use crate::words::Words;
+use serde::Serialize;
+use stickler_run::{CaseEvent, Fact, Grade, Totals, Verdict};
+
+/// The maximum number of cases that are listed; the others are counted by their group, and `results.json` has them all.
+const MAX_CASES: usize = 120_000;
+
+/// The maximum number of lines of what was expected or came.
+const MAX_LINES: usize = 60;
+
+/// The maximum number of characters of such a line.
+const MAX_CHARACTERS: usize = 500;
+
+/// The cases that did not pass, gathered while the run goes on.
+#[derive(Default)]
+pub(super) struct FailedCases {
+    texts: Texts,
+    columns: Columns,
+    left_out: u64,
+}
+
+/// The properties of the listed cases, each a list with an element for each case.
+#[derive(Default, Serialize)]
+struct Columns {
+    /// The number of the case's group.
+    group: Vec<usize>,
+    /// What stands behind the id of the group in the id of the case, a number of a word.
+    arguments: Vec<u32>,
+    /// The index of the verdict in [`Verdict::ALL`].
+    verdict: Vec<usize>,
+    /// The line in the case file; 0 where it is not known.
+    line: Vec<u32>,
+    expected: Vec<TextNumber>,
+    got: Vec<TextNumber>,
+    /// The program; `null` where the verdict needs none, or where it is left out.
+    program: Vec<TextNumber>,
+    /// The number of the word with what a baseline says; `null` where it says nothing.
+    baseline: Vec<Option<u32>>,
+}
+
+/// The properties of the groups, each a list with an element for each group: numbers of words, unless it says otherwise.
+#[derive(Default, Serialize)]
+struct GroupColumns {
+    id: Vec<u32>,
+    dialect: Vec<u32>,
+    engine: Vec<u32>,
+    title: Vec<u32>,
+    basis: Vec<u32>,
+    file: Vec<u32>,
+    area: Vec<u32>,
+    /// The word of the grade; `null` for cases without one.
+    grade: Vec<Option<Grade>>,
+    /// Whether the document leaves the result open: 1 or 0.
+    open: Vec<u8>,
+    /// How often each verdict came, in the order of [`Verdict::ALL`], up to the last that came.
+    totals: Vec<Vec<u64>>,
+}
+
+/// The data of all groups, and of the cases that did not pass.
+#[derive(Serialize)]
+pub(super) struct CasesData {
+    verdicts: Vec<&'static str>,
+    groups: GroupColumns,
+    words: Vec<String>,
+    /// Texts of several lines, as numbers of words.
+    texts: Vec<Vec<u32>>,
+    cases: Columns,
+    /// The number of cases that did not pass and are not listed.
+    cases_left_out: u64,
+    /// The number of programs, expectations and outcomes that listed cases lack, since the page has no room for them.
+    texts_left_out: u64,
+}
+
+impl GroupColumns {
+    fn push(&mut self, group: &Group, totals: &Totals, words: &mut Words) {
+        self.id.push(words.number(&group.id));
+        self.dialect.push(words.number(&group.dialect));
+        self.engine.push(words.number(&group.engine));
+        self.title.push(words.number(&group.title));
+        self.basis.push(words.number(&group.basis));
+        self.file.push(words.number(&group.file));
+        self.area.push(words.number(&group.area));
+        self.grade.push(group.grade);
+        self.open.push(u8::from(group.open));
+        let mut counts: Vec<u64> = Verdict::ALL.iter().map(|&verdict| totals.of(verdict)).collect();
+        while counts.last() == Some(&0) {
+            counts.pop();
+        }
+        self.totals.push(counts);
+    }
+}
+
+impl FailedCases {
+    /// Adds a case.
+    pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) {
+        let FailedCases {
+            texts,
+            columns,
+            left_out,
+        } = self;
+        if columns.group.len() >= MAX_CASES {
+            *left_out += 1;
+            return;
+        }
+        let mut facts = |facts: &[Fact]| {
+            let clipped = clip_facts(facts, MAX_LINES, MAX_CHARACTERS);
+            texts.number(&visible(&Fact::text(&clipped)))
+        };
+        columns.expected.push(facts(&case.expected));
+        columns.got.push(facts(&case.got));
+        let program = case.program.as_deref();
+        columns
+            .program
+            .push(program.and_then(|program| texts.number(&visible(program))));
+        columns.group.push(group);
+        columns
+            .arguments
+            .push(texts.words.number(Group::arguments(&case.id)));
+        let verdict = Verdict::ALL.iter().position(|verdict| *verdict == case.verdict);
+        columns.verdict.push(verdict.unwrap_or_default());
+        columns.line.push(case.line.unwrap_or_default());
+        let note = case.baseline.as_ref().map(noted);
+        columns.baseline.push(note.map(|note| texts.words.number(&note)));
+    }
+
+    /// Returns the data for the page, with the groups of the run and their verdict counts.
+    pub(super) fn into_data(mut self, groups: &Groups, totals: &[Totals]) -> CasesData {
+        let mut columns = GroupColumns::default();
+        for (group, totals) in groups.all().iter().zip(totals) {
+            columns.push(group, totals, &mut self.texts.words);
+        }
+        let (words, texts, texts_left_out) = self.texts.into_parts();
+        CasesData {
+            verdicts: Verdict::ALL.iter().map(|verdict| verdict.as_str()).collect(),
+            groups: columns,
+            words: words.all().to_vec(),
+            texts,
+            cases: self.columns,
+            cases_left_out: self.left_out,
+            texts_left_out,
+        }
+    }
+}

@@ -1,0 +1,89 @@
+// Causes: what one mend in a compiler would put right, each with the smallest program that shows it.
+
+/** Shows the causes, those that explain most cases first, and apart those that contradict no source that binds the engine. */
+function showCauses(main, query) {
+  const engine = query.get("engine") || "";
+  const open = query.get("number");
+  const causes = run().causes.map((cause, index) => ({ cause, number: index + 1 }))
+    .filter(({ cause }) => engine === "" || cause.engine === engine);
+  add(main, el("h2", {}, "Causes"), el("p.dim", {},
+    "A cause is what one mend in the compiler would probably put right. Each has the smallest program that was found for it."));
+  if (engineNames().length > 1) {
+    add(main, el("div.filters", {}, choice("engine", engineNames(), engine, (chosen) => {
+      location.hash = addressOf("causes", { engine: chosen });
+    })));
+  }
+  const lists = [
+    ["Contradicts a source that binds the engine", causes.filter(({ cause }) => !cause.differs)],
+    ["Differs from rules of Stickler, or from sources that speak for other engines", causes.filter(({ cause }) => cause.differs)],
+  ];
+  for (const [title, list] of lists) {
+    if (list.length === 0) continue;
+    list.sort((one, other) => other.cause.number - one.cause.number);
+    add(main, el("h3", {}, `${title}: ${grouped(list.length)}`),
+      list.map(({ cause, number }) => causeBox(cause, number, open === String(number))));
+  }
+  if (open !== null) main.querySelector("details[open]")?.scrollIntoView({ block: "start" });
+  if (causes.length === 0) {
+    const failing = run().footer.totals.pass !== run().header.cases;
+    add(main, el("p", {}, failing ? "No cause was searched for or found; " : "Nothing to explain: every case is as expected. ",
+      failing ? link("#cases", "the cases that did not pass") : null));
+  }
+}
+
+/** Returns the box of a cause. */
+function causeBox(cause, number, open) {
+  const title = [el("span.tag.fail", {}, grouped(cause.number)), " ", engineNames().length > 1 ? `${cause.engine}: ` : "", quoted(cause.title)];
+  if (cause.differs) title[0].className = "tag differs";
+  return opening(title, () => {
+    const address = addressOf("causes", { number });
+    return [
+      el("div.actions", {}, copyButton("program", cause.shown.program), commandsOf(cause.shown) === "" ? null : copyButton("commands", commandsOf(cause.shown)),
+        copyButton("text of a report", cause.report), link(address, "address of this cause")),
+      witnessView(cause.engine, cause.shown),
+      cause.flaky ? el("p.notice", {}, `By chance: this came in ${cause.flaky[0]} of ${cause.flaky[1]} runs of the same program.`) : null,
+      cause.reduction === "partly" ? el("p.dim", {}, "The program is not as small as it can be: the search for causes ended before.") : null,
+      cause.types.length > 0 ? el("p", {}, "Seen with: ", cause.types.join("; ")) : null,
+      cause.second ? el("div", {}, el("h3", {}, "Another program"), witnessView(cause.engine, cause.second)) : null,
+      explained(cause),
+    ];
+  }, open);
+}
+
+/** Returns a title whose pieces between backquotes are code. */
+function quoted(title) {
+  return title.split("`").map((piece, index) => (index % 2 === 0 ? piece : el("code", {}, piece)));
+}
+
+/** Returns the commands by which a person sees it without Stickler. */
+function commandsOf(shown) {
+  const files = shown.files.slice(1).map(([name, text]) => `cat > ${name} <<'END'\n${text.replace(/\n?$/, "\n")}END`);
+  const tools = shown.tools.map(([variable, value]) => `${variable}="\${${variable}:-${value}}"`);
+  return shown.commands.length === 0 ? "" : [...tools, ...files, ...shown.commands].join("\n");
+}
+
+/** Returns a program, what must come of it and what came. */
+function witnessView(engine, shown) {
+  const rerun = rerunOf(engine, shown.case, shown.dialect);
+  const commands = commandsOf(shown);
+  return el("div.pair", {},
+    el("div", {}, el("p", {}, shown.about), programView(shown.program)),
+    el("div", {},
+      el("p", {}, shown.is_derived ? "Found through cases of " : "Expected by ", basisLink(shown.basis)),
+      differenceView(shown.expected, shown.got),
+      commands === "" ? null : [el("p", {}, "With the compiler's own tools, beside ", el("code", {}, shown.files[0][0]), ":"), el("pre", { tabindex: "0" }, commands)],
+      shown.printed === "" ? null : [el("p", {}, "They print:"), el("pre", { tabindex: "0" }, shown.printed)],
+      el("p", {}, "Dialect ", el("code", {}, shown.dialect), rerun === "" ? null : ["; a case that shows it: ", el("span.code", {}, rerun)])));
+}
+
+/** Returns the table of the cases that fail for a cause. */
+function explained(cause) {
+  const rows = [...cause.cases].sort((one, other) => other.cases - one.cases).slice(0, 60).map((some) => [
+    numberCell(some.cases), verdictTag(some.verdict),
+    link(addressOf("cases", { engine: cause.engine, dialect: some.dialect, probe: some.probe }), el("span.code", {}, some.probe)),
+    some.dialect, basisLink(some.basis)]);
+  const rest = cause.cases.length - rows.length;
+  return el("div", {}, table(`${counted(cause.number, "case fails", "cases fail")} for it`,
+    [el("th.number", {}, "cases"), "verdict", "probe", "dialect", "claim"], rows),
+    rest > 0 ? el("p.dim", {}, `and ${counted(rest, "probe", "probes")} more`) : null);
+}

@@ -1,0 +1,68 @@
+// The page itself: its head, its parts, and the way from an address to a part.
+
+/** The parts of the page, in their order, each with the function that shows it. A part without a label has no entry of its own. */
+const VIEWS = [
+  { name: "claims", label: "Claims", show: showClaims },
+  { name: "causes", label: "Causes", show: showCauses },
+  { name: "cases", label: "Cases", show: showCases },
+  { name: "case", label: null, show: showCase },
+  { name: "observations", label: "Observations", show: showObservations },
+];
+
+/** Shows the engines, the versions and the totals of the run. */
+function showHead() {
+  const { header, footer } = run();
+  const total = header.engines.map((engine) => engine.name).join(", ");
+  document.title = `Stickler: ${total}`;
+  const seconds = (footer.duration_ms / 1000).toFixed(1);
+  const parts = [
+    header.shard ? `part ${header.shard} of a run` : "",
+    (header.filters || []).length > 0 ? `only cases that fit ${header.filters.join(", ")}` : "",
+    (header.dialects || []).length > 0 ? `only ${header.dialects.join(", ")}` : "",
+  ].filter((part) => part !== "");
+  document.getElementById("top").replaceChildren(
+    el("h1", {}, `Structured Text conversions: ${total}`),
+    el("p.dim", {}, `Stickler ${header.stickler}, cases ${header.suite}; ${header.started}; `,
+      `${counted(header.cases, "case", "cases")} in ${seconds} s`, parts.length > 0 ? `; ${parts.join("; ")}` : ""),
+    el("ul.engines", {}, footer.engines.map(engineCard)),
+    (header.broken_files || []).length > 0
+      ? el("p.notice", {}, `${counted(header.broken_files.length, "mistake", "mistakes")} in case files: some cases are missing. `, link("#claims", "Which ones"))
+      : "");
+}
+
+/** Returns the card of an engine: its version, and how often each verdict came. */
+function engineCard({ name, totals }) {
+  const engine = engineOf(name);
+  const verdicts = Object.entries(totals).filter(([verdict, number]) => number > 0 || verdict === "pass");
+  return el("li", {}, el("strong", {}, name), " ", el("span.dim", {}, engine ? engine.version : ""),
+    el("div.tags", {}, verdicts.map(([verdict, number]) =>
+      (verdict === "pass" ? verdictTag(verdict, number) : link(addressOf("cases", { engine: name, verdict }), verdictTag(verdict, number))))),
+    engine ? el("div.dim", {}, engine.dialects.join(", ")) : null);
+}
+
+/** Shows the list of the parts, with the current one marked. */
+function showViews(current) {
+  document.getElementById("views").replaceChildren(el("ul", {}, VIEWS.filter((view) => view.label !== null).map((view) =>
+    el("li", {}, el("a", { href: `#${view.name}`, "aria-current": view.name === current ? "page" : null }, view.label)))));
+}
+
+/** Shows the part that the address names, or the first one. */
+function showAddress() {
+  const { view, query } = parseAddress(location.hash);
+  if (view === "main") return;
+  const found = VIEWS.find((one) => one.name === view) || VIEWS[0];
+  const main = document.getElementById("main");
+  main.replaceChildren();
+  showViews(found.name);
+  found.show(main, query, view);
+  main.dataset.view = found.name;
+}
+
+window.addEventListener("hashchange", () => {
+  showAddress();
+  // A keyboard goes on from the part that was opened.
+  if (!location.hash.startsWith("#main")) document.getElementById("main").focus({ preventScroll: true });
+  window.scrollTo(0, 0);
+});
+showHead();
+showAddress();

@@ -1,0 +1,179 @@
+//! The data of a run that the page shows at once: its header, totals, claims and causes, and where engines disagree.
+
+use crate::claims::Standing;
+use crate::discrepancies::cause_page_of;
+use crate::overview::Overview;
+use crate::text::{clip_facts, visible};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Totals, Witness};
+
+/// The maximum number of lines of the facts of a cause.
+const MAX_LINES: usize = 60;
+
+/// The maximum number of characters of such a line.
+const MAX_CHARACTERS: usize = 1000;
+
+/// The maximum number of lists of disagreements; the others are counted.
+const MAX_DISAGREEMENTS: usize = 5000;
+
+#[derive(Serialize)]
+pub(super) struct RunData<'o> {
+    header: &'o Header,
+    footer: &'o Footer,
+    /// The verdict counts by engine, dialect and area.
+    totals: &'o BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
+    claims: Vec<ClaimData<'o>>,
+    causes: Vec<CauseData<'o>>,
+    /// The number of values and acceptances that were recorded where no document states what they must be.
+    observations: u64,
+    disagreements: Vec<DisagreementData<'o>>,
+    disagreements_left_out: usize,
+}
+
+/// A section of a source, with the results of each engine in the order of the header.
+#[derive(Serialize)]
+struct ClaimData<'o> {
+    source: &'o str,
+    section: &'o str,
+    /// The address of the section; empty where the header does not name the source.
+    address: String,
+    standings: Vec<Standing>,
+}
+
+#[derive(Serialize)]
+struct CauseData<'o> {
+    engine: &'o str,
+    title: &'o str,
+    /// Whether no case of it contradicts a source that binds the engine.
+    differs: bool,
+    number: u64,
+    cases: &'o [ExplainedCases],
+    types: &'o [String],
+    reduction: Reduced,
+    /// In how many of how many runs it came, where the engine does not do the same each time.
+    flaky: Option<(u32, u32)>,
+    shown: WitnessData<'o>,
+    second: Option<WitnessData<'o>>,
+    /// The text for the tracker of the engine, in Markdown.
+    report: String,
+}
+
+#[derive(Serialize)]
+struct WitnessData<'o> {
+    case: &'o str,
+    dialect: &'o str,
+    basis: &'o str,
+    about: &'o str,
+    is_derived: bool,
+    program: String,
+    expected: String,
+    got: String,
+    /// The names and texts of the files by which a person sees it without Stickler; none where the engine has no tools.
+    files: Vec<(&'o str, &'o str)>,
+    /// The variables of the commands and their defaults.
+    tools: Vec<(&'o str, &'o str)>,
+    commands: &'o [String],
+    printed: &'o str,
+}
+
+#[derive(Serialize)]
+struct DisagreementData<'o> {
+    id: &'o str,
+    name: &'o str,
+    /// Each value with the engines that gave it.
+    values: Vec<(&'o str, Vec<String>)>,
+    cases: u64,
+}
+
+/// Returns the data of a run; `None` for a run without header or footer.
+pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
+    let (header, footer) = (overview.header.as_ref()?, overview.footer.as_ref()?);
+    let disagreements = overview.observed.disagreements(&overview.engines());
+    Some(RunData {
+        header,
+        footer,
+        totals: &overview.totals,
+        claims: claims(overview),
+        causes: overview
+            .causes
+            .iter()
+            .map(|cause| cause_data(cause, overview))
+            .collect(),
+        observations: overview.observations,
+        disagreements_left_out: disagreements.len().saturating_sub(MAX_DISAGREEMENTS),
+        disagreements: disagreements
+            .into_iter()
+            .take(MAX_DISAGREEMENTS)
+            .map(|disagreement| DisagreementData {
+                id: disagreement.id,
+                name: disagreement.name,
+                values: disagreement.values,
+                cases: disagreement.cases,
+            })
+            .collect(),
+    })
+}
+
+fn claims(overview: &Overview) -> Vec<ClaimData<'_>> {
+    let rows = overview.claims.rows(&overview.engines());
+    let claims = rows.into_iter().filter(|row| !row.sum).map(|row| ClaimData {
+        source: row.source,
+        section: row.section,
+        address: overview
+            .source(row.source)
+            .map_or_else(String::new, |source| source.address_of(row.section)),
+        standings: row.standings,
+    });
+    claims.collect()
+}
+
+fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
+    CauseData {
+        engine: &cause.engine,
+        title: &cause.title,
+        differs: cause.differs(),
+        number: cause.number(),
+        cases: &cause.cases,
+        types: &cause.types,
+        reduction: cause.reduction,
+        flaky: cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
+        shown: witness(&cause.shown),
+        second: cause.second.as_ref().map(witness),
+        report: cause_page_of(&cause.engine, engine(overview, cause), cause, overview),
+    }
+}
+
+fn engine<'o>(overview: &'o Overview, cause: &Cause) -> Option<&'o EngineHeader> {
+    let mut engines = overview.header.iter().flat_map(|header| &header.engines);
+    engines.find(|engine| engine.name == cause.engine)
+}
+
+fn witness(witness: &Witness) -> WitnessData<'_> {
+    let facts = |facts: &[Fact]| visible(&Fact::text(&clip_facts(facts, MAX_LINES, MAX_CHARACTERS)));
+    let reproduction = witness.reproduction.as_ref();
+    WitnessData {
+        case: &witness.case,
+        dialect: &witness.dialect,
+        basis: &witness.basis,
+        about: &witness.about,
+        is_derived: witness.is_derived,
+        program: visible(&witness.program),
+        expected: facts(&witness.expected),
+        got: facts(&witness.got),
+        files: reproduction.map_or_else(Vec::new, |reproduction| {
+            let files = reproduction.files.iter();
+            files
+                .map(|file| (file.name.as_str(), file.text.as_str()))
+                .collect()
+        }),
+        tools: reproduction.map_or_else(Vec::new, |reproduction| {
+            let tools = reproduction.tools.iter();
+            tools
+                .map(|tool| (tool.variable.as_str(), tool.default.as_str()))
+                .collect()
+        }),
+        commands: reproduction.map_or(&[], |reproduction| &reproduction.commands),
+        printed: &witness.printed,
+    }
+}

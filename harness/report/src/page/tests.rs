@@ -1,0 +1,178 @@
+//! Tests of the page as a file: what is in it, that texts stay texts, and that nothing is loaded.
+
+use super::Page;
+use super::assets::{SCRIPTS, STYLE, skeleton};
+use crate::groups::Groups;
+use crate::{Overview, Reports, sample};
+use serde_json::Value;
+use std::fs;
+use stickler_run::{CaseEvent, Event, Verdict};
+
+/// Returns the page of a run.
+fn page(events: &[Event]) -> String {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut reports = Reports::create(folder.path()).expect("a folder");
+    let mut overview = Overview::default();
+    for event in events {
+        reports.take(event).expect("taken");
+        overview.take(event);
+    }
+    reports.finish(&overview).expect("finished");
+    fs::read_to_string(folder.path().join("index.html")).expect("a page")
+}
+
+/// Returns the page of a run, written without the other reports, which texts of this size keep busy.
+fn page_alone(events: &[Event]) -> String {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("index.html");
+    let mut page = Page::create(path.clone()).expect("a file");
+    let (mut groups, mut overview) = (Groups::default(), Overview::default());
+    for event in events {
+        let group = match event {
+            Event::Case(case) => Some(groups.number(case).0),
+            _ => None,
+        };
+        page.take(event, group);
+        overview.take(event);
+    }
+    page.finish(&overview, &groups).expect("finished");
+    fs::read_to_string(path).expect("a page")
+}
+
+/// Returns the data of an element of the page.
+fn data(page: &str, id: &str) -> Value {
+    let start = format!("<script type=\"application/json\" id=\"data-{id}\">");
+    let (_, rest) = page.split_once(&start).expect("the element");
+    let (json, _) = rest.split_once("</script>").expect("its end");
+    serde_json::from_str(json).expect("JSON")
+}
+
+/// Returns the ids of the cases that the page lists, with their programs.
+fn listed(page: &str) -> Vec<(String, String)> {
+    let data = data(page, "cases");
+    let number = |value: &Value| usize::try_from(value.as_u64().expect("a number")).expect("small");
+    let word = |value: &Value| data["words"][number(value)].as_str().expect("a word").to_owned();
+    let cases = &data["cases"];
+    let of = |at: usize| {
+        let group = &data["groups"]["id"][number(&cases["group"][at])];
+        let id = word(group) + &word(&cases["arguments"][at]);
+        let program = match &cases["program"][at] {
+            Value::Null => String::new(),
+            text => {
+                let lines = data["texts"][number(text)].as_array().expect("lines");
+                lines.iter().map(word).collect::<Vec<_>>().join("\n")
+            }
+        };
+        (id, program)
+    };
+    (0..cases["group"].as_array().expect("a column").len())
+        .map(of)
+        .collect()
+}
+
+#[test]
+fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
+    let cases = Verdict::ALL.map(|verdict| sample::case(&format!("a::p({verdict})"), verdict));
+    let mut events = sample::run_of(cases.to_vec());
+    let footer = events.pop().expect("a footer");
+    events.push(Event::Cause(sample::cause("first", 7, Verdict::Fail)));
+    events.push(Event::Cause(sample::cause("second", 3, Verdict::Differs)));
+    events.push(footer);
+    let page = page(&events);
+    let ids: Vec<String> = listed(&page).into_iter().map(|(id, _)| id).collect();
+    let expected = Verdict::ALL.iter().filter(|verdict| **verdict != Verdict::Pass);
+    let expected: Vec<String> = expected
+        .map(|verdict| format!("widening/a::p({verdict})"))
+        .collect();
+    assert_eq!(ids, expected);
+    let run = data(&page, "run");
+    let causes: Vec<(&str, bool, u64)> = run["causes"]
+        .as_array()
+        .expect("causes")
+        .iter()
+        .map(|cause| {
+            let number = cause["number"].as_u64().expect("a number");
+            (
+                cause["title"].as_str().expect("a title"),
+                cause["differs"] == true,
+                number,
+            )
+        })
+        .collect();
+    assert_eq!(causes, [("first", false, 7), ("second", true, 3)]);
+    let report = run["causes"][0]["report"].as_str().expect("a report");
+    assert!(
+        report.contains("PROGRAM m END_PROGRAM") && report.contains("INT#-128"),
+        "{report}"
+    );
+}
+
+#[test]
+fn a_program_that_ends_an_element_stays_text() {
+    let evil = "PROGRAM m (* </script><img src=x onerror=alert(1)> <!-- *)\nEND_PROGRAM";
+    let case = CaseEvent {
+        program: Some(evil.to_owned()),
+        title: "</title><script>alert(2)</script>".to_owned(),
+        ..sample::case("a::p(1)", Verdict::Fail)
+    };
+    let page = page(&sample::run_of(vec![case]));
+    assert!(!page.contains("<img") && !page.contains("alert(2)</script>"));
+    assert_eq!(listed(&page), [("widening/a::p(1)".to_owned(), evil.to_owned())]);
+    let elements = page.matches("<script").count();
+    assert_eq!(elements, page.matches("</script>").count());
+}
+
+#[test]
+fn the_page_loads_nothing_and_makes_no_markup_of_texts() {
+    let (head, ..) = skeleton();
+    assert!(head.contains("default-src 'none'"), "{head}");
+    for part in SCRIPTS.into_iter().chain([STYLE]) {
+        for word in [
+            "</script",
+            "</style",
+            "innerHTML",
+            "outerHTML",
+            "insertAdjacentHTML",
+            "eval(",
+            "import ",
+            "fetch(",
+            "@import",
+            "url(",
+            "XMLHttpRequest",
+        ] {
+            assert!(!part.contains(word), "{word}");
+        }
+    }
+    let page = page(&sample::run());
+    for attribute in ["src=", "<link", "<iframe", "<object"] {
+        assert!(!page.contains(attribute), "{attribute}");
+    }
+}
+
+#[test]
+fn the_claims_of_the_page_are_those_of_the_other_reports() {
+    let page = page(&sample::with_sources(sample::run()));
+    let run = data(&page, "run");
+    let claim = &run["claims"][0];
+    assert_eq!(claim["section"], "Integer widening");
+    assert_eq!(
+        claim["address"],
+        "https://example.org/Integer widening#integer-widening"
+    );
+    assert_eq!(claim["standings"][0]["passed"], 2);
+    assert_eq!(claim["standings"][0]["failed"], 1);
+}
+
+#[test]
+fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
+    let huge = |number: usize| CaseEvent {
+        got: (0..60)
+            .map(|line| sample::told(line, "", &format!("{number} {}", "y".repeat(600))))
+            .collect(),
+        ..sample::case(&format!("a::p({number})"), Verdict::Fail)
+    };
+    let page = page_alone(&sample::run_of((0..200).map(huge).collect()));
+    assert!(page.len() < 10 << 20, "{}", page.len());
+    assert_eq!(listed(&page).len(), 200);
+    assert!(data(&page, "cases")["texts_left_out"].as_u64() > Some(0));
+}
