@@ -168,13 +168,19 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
-/// (`.st`) or a table (`.toml`). Returns the cases to run and the mistakes, but does not ask whether a basis names a source, and knows no places.
+/// (`.st`) or a table (`.toml`), which may be put together of `places`. Returns the cases to run and the mistakes, but does not
+/// ask whether a basis names a source.
 #[must_use]
-pub fn read_case_file(name: &str, text: &str, dialects: &Dialects) -> (Vec<Case>, Vec<CaseFileError>) {
+pub fn read_case_file(
+    name: &str,
+    text: &str,
+    dialects: &Dialects,
+    places: &Places,
+) -> (Vec<Case>, Vec<CaseFileError>) {
     let names = Names {
         dialects,
         sources: None,
-        places: &Places::default(),
+        places,
         types: &TypeNames::default(),
     };
     let harvest = match files::kind(name) {

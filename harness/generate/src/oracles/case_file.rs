@@ -1,9 +1,9 @@
-//! Oracle `case_file`: the input is a case file, and its reader returns cases or located errors.
+//! Oracle `case_file`: the input is a case file, or a file of places, and its reader returns cases or located errors.
 
 use super::{InputOutcome, OracleFailure};
 use std::collections::HashSet;
 use std::sync::LazyLock;
-use stickler_suite::{Case, CaseFileError, Dialects, read_case_file};
+use stickler_suite::{Case, CaseFileError, Dialects, Places, read_case_file};
 
 /// The names of dialects and groups that a case file may use, as in the `dialects.toml` of the suite.
 static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
@@ -13,11 +13,73 @@ static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
     Dialects::of_file("dialects.toml", groups).0
 });
 
+/// The places of which a table may be put together: two for a source, two for a target, one around both.
+static PLACES: LazyLock<Places> = LazyLock::new(|| Places::of_file("places.toml", PLACES_FILE, &DIALECTS).0);
+
+/// The text of a `places.toml`.
+const PLACES_FILE: &str = "\
+[unit.program]
+observe = \"{observe}\"
+text = \"\"\"
+PROGRAM main
+VAR
+    {variables}
+END_VAR
+    {before}
+    {statement}
+END_PROGRAM
+\"\"\"
+
+[source.variable]
+title     = \"a variable\"
+promised  = \"iec-61131-3: 6.5.2.2\"
+groups    = [\"variable\"]
+variables = \"data : {from} := {value};\"
+value     = \"data\"
+
+[source.typed-literal]
+title    = \"a typed literal\"
+promised = \"iec-61131-3: Table 5\"
+literal  = true
+value    = \"{typed}\"
+
+[target.assignment]
+title     = \"a variable\"
+promised  = \"iec-61131-3: 7.3.3.1\"
+groups    = [\"value\"]
+code      = \"P4035\"
+variables = \"into : {to};\"
+target    = \"into\"
+observe   = \"into\"
+statement = \"into := {source}; {error}\"
+
+[target.element]
+title     = \"an element of an array\"
+promised  = \"iec-61131-3: 6.5.1\"
+absent    = [\"matiec\"]
+only      = \"to = ANY_NUM\"
+groups    = [\"value\"]
+code      = \"P4035\"
+variables = \"list : ARRAY[0..1] OF {to};\"
+target    = \"list[1]\"
+observe   = \"list[1]\"
+statement = \"list[1] := {source}; {error}\"
+
+[surrounding.program]
+title     = \"the body of a program\"
+promised  = \"iec-61131-3: 7.3.3.1\"
+statement = \"{statement}\"
+";
+
+/// The beginning of an input that is a `places.toml`.
+const BEGINS_PLACES: &str = "# The places";
+
 /// The maximum number of cases that a file may expand into: for each of its bytes, and for any file, which is the budget of
 /// the suite.
 const MAX_CASES: usize = 200_000;
 
-/// Checks the promises of the reader of case files: a text that begins with `(*!` is a program, any other a table.
+/// Checks the promises of the readers of case files: a text that begins with `(*!` is a program, one that begins with
+/// `# The places` a `places.toml`, of which a small table is put together, and any other a table.
 ///
 /// 1. The reader gives cases or errors, and never neither.
 /// 2. Each error has a line of the file and a message.
@@ -33,6 +95,9 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         // The reader of files refuses these bytes before this reader sees them.
         return Ok(InputOutcome::Skipped("no text"));
     };
+    if text.starts_with(BEGINS_PLACES) {
+        return check_places(text);
+    }
     let name = if text
         .trim_start_matches('\u{FEFF}')
         .trim_start()
@@ -42,8 +107,8 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     } else {
         "language/fuzzed.toml"
     };
-    let (cases, errors) = read_case_file(name, text, &DIALECTS);
-    let lines = text.lines().count().max(1) + 1;
+    let (cases, errors) = read_case_file(name, text, &DIALECTS, &PLACES);
+    let lines = lines(text);
     errors.iter().try_for_each(|error| check_error(error, lines))?;
     check_cases(&cases, lines)?;
     if cases.is_empty() && errors.is_empty() {
@@ -53,13 +118,46 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         ));
     }
     // A difference between two readings would come from the order of a hash table, which a small file shows too.
-    if text.len() < 1024 && read_case_file(name, text, &DIALECTS) != (cases, errors) {
+    if text.len() < 1024 && read_case_file(name, text, &DIALECTS, &PLACES) != (cases, errors) {
         return Err(OracleFailure::new(
             "changes",
             "reading the file again gives something else",
         ));
     }
     Ok(InputOutcome::Checked)
+}
+
+/// A table that is put together of places.
+const PLACED: &str = "\
+title    = \"Places\"
+basis    = \"rule: not-stated\"
+dialects = [\"all\"]
+matrix   = \"\"\"
+      INT DINT
+SINT  yes yes
+REAL  no  no
+\"\"\"
+
+[[probe]]
+name   = \"placed\"
+values = \"one\"
+places = { error = \"if no\" }
+";
+
+fn check_places(text: &str) -> Result<InputOutcome, OracleFailure> {
+    let (places, errors) = Places::of_file("places.toml", text, &DIALECTS);
+    let own = lines(text);
+    errors.iter().try_for_each(|error| check_error(error, own))?;
+    let (cases, errors) = read_case_file("language/placed.toml", PLACED, &DIALECTS, &places);
+    let lines = lines(PLACED);
+    errors.iter().try_for_each(|error| check_error(error, lines))?;
+    check_cases(&cases, lines)?;
+    Ok(InputOutcome::Checked)
+}
+
+/// Returns the number of lines that a mistake may lie in: one more than the text has, for what is missing at its end.
+fn lines(text: &str) -> usize {
+    text.lines().count().max(1) + 1
 }
 
 fn check_error(error: &CaseFileError, lines: usize) -> Result<(), OracleFailure> {
@@ -125,8 +223,35 @@ mod tests {
     #[test]
     fn a_program_gives_a_case_for_each_dialect() {
         assert_eq!(judge(PROGRAM.as_bytes()), Ok(InputOutcome::Checked));
-        let (cases, errors) = read_case_file("language/fuzzed.st", PROGRAM, &DIALECTS);
+        let (cases, errors) = read_case_file("language/fuzzed.st", PROGRAM, &DIALECTS, &PLACES);
         assert_eq!((cases.len(), errors), (5, vec![]));
+    }
+
+    #[test]
+    fn a_table_is_put_together_of_places() {
+        let (places, errors) = Places::of_file("places.toml", PLACES_FILE, &DIALECTS);
+        assert_eq!(errors, []);
+        assert_eq!(judge(PLACED.as_bytes()), Ok(InputOutcome::Checked));
+        let (cases, errors) = read_case_file("language/placed.toml", PLACED, &DIALECTS, &places);
+        assert_eq!(errors, []);
+        assert!(cases.iter().any(|case| case.source.contains("list[1] := data;")));
+        let rejected = |case: &&Case| !case.expectation.diagnostics.is_empty();
+        assert!(cases.iter().filter(rejected).count() > 5, "{}", cases.len());
+    }
+
+    #[test]
+    fn a_file_of_places_gives_places_or_errors() {
+        let whole = format!("{BEGINS_PLACES}\n{PLACES_FILE}");
+        for text in [
+            whole.as_str(),
+            BEGINS_PLACES,
+            &whole.replace("ANY_NUM", "ANY_NUMB"),
+            &whole.replace("{statement}", "{statment}"),
+            &whole.replace("matiec", "no-dialect"),
+            &whole[..whole.len() / 2],
+        ] {
+            assert_eq!(judge(text.as_bytes()), Ok(InputOutcome::Checked), "{text}");
+        }
     }
 
     #[test]

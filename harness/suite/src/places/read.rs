@@ -123,12 +123,23 @@ pub(crate) fn read(
         Ok(text) => text,
         Err(mistake) => return (Places::default(), vec![mistake.in_file(&shown)]),
     };
-    let (places, mistakes) = of_text(&text, dialects, sources);
+    let (places, mistakes) = of_text(&text, dialects, Some(sources));
     let errors = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
     (places, errors.collect())
 }
 
-fn of_text(text: &str, dialects: &Dialects, sources: &Sources) -> (Places, Vec<Mistake>) {
+impl Places {
+    /// Reads the text of the `places.toml` that reports show as `shown`; returns its usable part and its mistakes. Does not ask
+    /// whether what promises a place is a source, so that every dialect has the places but those that the text excepts.
+    #[must_use]
+    pub fn of_file(shown: &str, text: &str, dialects: &Dialects) -> (Places, Vec<CaseFileError>) {
+        let (places, mistakes) = of_text(text, dialects, None);
+        let errors = mistakes.into_iter().map(|mistake| mistake.in_file(shown));
+        (places, errors.collect())
+    }
+}
+
+fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Places, Vec<Mistake>) {
     let lines = Lines::new(text);
     let file = match toml_text::read::<PlacesFile>(text, 0, &lines) {
         Ok(file) => file,
@@ -179,7 +190,8 @@ fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<String>, T)>
 
 struct Reader<'a> {
     dialects: &'a Dialects,
-    sources: &'a Sources,
+    /// The sources that may promise a place; `None` where nobody asks for them.
+    sources: Option<&'a Sources>,
     lines: Lines,
     units: Vec<String>,
     mistakes: Vec<Mistake>,
@@ -325,9 +337,13 @@ impl Reader<'_> {
                 Err(message) => self.wrong(name.span().start, path, message),
             }
         }
+        let all = self.dialects.all().into_iter();
+        let Some(sources) = self.sources else {
+            return all.filter(|dialect| !absent.contains(dialect)).collect();
+        };
         let mut speaking = Vec::new();
         for basis in &key.promised.0 {
-            match self.sources.check(basis.get_ref()) {
+            match sources.check(basis.get_ref()) {
                 Ok((source, _)) => speaking.push(source),
                 Err(message) => self.wrong(basis.span().start, path, message),
             }
@@ -335,7 +351,7 @@ impl Reader<'_> {
         let has = |dialect: &DialectName| {
             !absent.contains(dialect) && speaking.iter().any(|source| source.speaks_for(*dialect))
         };
-        self.dialects.all().into_iter().filter(has).collect()
+        all.filter(has).collect()
     }
 
     fn only(&mut self, path: &str, only: Option<&Spanned<String>>) -> Condition {
