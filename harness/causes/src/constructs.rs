@@ -15,7 +15,7 @@ pub(crate) struct Constructs {
     uses: BTreeMap<String, BTreeSet<String>>,
     /// The names that are declared with an elementary type, in capitals.
     elementary: BTreeSet<String>,
-    /// Whether a list of initial values repeats something zero times.
+    /// Whether a list of initial values repeats something zero times, or nothing.
     repeats_nothing: bool,
     /// Whether a statement is a semicolon alone, which not every compiler accepts.
     has_empty_statement: bool,
@@ -185,13 +185,17 @@ fn elementary(tokens: &[Token<'_>]) -> BTreeSet<String> {
     found
 }
 
-/// Returns whether something is repeated zero times, as in `[0(5)]`.
+/// Returns whether something is repeated zero times, as in `[0(5)]`, or nothing is repeated, as in `[5()]`.
 fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
     let is_zero = |token: &Token<'_>| {
         token.kind == TokenKind::Number && token.text.chars().all(|digit| matches!(digit, '0' | '_'))
     };
-    let mut pairs = tokens.windows(2);
-    pairs.any(|pair| is_zero(&pair[0]) && pair[1].text == "(")
+    let mut triples = tokens.windows(3);
+    triples.any(|triple| {
+        triple[0].kind == TokenKind::Number
+            && triple[1].text == "("
+            && (is_zero(&triple[0]) || triple[2].text == ")")
+    })
 }
 
 /// Returns whether a statement is a semicolon alone.
@@ -294,6 +298,7 @@ mod tests {
             ))
         };
         assert!(!of("[2(INT#5)]").may_become(&of("[0(INT#5)]")));
+        assert!(!of("[2(INT#5)]").may_become(&of("[2()]")));
         assert!(of("[2(INT#5)]").may_become(&of("[1(INT#0)]")));
         assert!(of("[0(INT#5)]").may_become(&of("[0(INT#0)]")));
     }

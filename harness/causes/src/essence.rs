@@ -37,6 +37,10 @@ impl Essence {
         let program = Program::new(normal);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
+            // What the engine says of a literal depends on the place where it stands.
+            Symptom::Rejected(_) if program.has_special_literal() => {
+                ("rejected literal".to_owned(), program.of_rejection(), true)
+            }
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
             Symptom::NotImplemented(words) => {
                 let class = format!("not implemented {words}");
@@ -102,7 +106,8 @@ impl Essence {
 }
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
-/// operations of that line of the case in which its expectation shows, and is not rejected for another line.
+/// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
+/// says nothing of a program without an operation that the engine cannot read.
 pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
     let program = case.program.as_deref().unwrap_or_default();
     let all = tokens(program);
@@ -137,7 +142,18 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
     }
     let own = own_functions(&all);
     let claimed = line.map(|line| operations(&line, &own)).unwrap_or_default();
+    let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
+    if is_value && claimed.is_empty() && is_unread(&smallest.deviation.got) {
+        return false;
+    }
     claimed.is_subset(&operations_of(&smallest.program))
+}
+
+/// Returns whether an engine says that it could not read a program.
+fn is_unread(got: &[Fact]) -> bool {
+    let told = got.iter().find_map(Fact::diagnostic);
+    told.and_then(|told| told.code.as_deref())
+        .is_some_and(|code| code.starts_with("P0"))
 }
 
 fn rejected(reason: &str, at: &str) -> String {
@@ -167,15 +183,12 @@ impl<'p> Program<'p> {
                 .find_map(|fact| fact.diagnostic()?.line)
                 .filter(is_placed)
         };
-        let told = deviation.got.iter().find_map(Fact::diagnostic);
         let tokens = tokens(&normal.program);
         Program {
             own: own_functions(&tokens),
             tokens,
             line: line(&deviation.got).or_else(|| line(&deviation.expected)),
-            is_unread: told
-                .and_then(|told| told.code.as_deref())
-                .is_some_and(|code| code.starts_with("P0")),
+            is_unread: is_unread(&deviation.got),
             innocent: &normal.innocent,
         }
     }
@@ -210,9 +223,10 @@ impl<'p> Program<'p> {
     fn of_rejection(&self) -> BTreeSet<String> {
         let line = self.of_line();
         let mut features = operations(&line, &self.own);
-        let literals: Vec<String> = self.special_literals(&line);
-        // A literal that the engine does not know is not known anywhere.
-        if literals.is_empty() {
+        let mut literals: Vec<String> = self.special_literals(&line);
+        literals.extend(self.signed_literal(&line));
+        // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
+        if literals.is_empty() && !(self.is_unread && self.calls_library(&line)) {
             features.insert(place_of(&self.tokens, self.line).to_owned());
         }
         features.extend(literals);
@@ -228,12 +242,40 @@ impl<'p> Program<'p> {
         features
     }
 
+    /// Returns whether a function is called that the program does not declare.
+    fn calls_library(&self, tokens: &[Token<'_>]) -> bool {
+        let mut pairs = tokens.windows(2);
+        pairs.any(|pair| {
+            pair[0].kind == TokenKind::Word
+                && pair[1].text == "("
+                && !self.own.contains(&pair[0].text.to_ascii_uppercase())
+        })
+    }
+
+    /// Returns the form of a typed number with its sign behind the `#`, where one is not known to be taken by the engine.
+    fn signed_literal(&self, tokens: &[Token<'_>]) -> Option<String> {
+        let is_signed = |token: &Token<'_>| {
+            token.kind == TokenKind::Typed && token.text.contains("#-") && special_literal(token).is_none()
+        };
+        let is_innocent =
+            |token: &Token<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
+        let mut signed = tokens.iter().filter(|token| is_signed(token));
+        signed
+            .any(|token| !is_innocent(token))
+            .then(|| "typed literal with a sign".to_owned())
+    }
+
     /// Returns the forms of those literals that are not known to be taken by the engine.
     fn special_literals(&self, tokens: &[Token<'_>]) -> Vec<String> {
         let is_innocent =
             |token: &&Token<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
         let suspects = tokens.iter().filter(|token| !is_innocent(token));
         suspects.filter_map(special_literal).collect()
+    }
+
+    /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know.
+    fn has_special_literal(&self) -> bool {
+        !self.is_unread && !self.special_literals(&self.of_line()).is_empty()
     }
 
     fn has_initial_value(&self) -> bool {
@@ -362,4 +404,134 @@ fn declarations(tokens: &[Token<'_>]) -> BTreeSet<String> {
         found.insert("type of one's own".to_owned());
     }
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::question::Deviation;
+    use crate::sign::Sign;
+    use crate::title::title;
+    use stickler_run::{Grade, Reduced, Verdict};
+
+    /// Returns what an engine made of a program that it rejects on this line with this code.
+    fn rejected(program: &str, line: u32, code: &str) -> Smallest {
+        let told = Diagnostic {
+            line: Some(line),
+            code: Some(code.to_owned()),
+            message: "no".to_owned(),
+            ..Diagnostic::default()
+        };
+        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(told)]);
+        Smallest {
+            program: program.to_owned(),
+            deviation: Deviation {
+                sign: Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line),
+                expected,
+                got,
+            },
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        }
+    }
+
+    #[test]
+    fn a_typed_literal_with_a_sign_is_one_cause_wherever_it_stands() {
+        let initial = rejected(
+            "PROGRAM p\nVAR\nx : INT := INT#-5;\nEND_VAR\nx := x;\nEND_PROGRAM\n",
+            3,
+            "P0002",
+        );
+        let assigned = rejected(
+            "PROGRAM p\nVAR\nx : DINT;\nEND_VAR\nx := DINT#-7;\nEND_PROGRAM\n",
+            5,
+            "P0002",
+        );
+        let essence = |smallest: &Smallest| Essence::of(smallest, &Normal::unasked(smallest));
+        assert!(essence(&initial).explains(&essence(&assigned)));
+        assert_eq!(essence(&initial).construct(), "typed literal with a sign");
+        assert!(title(&initial, true).ends_with("is rejected: P0002 no"));
+        assert!(
+            title(&initial, false).ends_with("is rejected: no"),
+            "the code is its adapter's"
+        );
+        // The engine takes the literal alone.
+        let innocent = Normal {
+            innocent: vec!["INT#-5".to_owned()],
+            ..Normal::unasked(&initial)
+        };
+        assert_eq!(Essence::of(&initial, &innocent).construct(), "declaration");
+    }
+
+    #[test]
+    fn a_literal_that_is_not_known_is_one_cause_whatever_is_said_of_its_place() {
+        let said = |program: &str, line: u32, message: &str| {
+            let mut smallest = rejected(program, line, "P0");
+            let told = Diagnostic {
+                line: Some(line),
+                message: message.to_owned(),
+                ..Diagnostic::default()
+            };
+            let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(told)]);
+            let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let initial = "PROGRAM p\nVAR\nx : LREAL := 1.0E308;\nEND_VAR\nx := x;\nEND_PROGRAM\n";
+        let assigned = "PROGRAM p\nVAR\nx : LREAL;\nEND_VAR\nx := 1.0E308;\nEND_PROGRAM\n";
+        let of_initial = said(initial, 3, "initial value has another type");
+        assert!(said(assigned, 5, "types do not fit").explains(&of_initial));
+        assert!(!said(&assigned.replace("E308", ""), 5, "types do not fit").explains(&of_initial));
+    }
+
+    #[test]
+    fn a_function_that_a_parser_does_not_know_is_one_cause_whatever_it_is_given() {
+        let given = |declared: &str, operand: &str| {
+            let program = format!(
+                "PROGRAM p\nVAR\n{declared} x : DT;\nEND_VAR\nx := DATE_TO_DT({operand});\nEND_PROGRAM\n"
+            );
+            let smallest = rejected(&program, 5, "P0002");
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let variable = given("d : DATE;", "d");
+        assert!(variable.explains(&given("", "DATE#2024-03-01")));
+        assert_eq!(variable.construct(), "date_TO_dateandtime");
+    }
+
+    #[test]
+    fn a_claim_about_a_value_says_nothing_of_a_program_that_cannot_be_read() {
+        let program = "PROGRAM p\nVAR\nx : INT := INT#-5;\nEND_VAR\nx := x;\nEND_PROGRAM\n";
+        let keeps = |expected: Fact, code: &str| {
+            let smallest = rejected(program, 5, code);
+            let case = CaseEvent {
+                id: "a".to_owned(),
+                dialect: "matiec".to_owned(),
+                engine: "e".to_owned(),
+                verdict: Verdict::Fail,
+                open: false,
+                grade: None,
+                basis: "document: a".to_owned(),
+                file: "a.toml".to_owned(),
+                line: None,
+                area: "a".to_owned(),
+                title: "t".to_owned(),
+                expectation: 0,
+                expected: vec![expected],
+                got: smallest.deviation.got.clone(),
+                duration_us: 0,
+                observations: Vec::new(),
+                program: Some(program.to_owned()),
+                baseline: None,
+            };
+            keeps_claim(&case, &smallest)
+        };
+        let value = || Fact::Value {
+            name: "x".to_owned(),
+            value: stickler_types::Value::plain(ElementaryType::Int, 65531),
+        };
+        assert!(!keeps(value(), "P0002"));
+        assert!(keeps(value(), "P4035"));
+        assert!(keeps(Fact::Accepted, "P0002"));
+    }
 }

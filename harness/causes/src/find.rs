@@ -9,6 +9,7 @@ use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
 use crate::title::title;
+use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
@@ -116,7 +117,10 @@ pub fn find(
             let smallest = asking.smallest(&shown, tries)?;
             left = left.saturating_sub(smallest.iter().map(Found::questions).sum());
             let pairs = wave.iter().zip(&smallest);
-            members.extend(pairs.map(|((_, group), found)| Member::new(group, found, &search.suite.sources)));
+            let has_codes = engine.identity().grade == Grade::Code;
+            members.extend(
+                pairs.map(|((_, group), found)| Member::new(group, found, &search.suite.sources, has_codes)),
+            );
             told.done += wave.len() as u64;
             progress(told);
         }
@@ -161,7 +165,11 @@ impl Found {
         if is_reducible(&sign.symptom) {
             smallest.reduction = Reduced::Partly;
         }
-        let normal = Normal::unasked(&smallest);
+        let mut normal = Normal::unasked(&smallest);
+        // Nobody knows which of them the defect does not need.
+        if matches!(sign.symptom, Symptom::Value | Symptom::Missing) {
+            normal.labels = value_features(&smallest.program);
+        }
         Found { smallest, normal }
     }
 
@@ -321,8 +329,8 @@ struct Member {
 }
 
 impl Member {
-    /// Returns the cause of a group, by its smallest program.
-    fn new(group: &Group, found: &Found, sources: &Sources) -> Member {
+    /// Returns the cause of a group, by its smallest program. `has_codes` says whether the engine has diagnostic codes.
+    fn new(group: &Group, found: &Found, sources: &Sources, has_codes: bool) -> Member {
         let Found { smallest, normal } = found;
         let essence = Essence::of(smallest, normal);
         let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program));
@@ -341,7 +349,7 @@ impl Member {
             engine: group.shown.engine.clone(),
             symptom: essence.class.clone(),
             construct: essence.construct(),
-            title: title(shown),
+            title: title(shown, has_codes),
             shown: Witness {
                 is_derived,
                 ..witness(&group.shown, shown)

@@ -261,6 +261,11 @@ mod tests {
                 "into : WORD; END_VAR into := 7;",
             ),
             (
+                "FUNCTION_BLOCK h VAR_INPUT in : ULINT; END_VAR VAR_OUTPUT out : ULINT; END_VAR out := in; END_FUNCTION_BLOCK PROGRAM p VAR \
+                 b : h; into : ULINT; END_VAR b.in := 18446744073709551615; b(); into := b.out; END_PROGRAM",
+                "into : ULINT; END_VAR into := 18446744073709551615;",
+            ),
+            (
                 "PROGRAM p VAR x : DINT; t : TIME; END_VAR t := T#1s + T#2s; x := x - 1; END_PROGRAM",
                 "into : TIME; END_VAR into := T#1s;",
             ),

@@ -11,8 +11,9 @@ const MAX_LENGTH: usize = 90;
 /// The maximum number of variables whose types are named.
 const MAX_TYPES: usize = 3;
 
-/// Returns the title of a cause, by the smallest program that shows it.
-pub(crate) fn title(smallest: &Smallest) -> String {
+/// Returns the title of a cause, by the smallest program that shows it. The codes of an engine that has none of its own, which
+/// its adapter gave to its diagnostics, are left out.
+pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     let Smallest {
         program, deviation, ..
     } = smallest;
@@ -30,6 +31,7 @@ pub(crate) fn title(smallest: &Smallest) -> String {
             .unwrap_or_default()
     };
     let (wanted, mut told) = (first(expected), first(got));
+    told.code = told.code.filter(|_| has_codes);
     // A compiler that has lost the place says line 1.
     told.line = told.line.filter(|line| *line > 1);
     match &deviation.sign.symptom {

@@ -105,6 +105,10 @@ fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
 }
 
 fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
+    causes_within(compiler, cases, Limits::default())
+}
+
+fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: Limits) -> Vec<Cause> {
     let plan = Plan {
         jobs: 1,
         ..Plan::default()
@@ -121,7 +125,7 @@ fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
         suite: &suite,
         engines: &engines,
         stores: &[],
-        limits: Limits::default(),
+        limits,
         cancel: &cancel,
     };
     find(&failed, &search, &mut |_| {}).expect("causes")
@@ -241,4 +245,38 @@ fn a_code_that_the_engine_lacks_is_not_asked_for() {
         without[0].shown.expected[0].to_string(),
         "line 6: error of any code"
     );
+}
+
+/// Rounds where it must truncate, and keeps to the largest LINT where it must wrap.
+fn converts_otherwise(request: &RunRequest<'_>) -> Outcome {
+    let source = request.source.replace("LINT(r)", "LINT(r + 0.5)");
+    let source = source.replace("r : REAL := 1.0E20", "r : REAL := 9.0E18");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn a_value_that_nobody_asked_about_explains_no_other() {
+    let cases = vec![
+        case(
+            "t::rounded",
+            "r : REAL := 1.5; into : LINT;",
+            "into := REAL_TO_LINT(r);",
+            "into = LINT#1",
+        ),
+        case(
+            "t::wrapped",
+            "s : REAL := -3.0; r : REAL := 1.0E20; into : LINT;",
+            "into := REAL_TO_LINT(r);",
+            "into = LINT#7766279631452241920",
+        ),
+    ];
+    let limits = Limits {
+        questions: 0,
+        ..Limits::default()
+    };
+    let found = causes_within(&Compiler::new(converts_otherwise), cases, limits);
+    assert_eq!(found.len(), 2, "{:?}", titles(&found));
 }

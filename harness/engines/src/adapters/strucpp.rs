@@ -27,7 +27,7 @@ use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, OnceLock, PoisonError};
-use stickler_types::DialectName;
+use stickler_types::{Code, DialectName};
 
 /// The dialect of STruC++'s own documentation.
 const DIALECT: DialectName = DialectName::Strucpp;
@@ -273,8 +273,15 @@ struct TranslatorError {
 }
 
 impl TranslatorError {
+    /// Returns the diagnostic. The compiler has no codes; what it cannot read is Stickler's P0002.
+    ///
+    /// Basis: strucpp: `src/frontend/parser-error-message-provider.ts`, and the messages of its lexer; measured.
     fn diagnostic(self) -> Diagnostic {
+        let is_unread = ["unexpected character: ", "Unexpected ", "Expected "]
+            .iter()
+            .any(|beginning| self.message.starts_with(beginning));
         Diagnostic {
+            code: is_unread.then(|| Code::SyntaxError.as_str().to_owned()),
             line: Some(self.line).filter(|&line| line > 0),
             column: Some(self.column).filter(|&column| self.line > 0 && column > 0),
             message: self.message,
@@ -392,16 +399,16 @@ mod tests {
         let answer = r#"{"success":false,"program":"","header":"","errors":[
             {"message":"Undeclared variable 'Q'","line":4,"column":2,"severity":"error"},
             {"message":"narrowing","line":3,"column":7,"severity":"warning"},
-            {"message":"unexpected character","line":0,"column":0,"severity":"error"}]}"#;
+            {"message":"unexpected character: ->#<- at offset: 7, skipped 1 characters.","line":0,"column":0,"severity":"error"}]}"#;
         let translated: Translated = serde_json::from_str(answer).unwrap();
         let Outcome::Rejected { diagnostics } = rejected(translated.errors) else {
             panic!("not rejected")
         };
         let places: Vec<_> = diagnostics
             .iter()
-            .map(|diagnostic| (diagnostic.line, diagnostic.column))
+            .map(|diagnostic| (diagnostic.line, diagnostic.column, diagnostic.code.as_deref()))
             .collect();
-        assert_eq!(places, [(None, None), (Some(4), Some(2))]);
+        assert_eq!(places, [(None, None, Some("P0002")), (Some(4), Some(2), None)]);
         assert!(matches!(rejected(Vec::new()), Outcome::Crashed { .. }));
     }
 
