@@ -4,20 +4,13 @@ use std::sync::Arc;
 
 use crate::citations::WrittenBasis;
 
-/// A text with placeholders, cut into the constant pieces and the slots between them.
+/// A text with placeholders: the constant text, and the slots in it.
 #[derive(Clone, Debug)]
 pub(crate) struct Template {
-    pieces: Vec<Piece>,
-    /// The whole text, if it has no placeholder.
-    fixed: Option<Arc<str>>,
-}
-
-#[derive(Clone, Debug)]
-struct Piece {
-    /// The constant text before the slot.
-    text: Box<str>,
-    /// The placeholder that follows the text; `None` in the last piece.
-    slot: Option<Slot>,
+    /// The text without its placeholders.
+    standing: Arc<str>,
+    /// The placeholders, in their order.
+    slots: Arc<[Slot]>,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +18,8 @@ struct Slot {
     index: usize,
     /// The byte offset in the text as it was read.
     offset: usize,
+    /// The byte offset in the text without placeholders.
+    at: usize,
 }
 
 /// A mistake in a template, with its byte offset.
@@ -55,14 +50,14 @@ impl Template {
     /// Returns the template of a text in which braces have no special meaning.
     pub(crate) fn plain(text: &str) -> Template {
         Template {
-            pieces: Vec::new(),
-            fixed: Some(text.into()),
+            standing: text.into(),
+            slots: Arc::default(),
         }
     }
 
     /// Reads a text in which `{name}` stands for one of `names`.
     pub(crate) fn parse(text: &str, names: &[Box<str>]) -> Result<Template, TemplateMistake> {
-        let mut pieces = Vec::new();
+        let mut slots = Vec::new();
         let mut standing = String::new();
         let mut at = 0;
         while let Some(found) = text[at..].find(['{', '}']) {
@@ -75,30 +70,23 @@ impl Template {
                 continue;
             }
             let (index, end) = slot(text, brace, names)?;
-            let slot = Some(Slot { index, offset: brace });
-            pieces.push(Piece {
-                text: std::mem::take(&mut standing).into(),
-                slot,
+            slots.push(Slot {
+                index,
+                offset: brace,
+                at: standing.len(),
             });
             at = end;
         }
         standing.push_str(&text[at..]);
-        if pieces.is_empty() {
-            return Ok(Template {
-                pieces,
-                fixed: Some(standing.into()),
-            });
-        }
-        pieces.push(Piece {
-            text: standing.into(),
-            slot: None,
-        });
-        Ok(Template { pieces, fixed: None })
+        Ok(Template {
+            standing: standing.into(),
+            slots: slots.into(),
+        })
     }
 
     /// Returns the text, if it has no placeholder.
     pub(crate) fn fixed(&self) -> Option<&Arc<str>> {
-        self.fixed.as_ref()
+        Some(&self.standing).filter(|_| self.slots.is_empty())
     }
 
     /// Returns the indices of the placeholders, with repetitions.
@@ -108,28 +96,23 @@ impl Template {
 
     /// Returns the indices of the placeholders, each with its byte offset in the original text.
     pub(crate) fn placed_slots(&self) -> impl Iterator<Item = (usize, usize)> {
-        self.pieces
-            .iter()
-            .filter_map(|piece| piece.slot)
-            .map(|slot| (slot.index, slot.offset))
+        self.slots.iter().map(|slot| (slot.index, slot.offset))
     }
 
     /// Appends the text, with each placeholder replaced by `values[index]`.
     pub(crate) fn fill_into(&self, out: &mut String, values: &[&str]) {
-        if let Some(fixed) = &self.fixed {
-            out.push_str(fixed);
+        let mut written = 0;
+        for slot in &*self.slots {
+            out.push_str(&self.standing[written..slot.at]);
+            out.push_str(values[slot.index]);
+            written = slot.at;
         }
-        for piece in &self.pieces {
-            out.push_str(&piece.text);
-            if let Some(slot) = piece.slot {
-                out.push_str(values[slot.index]);
-            }
-        }
+        out.push_str(&self.standing[written..]);
     }
 
     /// Returns the text with each placeholder replaced by `values[index]`; `scratch` is a buffer that is reused.
     pub(crate) fn fill(&self, scratch: &mut String, values: &[&str]) -> Arc<str> {
-        match &self.fixed {
+        match self.fixed() {
             Some(fixed) => Arc::clone(fixed),
             None => {
                 scratch.clear();

@@ -3,7 +3,6 @@
 //! Basis: conformance-cases/README.md (places).
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use stickler_types::DialectName;
 use toml::Spanned;
@@ -11,7 +10,7 @@ use toml::Spanned;
 use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
-use crate::program::Remarks;
+use crate::program::{Program, Remarks};
 use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
 use crate::table::probe::{Placeholders, Probe, Reader, Target};
 use crate::template::Template;
@@ -65,9 +64,10 @@ impl<'a> Arranged<'a> {
         chosen
     }
 
-    /// Returns the probe of a combination, or nothing if its program has a mistake, which is reported once.
+    /// Returns the probe of a combination, or nothing if its program has a mistake, which is reported once. All else is as in `like`.
     pub(crate) fn probe(
         &mut self,
+        like: &Probe<'a>,
         index: usize,
         context: &FileContext<'_>,
         harvest: &mut Harvest,
@@ -81,7 +81,9 @@ impl<'a> Arranged<'a> {
             };
             let mut remarks = Remarks::default();
             let arrangement = &self.design.arrangements()[index];
-            *slot = self.composer.probe(&mut reader, arrangement, &mut remarks);
+            let composed = self.composer.compose(&mut reader, arrangement, &mut remarks);
+            let placement = context.places.placement(arrangement);
+            *slot = composed.map(|(program, observe)| like.placed(program, observe, placement));
             harvest.remarks.append(&mut remarks.0);
             // The mistakes of different combinations are mostly the same one.
             reader
@@ -124,13 +126,13 @@ pub(super) fn read<'k>(
     }
     let design = design(reader, places)?;
     let composer = Composer {
-        file,
-        key,
+        is_matrix: file.matrix.is_some(),
         places,
         placeholders: reader.placeholders,
         wording: wording(places.get_ref(), file.matrix.is_some()),
     };
-    let mut probe = composer.probe(reader, design.arrangements().first()?, remarks)?;
+    let (program, observe) = composer.compose(reader, design.arrangements().first()?, remarks)?;
+    let mut probe = reader.with_program(file, key, program, vec![observe])?;
     probe.arranged = Some(Arranged {
         from: reader.template(places, composer.wording.from, KEY)?,
         to: reader.template(places, composer.wording.to, KEY)?,
@@ -196,23 +198,23 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
     }
 }
 
-/// Makes the probes of a design.
+/// Makes the programs of a design.
 #[derive(Debug)]
 struct Composer<'a> {
-    file: &'a TableFile,
-    key: &'a ProbeKey,
+    is_matrix: bool,
     places: &'a Spanned<PlacesKey>,
     placeholders: Placeholders<'a>,
     wording: Wording<'a>,
 }
 
-impl<'a> Composer<'a> {
-    fn probe(
+impl Composer<'_> {
+    /// Returns the program of an arrangement, and the variable in which its value arrives.
+    fn compose(
         &self,
         reader: &mut Reader<'_, '_>,
         arrangement: &Arrangement,
         remarks: &mut Remarks,
-    ) -> Option<Probe<'a>> {
+    ) -> Option<(Program, Target)> {
         let context = reader.context;
         let composed = compose(context.places, arrangement, &self.wording);
         let at = TextPlace {
@@ -220,16 +222,14 @@ impl<'a> Composer<'a> {
             line_by_line: false,
         };
         let program = reader.program(&composed.source, at, KEY, remarks)?;
-        let ty = match self.file.matrix {
-            Some(_) => None,
-            None => Some(reader.template(self.places, self.wording.to, KEY)?),
+        let ty = match self.is_matrix {
+            true => None,
+            false => Some(reader.template(self.places, self.wording.to, KEY)?),
         };
         let observe = Target {
             name: reader.template(self.places, &composed.observe, KEY)?,
             ty,
         };
-        let mut probe = reader.with_program(self.file, self.key, program, vec![observe])?;
-        probe.placement = Some(Arc::new(context.places.placement(arrangement)));
-        Some(probe)
+        Some((program, observe))
     }
 }

@@ -240,7 +240,9 @@ impl MatrixExpander<'_, '_> {
                             for (index, dialects) in
                                 arranged.chosen(places, number(row, column), &dialects, &texts)
                             {
-                                if let Some(probe) = arranged.probe(index, self.table.context, self.harvest) {
+                                if let Some(probe) =
+                                    arranged.probe(probe, index, self.table.context, self.harvest)
+                                {
                                     self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
                                 }
                             }

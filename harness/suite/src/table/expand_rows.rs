@@ -191,7 +191,7 @@ impl RowExpander<'_, '_> {
             Some(mut arranged) => {
                 let places = self.table.context.places;
                 for (index, dialects) in arranged.chosen(places, number, &dialects, &texts) {
-                    if let Some(probe) = arranged.probe(index, self.table.context, self.harvest) {
+                    if let Some(probe) = arranged.probe(probe, index, self.table.context, self.harvest) {
                         self.cases(probe, &texts, line, &expect, &dialects);
                     }
                 }

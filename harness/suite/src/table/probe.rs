@@ -253,7 +253,27 @@ fn no_slash(name: &str) -> Result<(), String> {
     }
 }
 
-impl Probe<'_> {
+impl<'a> Probe<'a> {
+    /// Returns a probe that has everything of this one but its program, which was put together of places.
+    pub(super) fn placed(&self, program: Program, observe: Target, placement: Placement) -> Probe<'a> {
+        Probe {
+            name: Arc::clone(&self.name),
+            key: self.key,
+            line: self.line,
+            applied: vec![false; program.marks.len()],
+            program,
+            observe: vec![observe],
+            only: self.only.clone(),
+            dialects: self.dialects.clone(),
+            title: self.title.clone(),
+            basis: self.basis.clone(),
+            expect: self.expect.clone(),
+            frame: self.frame.clone(),
+            placement: Some(Arc::new(placement)),
+            arranged: None,
+        }
+    }
+
     /// Returns the dialects of `all` in which the probe has cases.
     pub(crate) fn narrowed(&self, all: &[DialectName]) -> Vec<DialectName> {
         let narrows = |dialect: &DialectName| self.dialects.as_ref().is_none_or(|own| own.contains(dialect));
