@@ -13,9 +13,9 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
         &[
             ("reference/src/syntax/parser/partial_access.rs", ""),
             ("reference/src/semantics/places.rs", ""),
-            ("reference/src/semantics/infer.rs", "infer_bit"),
-            ("reference/src/semantics/locations.rs", "store_bit"),
-            ("reference/src/execution/operations.rs", "store_bit"),
+            ("reference/src/semantics/infer.rs", "infer_part"),
+            ("reference/src/semantics/locations.rs", "store_part"),
+            ("reference/src/execution/operations.rs", "store_part"),
         ],
     ),
     (

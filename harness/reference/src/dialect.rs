@@ -71,6 +71,8 @@ pub enum Widening {
     Plcnext,
     /// Every pair of numbers and bit strings: what narrows is only warned of.
     Numbers,
+    /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
+    NumbersAndMoments,
 }
 
 /// The treatment of `.%Xn` and its kin.
@@ -78,10 +80,22 @@ pub enum Widening {
 pub enum PartialAccess {
     /// `.%Xn` selects a bit; the wider forms are P0003.
     BitsOnly,
+    /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
+    UpToDoubleWords,
     /// P4033 for every form.
     Disabled,
     /// P0002 for every form.
     SyntaxError,
+}
+
+impl PartialAccess {
+    /// Returns the same where it enables a form, and otherwise access to bits.
+    const fn enabled(self) -> PartialAccess {
+        match self {
+            PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords => self,
+            PartialAccess::Disabled | PartialAccess::SyntaxError => PartialAccess::BitsOnly,
+        }
+    }
 }
 
 impl Dialect {
@@ -112,7 +126,7 @@ impl Dialect {
             let on = stated.value;
             match flag {
                 Flag::CrossFamilyWidening => self.cross_family_widening = on,
-                Flag::PartialAccessSyntax if on => self.partial_access = PartialAccess::BitsOnly,
+                Flag::PartialAccessSyntax if on => self.partial_access = self.partial_access.enabled(),
                 Flag::PartialAccessSyntax => self.partial_access = PartialAccess::Disabled,
                 Flag::BitAccess => self.bit_access = on,
                 Flag::IntegerLiteralAsReal => self.integer_literal_as_real = on,
@@ -252,7 +266,7 @@ impl Dialect {
         }
     }
 
-    /// RuSTy: numbers and bit strings stand for each other, downcasts are a warning, a real becomes the nearest integer, and
+    /// RuSTy: numbers, bit strings, durations and dates stand for each other, downcasts are a warning, a real becomes the nearest integer, and
     /// a bit string shares its bits with a real and its lowest one with a BOOL.
     ///
     /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs, tests/lit/single/conversion/to_num.st,
@@ -262,7 +276,8 @@ impl Dialect {
     pub const fn rusty() -> Dialect {
         Dialect {
             name: DialectName::Rusty,
-            widening: Widening::Numbers,
+            widening: Widening::NumbersAndMoments,
+            partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 bits_as_real: BitsAsReal::Copy,

@@ -52,6 +52,15 @@ pub struct TextCell {
     pub capacity: u32,
 }
 
+/// A part of the bits of a variable: a bit, a byte, a word or a double word.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Part {
+    /// The number of the part's lowest bit in the variable.
+    pub first: u8,
+    /// The type of the part: BOOL, BYTE, WORD or DWORD.
+    pub ty: ElementaryType,
+}
+
 /// One step of the stack machine. "Pops a, b" means that b lies on top. Numbers and addresses share one
 /// stack; texts have a stack of their own.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -114,12 +123,12 @@ pub enum Instruction {
     /// Pops an address: sets that many cells to zero and their texts to empty.
     Clear(u32),
 
-    /// Pops a value, pushes its bit `n` as BOOL.
-    Bit(u8),
-    /// Pops an address and a BOOL; sets bit `n` of the cell, and brings it back to the raw form of its type.
-    StoreBit {
-        /// The bit's index.
-        bit: u8,
+    /// Pops a value, pushes a part of its bits as a BOOL or a bit string.
+    Part(Part),
+    /// Pops an address and a value; sets that part of the cell's bits, and brings it back to the raw form of its type.
+    StorePart {
+        /// The bits that are set.
+        part: Part,
         /// The cell's type.
         of: ElementaryType,
     },

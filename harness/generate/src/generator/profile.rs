@@ -61,7 +61,7 @@ impl DialectProfile {
         &self.sources[into as usize]
     }
 
-    /// Returns the conversion functions that give a type, without the overloaded `TO_…`, which no document describes.
+    /// Returns the conversion functions that give a type, without the overloaded `TO_…`, which few systems describe.
     pub fn offers(&self, result: ElementaryType) -> &[ConversionOffer] {
         &self.offers[result as usize]
     }

@@ -115,6 +115,7 @@ impl SpanChecker<'_, '_> {
                 })
             }
             ExpressionKind::Bit { base: inner, .. }
+            | ExpressionKind::Part { base: inner, .. }
             | ExpressionKind::Unary { operand: inner, .. }
             | ExpressionKind::Parenthesized(inner) => self.value(*inner, span),
             ExpressionKind::Binary { left, right, .. } => self.values([*left, *right], span),

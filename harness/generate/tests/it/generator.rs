@@ -162,10 +162,14 @@ fn demanded(dialect: DialectName) -> Vec<String> {
     demanded
 }
 
-/// Returns the conversion functions between numbers for which documents state the result of 1.
+/// Returns the conversion functions between numbers for which documents state the result of 1, without the overloaded `TO_…`,
+/// which programs of the generator do not call.
 fn settled_functions(dialect: DialectName) -> Vec<String> {
     let mut settled = Vec::new();
-    for function in functions(dialect) {
+    for function in functions(dialect)
+        .into_iter()
+        .filter(|name| !name.starts_with("TO_"))
+    {
         let says = |signature: &stickler_exact::Signature| {
             let &[from] = &signature.operands[..] else {
                 return false;

@@ -6,7 +6,7 @@ use super::claim::{BitClaim, Claim, Direction, Fault, Form, LiteralPair, PairKin
 use super::standing::{Standing, refused_base};
 use super::wrong_code::wrong_code;
 use rustc_hash::FxHashMap;
-use stickler_reference::instruction::{Instruction, Label};
+use stickler_reference::instruction::{Instruction, Label, Part};
 use stickler_reference::semantics::{TracedUse, UseKind};
 use stickler_reference::source::Span;
 use stickler_reference::syntax::tree::{ExpressionId, ExpressionKind, LiteralKind, UnaryOperator};
@@ -211,15 +211,18 @@ impl Finder<'_, '_> {
             let instruction = code.get(at as usize);
             matches!(
                 instruction,
-                Some(Instruction::Bit(_) | Instruction::StoreBit { .. })
+                Some(Instruction::Part(_) | Instruction::StorePart { .. })
             )
         };
         // Behind a bit that is written the limits of a subrange may be checked.
         let end = found.end?;
         let at = (end.saturating_sub(8)..end).rev().find(is_bit)?;
         let instruction = match *code.get(at as usize)? {
-            Instruction::Bit(bit) => Instruction::Bit(bit ^ 1),
-            Instruction::StoreBit { bit, of } => Instruction::StoreBit { bit: bit ^ 1, of },
+            Instruction::Part(part) => Instruction::Part(beside(part)),
+            Instruction::StorePart { part, of } => Instruction::StorePart {
+                part: beside(part),
+                of,
+            },
             _ => return None,
         };
         Some(Change::Code {
@@ -358,5 +361,13 @@ fn literal_pair(kind: LiteralKind, to: ElementaryType) -> LiteralPair {
         LiteralKind::Real => LiteralPair::RealAsOther,
         _ if to.is_text() => LiteralPair::TextAsText,
         _ => LiteralPair::TextAsOther,
+    }
+}
+
+/// Returns the same part one bit up or down.
+fn beside(part: Part) -> Part {
+    Part {
+        first: part.first ^ 1,
+        ..part
     }
 }

@@ -315,7 +315,9 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Binary { left, right, .. } => {
                 self.waiting.extend([(*right, standing), (*left, standing)]);
             }
-            ExpressionKind::Field { base, .. } | ExpressionKind::Bit { base, .. } => {
+            ExpressionKind::Field { base, .. }
+            | ExpressionKind::Bit { base, .. }
+            | ExpressionKind::Part { base, .. } => {
                 self.waiting.push((*base, elsewhere("part")));
             }
             ExpressionKind::Index { base, subscripts } => {

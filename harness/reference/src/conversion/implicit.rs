@@ -2,7 +2,7 @@
 
 use super::{Conversion, ConversionRule};
 use crate::dialect::{Dialect, Widening};
-use stickler_types::{ElementaryType, MatrixWord};
+use stickler_types::{ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
@@ -22,12 +22,16 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
             }
             Widening::Plcnext => plcnext(from, to),
             Widening::Numbers => numbers(from, to),
+            Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
         },
     };
     if !widens {
         return None;
     }
-    let rule = ConversionRule::between(from, to, &dialect.conversions)?;
+    let rule = match ConversionRule::between(from, to, &dialect.conversions) {
+        None if is_moment(from) && is_moment(to) => as_nanoseconds(to),
+        rule => rule?,
+    };
     Some(Conversion { from, to, rule })
 }
 
@@ -85,6 +89,31 @@ fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
     let has_number = is_number(from) || from == ElementaryType::Bool;
     let is_truth_value = from.is_bit_string() && to == ElementaryType::Bool;
     (has_number && is_number(to)) || is_truth_value || short_or_long_form(from, to)
+}
+
+/// Every duration, date and time of day into every other and into every number and bit string, and these into it.
+///
+/// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs; rusty-datatypes: Date and Time ("already treats … as 64
+/// bit numbers").
+fn moments(from: ElementaryType, to: ElementaryType) -> bool {
+    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real() || ty.is_bit_string();
+    (is_moment(from) && (is_number(to) || is_moment(to))) || (is_number(from) && is_moment(to))
+}
+
+const fn is_moment(ty: ElementaryType) -> bool {
+    matches!(
+        ty.family(),
+        Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
+    )
+}
+
+/// Returns the conversion of a duration, date or time of day to a type that no function gives of it: the nanoseconds are kept.
+const fn as_nanoseconds(to: ElementaryType) -> ConversionRule {
+    match to.family() {
+        Family::Date => ConversionRule::Day,
+        Family::TimeOfDay => ConversionRule::TimeOfDay,
+        _ => ConversionRule::Keep,
+    }
 }
 
 /// Every value of the one integer type is a value of the other.
@@ -169,7 +198,11 @@ mod tests {
         assert_eq!(pairs(DialectName::Plcnext), 42);
         // 14 numbers and bit strings into each other, BOOL into them, bit strings into BOOL, short and long forms.
         assert_eq!(pairs(DialectName::Strucpp), 14 * 13 + 14 + 4 + 8);
-        assert_eq!(pairs(DialectName::Rusty), pairs(DialectName::Strucpp));
+        // And 8 durations, dates and times into each other, but for the long and short forms, and into and from 14 numbers.
+        assert_eq!(
+            pairs(DialectName::Rusty),
+            pairs(DialectName::Strucpp) + 8 * 7 - 8 + 2 * 8 * 14
+        );
     }
 
     #[test]

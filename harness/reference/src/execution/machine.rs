@@ -178,11 +178,11 @@ impl<'p> Machine<'p> {
                     self.memory.clear(address, count)?;
                 }
 
-                Instruction::Bit(bit) => {
+                Instruction::Part(part) => {
                     let value = self.pop()?;
-                    self.operands.push((value >> (bit & 63)) & 1);
+                    self.operands.push(narrow(value >> (part.first & 63), part.ty));
                 }
-                Instruction::StoreBit { bit, of } => self.store_bit(bit, of)?,
+                Instruction::StorePart { part, of } => self.store_part(part, of)?,
 
                 Instruction::Convert(conversion) => self.convert(conversion)?,
                 Instruction::Concatenate(concatenation) => {

@@ -4,7 +4,7 @@ use super::machine::Machine;
 use crate::conversion::Conversion;
 use crate::execution::stop::Halt;
 use crate::execution::{comparison, standard};
-use crate::instruction::{ComparisonOperator, StandardFunction};
+use crate::instruction::{ComparisonOperator, Part, StandardFunction};
 use crate::raw::narrow;
 use std::borrow::Cow;
 use stickler_types::ElementaryType;
@@ -55,12 +55,13 @@ impl Machine<'_> {
         Ok(())
     }
 
-    pub(super) fn store_bit(&mut self, bit: u8, of: ElementaryType) -> Result<(), Halt> {
+    pub(super) fn store_part(&mut self, part: Part, of: ElementaryType) -> Result<(), Halt> {
         let value = self.pop()?;
         let address = self.pop_address()?;
-        let mask = 1 << (bit & 63);
+        let first = part.first & 63;
+        let mask = narrow(u64::MAX, part.ty) << first;
         let old = self.memory.load(address)?;
-        let new = if value == 0 { old & !mask } else { old | mask };
+        let new = (old & !mask) | ((value << first) & mask);
         self.memory.store(address, narrow(new, of))
     }
 

@@ -5,15 +5,17 @@ use crate::COMMON_CHOICES;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{
     ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, MachineProgram,
-    StandardFunction, TextCell,
+    Part, StandardFunction, TextCell,
 };
 use Instruction::{
-    Address, Arithmetic, Bit, Call, CallInstance, CheckRange, Clear, Compare, CompareText, Convert, Copy,
+    Address, Arithmetic, Call, CallInstance, CheckRange, Clear, Compare, CompareText, Convert, Copy,
     Dereference, Drop, DropText, InstanceAddress, Jump, JumpIfFalse, Load, LoadIndirect, LoadText, Logic,
-    LoopStep, LoopTest, Negate, Not, Offset, Push, PushText, Replicate, Return, Standard, Store, StoreBit,
-    StoreIndirect, StoreText, Subscript, Swap,
+    LoopStep, LoopTest, Negate, Not, Offset, Push, PushText, Replicate, Return, Standard, Store,
+    StoreIndirect, StorePart, StoreText, Subscript, Swap,
 };
-use stickler_types::ElementaryType::{Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
+use stickler_types::ElementaryType::{
+    Bool, Byte, Dint, Dword, Int, Sint, String, Uint, Ulint, Word, Wstring,
+};
 use stickler_types::{BitStringText, RealText};
 
 const STEPS: u64 = 10_000;
@@ -134,15 +136,35 @@ fn operators_take_their_left_operand_from_below() {
 
 #[test]
 fn bits_are_taken_and_set_without_touching_others() {
-    assert_eq!(result(&[Push(0x80), Bit(7), Store(0)]), Ok(1));
-    let set = |old: u64, bit, value, of| {
-        result(&[Push(old), Store(0), Address(0), Push(value), StoreBit { bit, of }])
+    let part = |first, ty| Part { first, ty };
+    assert_eq!(
+        result(&[Push(0x80), Instruction::Part(part(7, Bool)), Store(0)]),
+        Ok(1)
+    );
+    assert_eq!(
+        result(&[Push(0x1234_5678), Instruction::Part(part(8, Byte)), Store(0)]),
+        Ok(0x56)
+    );
+    let store = |old: u64, part, value, of| {
+        result(&[
+            Push(old),
+            Store(0),
+            Address(0),
+            Push(value),
+            StorePart { part, of },
+        ])
     };
+    let set = |old: u64, bit, value, of| store(old, part(bit, Bool), value, of);
     assert_eq!(set(0x01, 7, 1, Byte), Ok(0x81));
     assert_eq!(set(0xFF, 3, 0, Byte), Ok(0xF7));
     // The sign bit of a signed type carries into the sign extension.
     assert_eq!(set(1, 7, 1, Sint), Ok((-127_i64).cast_unsigned()));
     assert_eq!(set(u64::MAX, 7, 0, Sint), Ok(127));
+    assert_eq!(store(0x1234_5678, part(16, Word), 0xABCD, Dword), Ok(0xABCD_5678));
+    assert_eq!(
+        store(0, part(24, Byte), 0x80, Dint),
+        Ok(i64::from(i32::MIN).cast_unsigned())
+    );
 }
 
 #[test]
@@ -382,8 +404,11 @@ fn any_instruction(bits: u64) -> Instruction {
             count: bits as u32,
         },
         16 => Clear(small),
-        17 => StoreBit {
-            bit: bits as u8,
+        17 => StorePart {
+            part: Part {
+                first: bits as u8,
+                ty: other,
+            },
             of: ty,
         },
         18 => Convert(Conversion {

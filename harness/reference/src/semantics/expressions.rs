@@ -131,9 +131,10 @@ impl<'m> Lowering<'m> {
             ),
             ExpressionKind::Name(name) => self.name(id, *name, wanted),
             ExpressionKind::EnumeratedValue(word) => self.enumerated(word.prefix(), word.value()),
-            ExpressionKind::Field { .. } | ExpressionKind::Index { .. } | ExpressionKind::Bit { .. } => {
-                self.read(id)
-            }
+            ExpressionKind::Field { .. }
+            | ExpressionKind::Index { .. }
+            | ExpressionKind::Bit { .. }
+            | ExpressionKind::Part { .. } => self.read(id),
             ExpressionKind::Call { callee, arguments } => self.call(id, *callee, arguments, wanted),
             ExpressionKind::Unary { operator, operand } => self.unary(id, *operator, *operand, wanted),
             ExpressionKind::Binary { .. } => self.chain(id, wanted),

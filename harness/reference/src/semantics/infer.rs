@@ -52,7 +52,8 @@ impl<'m> Lowering<'m> {
             ExpressionKind::EnumeratedValue(word) => self.infer_enumerated(word.prefix(), word.value()),
             ExpressionKind::Field { base, field } => self.infer_field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.infer_element(*base, subscripts.len()),
-            ExpressionKind::Bit { base, .. } => self.infer_bit(*base),
+            ExpressionKind::Bit { base, .. } => self.infer_part(*base, ElementaryType::Bool),
+            ExpressionKind::Part { base, part, .. } => self.infer_part(*base, *part),
             ExpressionKind::Call { callee, arguments } => self.infer_call(*callee, arguments),
             ExpressionKind::Unary { operator, operand } => self.infer_unary(*operator, *operand),
             ExpressionKind::Parenthesized(inner) => self.infer(*inner),
@@ -132,12 +133,12 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_bit(&mut self, base: ExpressionId) -> Inferred {
+    fn infer_part(&mut self, base: ExpressionId, part: ElementaryType) -> Inferred {
         let Some(ty) = self.infer(base).elementary() else {
             return Inferred::Error;
         };
         if ty.is_integer() || ty.is_bit_string() {
-            Inferred::Known(TypeId::BOOL)
+            Inferred::Known(TypeId::of(part))
         } else {
             Inferred::Error
         }

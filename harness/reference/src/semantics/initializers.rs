@@ -43,7 +43,7 @@ impl<'m> Lowering<'m> {
                 let place = VariablePlace {
                     location,
                     ty,
-                    bit: None,
+                    part: None,
                     constant: false,
                 };
                 self.begin_store(place);
@@ -83,7 +83,7 @@ impl<'m> Lowering<'m> {
                 let place = VariablePlace {
                     location,
                     ty,
-                    bit: None,
+                    part: None,
                     constant: false,
                 };
                 self.begin_store(place);

@@ -108,7 +108,7 @@ impl<'m> Lowering<'m> {
         VariablePlace {
             location,
             ty,
-            bit: None,
+            part: None,
             constant: false,
         }
     }
@@ -154,8 +154,8 @@ impl<'m> Lowering<'m> {
             return;
         }
         let Some(place) = self.place(argument) else { return };
-        if place.bit.is_some() {
-            let message = "VAR_IN_OUT needs a variable; a bit is none";
+        if place.part.is_some() {
+            let message = "VAR_IN_OUT needs a variable; a part of one is none";
             self.report(Code::FunctionCallInOutArgNotVariable, span, message);
             return;
         }

@@ -3,7 +3,7 @@
 use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, Storage};
 use super::types::{Subrange, TypeId, TypeKind};
-use crate::instruction::Instruction;
+use crate::instruction::{Instruction, Part};
 use crate::source::Span;
 use stickler_types::ElementaryType;
 
@@ -22,14 +22,14 @@ pub(super) enum Location {
     Stack,
 }
 
-/// A variable, an element of one, or a bit.
+/// A variable, an element of one, or a part of its bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct VariablePlace {
     pub(super) location: Location,
-    /// The declared type; of a bit, the type that it is part of.
+    /// The declared type; of a part, the type that it is part of.
     pub(super) ty: TypeId,
-    /// The bit that is selected.
-    pub(super) bit: Option<u8>,
+    /// The part of the bits that is selected.
+    pub(super) part: Option<Part>,
     /// Whether the location belongs to a CONSTANT.
     pub(super) constant: bool,
 }
@@ -40,14 +40,14 @@ impl VariablePlace {
         VariablePlace {
             location: Location::of(variable.storage),
             ty: variable.ty,
-            bit: None,
+            part: None,
             constant: variable.constant,
         }
     }
 
     /// The type of what stands there.
     pub(super) fn content(&self) -> TypeId {
-        if self.bit.is_some() { TypeId::BOOL } else { self.ty }
+        self.part.map_or(self.ty, |part| TypeId::of(part.ty))
     }
 }
 
@@ -160,8 +160,8 @@ impl Lowering<'_> {
                 self.emit(Instruction::LoadIndirect);
             }
         }
-        if let Some(bit) = place.bit {
-            self.emit(Instruction::Bit(bit));
+        if let Some(part) = place.part {
+            self.emit(Instruction::Part(part));
         }
         LoweredValue {
             ty: self.model.types.value_type(place.content()),
@@ -174,7 +174,7 @@ impl Lowering<'_> {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {
             _ if place.location == Location::Stack => {}
-            _ if place.bit.is_some() => self.push_address(place.location),
+            _ if place.part.is_some() => self.push_address(place.location),
             CellKind::Text => {}
             CellKind::Plain if known => {}
             CellKind::Plain | CellKind::Many(_) => self.push_address(place.location),
@@ -183,8 +183,8 @@ impl Lowering<'_> {
 
     /// Stores the value on the stack, [`Self::begin_store`] having come before it.
     pub(super) fn finish_store(&mut self, place: VariablePlace, span: Span) {
-        if let (Some(bit), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
-            return self.store_bit(place, bit, of, span);
+        if let (Some(part), Some(of)) = (place.part, self.model.elementary(place.ty)) {
+            return self.store_part(place, part, of, span);
         }
         match (self.cells(place.ty), place.location) {
             (CellKind::Many(size), _) => self.emit(Instruction::Copy(size)),
@@ -203,25 +203,25 @@ impl Lowering<'_> {
         let known = matches!(place.location, Location::Absolute(_));
         match self.cells(place.ty) {
             CellKind::Text => {}
-            CellKind::Plain if known && place.bit.is_none() => {}
+            CellKind::Plain if known && place.part.is_none() => {}
             _ => {
                 self.push_address(place.location);
                 self.emit(Instruction::Swap);
             }
         }
-        if let (TypeKind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.bit) {
+        if let (TypeKind::Subrange(limits), None) = (self.model.types.kind(place.ty), place.part) {
             self.emit_at(span, check_range(*limits));
         }
         self.finish_store(place, span);
     }
 
-    /// Sets a bit; a variable with limits must still keep to them.
-    fn store_bit(&mut self, place: VariablePlace, bit: u8, of: ElementaryType, span: Span) {
-        self.emit(Instruction::StoreBit { bit, of });
+    /// Sets a part of a variable's bits; a variable with limits must still keep to them.
+    fn store_part(&mut self, place: VariablePlace, part: Part, of: ElementaryType, span: Span) {
+        self.emit(Instruction::StorePart { part, of });
         if let TypeKind::Subrange(limits) = *self.model.types.kind(place.ty)
             && place.location != Location::Stack
         {
-            self.load(VariablePlace { bit: None, ..place });
+            self.load(VariablePlace { part: None, ..place });
             self.emit_at(span, check_range(limits));
             self.emit(Instruction::Drop);
         }

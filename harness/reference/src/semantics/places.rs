@@ -9,18 +9,18 @@ use super::locations::{Location, VariablePlace};
 use super::lowering::{LoweredValue, Lowering};
 use super::trace::UseKind;
 use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
-use crate::instruction::Instruction;
+use crate::instruction::{Instruction, Part};
 use crate::source::Span;
 use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {
-    /// Puts the value of a variable, element, field or bit on the stack.
+    /// Puts the value of a variable, element, field or part on the stack.
     pub(super) fn read(&mut self, id: ExpressionId) -> LoweredValue {
         match self.place(id) {
             Some(place) => {
                 let value = self.load(place);
-                if let (Some(_), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
+                if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
                     self.emitter.record(id, UseKind::BitRead { of });
                 }
                 value
@@ -37,7 +37,10 @@ impl<'m> Lowering<'m> {
             ExpressionKind::Name(name) => self.named_place(*name),
             ExpressionKind::Field { base, field } => self.field(*base, *field),
             ExpressionKind::Index { base, subscripts } => self.element(*base, subscripts, expression.span),
-            ExpressionKind::Bit { base, index } => self.bit(*base, *index, expression.span),
+            ExpressionKind::Bit { base, index } => {
+                self.part(*base, ElementaryType::Bool, *index, expression.span)
+            }
+            ExpressionKind::Part { base, part, index } => self.part(*base, *part, *index, expression.span),
             ExpressionKind::Error => None,
             _ => {
                 // What is wrong inside is to be said too.
@@ -83,7 +86,7 @@ impl<'m> Lowering<'m> {
         (member.ty != TypeId::ERROR).then_some(VariablePlace {
             location,
             ty: member.ty,
-            bit: None,
+            part: None,
             constant,
         })
     }
@@ -138,7 +141,7 @@ impl<'m> Lowering<'m> {
         known.then_some(VariablePlace {
             location,
             ty: shape.element,
-            bit: None,
+            part: None,
             constant: place.constant,
         })
     }
@@ -204,11 +207,19 @@ impl<'m> Lowering<'m> {
         (value.ty != TypeId::ERROR).then_some(value)
     }
 
-    /// A bit. One that the type does not have is a BOOL all the same, of a variable that can be written or not: what is wrong
-    /// with it as such is said too, as with an element. Of what has no bits there is none that could be anything.
+    /// A part of a variable's bits, or of such a part. One that the type does not have is a BOOL, BYTE, WORD or DWORD all the same,
+    /// of a variable that can be written or not: what is wrong with it as such is said too, as with an element. Of what has no
+    /// bits, or not more than the part, there is none that could be anything.
     ///
-    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); rule: every-mistake-is-told.
-    fn bit(&mut self, base: ExpressionId, index: u64, span: Span) -> Option<VariablePlace> {
+    /// Basis: ironplc-bit-access: Bit Access ("reads and writes as a BOOL"); rusty-direct-variables: Constant based Direct Access;
+    /// rusty-tests: src/validation/tests/bitaccess_validation_test.rs; rule: every-mistake-is-told.
+    fn part(
+        &mut self,
+        base: ExpressionId,
+        part: ElementaryType,
+        index: u64,
+        span: Span,
+    ) -> Option<VariablePlace> {
         if !self.names_a_place(base) {
             let value = self.value(base, None);
             if value.ty != TypeId::ERROR {
@@ -230,11 +241,24 @@ impl<'m> Lowering<'m> {
             self.report(Code::BitAccessTypeInvalid, span, format!("{name} has no bits"));
             return None;
         };
-        let bit = u8::try_from(index).ok().filter(|&bit| u32::from(bit) < ty.bits());
-        if bit.is_none() {
-            let message = format!("{name} has the bits 0 to {}", ty.bits() - 1);
+        if part.bits() >= ty.bits() {
+            let message = format!("{name} has no more bits than one {part}");
+            self.report(Code::BitAccessTypeInvalid, span, message);
+            return None;
+        }
+        let parts = ty.bits() / part.bits();
+        let first = u32::try_from(index).ok().filter(|&index| index < parts);
+        let first = first.and_then(|index| u8::try_from(index * part.bits()).ok());
+        if first.is_none() {
+            let what = if part == ElementaryType::Bool {
+                "bit"
+            } else {
+                part.name()
+            };
+            let message = format!("{name} has the {what}s 0 to {}", parts - 1);
             self.report(Code::BitAccessOutOfRange, span, message);
         }
+        let outer = place.part.map_or(0, |outer| outer.first);
         // A variable with limits is looked at again once the bit is set.
         let limited = matches!(self.model.types.kind(place.ty), TypeKind::Subrange(_));
         let location = if limited {
@@ -244,8 +268,11 @@ impl<'m> Lowering<'m> {
         };
         Some(VariablePlace {
             location,
-            // What is refused is never run, so that any bit will do.
-            bit: bit.or(Some(0)),
+            // What is refused is never run, so that any part will do.
+            part: Some(Part {
+                first: outer + first.unwrap_or(0),
+                ty: part,
+            }),
             ..place
         })
     }
@@ -258,6 +285,7 @@ impl<'m> Lowering<'m> {
                 | ExpressionKind::Field { .. }
                 | ExpressionKind::Index { .. }
                 | ExpressionKind::Bit { .. }
+                | ExpressionKind::Part { .. }
         )
     }
 }

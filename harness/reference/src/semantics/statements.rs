@@ -80,9 +80,9 @@ impl<'m> Lowering<'m> {
         self.record_written(target, place);
     }
 
-    /// Records that a bit has been written, where the place is one.
+    /// Records that a part of a variable has been written, where the place is one.
     pub(super) fn record_written(&mut self, target: ExpressionId, place: VariablePlace) {
-        if let (Some(_), Some(of)) = (place.bit, self.model.elementary(place.ty)) {
+        if let (Some(_), Some(of)) = (place.part, self.model.elementary(place.ty)) {
             self.emitter.record(target, UseKind::BitWritten { of });
         }
     }

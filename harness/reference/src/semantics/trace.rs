@@ -94,7 +94,7 @@ impl Trace {
 mod tests {
     use super::*;
     use crate::Dialect;
-    use crate::instruction::Instruction;
+    use crate::instruction::{Instruction, Part};
     use crate::semantics::check_traced;
     use crate::source::LineIndex;
     use crate::syntax;
@@ -128,15 +128,19 @@ mod tests {
         };
         assert_eq!(widened, "i");
         let of = ElementaryType::Byte;
+        let bit = |first| Part {
+            first,
+            ty: ElementaryType::Bool,
+        };
         assert_eq!(
             rest[0],
             (
                 "b.1".to_owned(),
                 UseKind::BitRead { of },
-                Some(Instruction::Bit(1))
+                Some(Instruction::Part(bit(1)))
             )
         );
-        let store = Instruction::StoreBit { bit: 3, of };
+        let store = Instruction::StorePart { part: bit(3), of };
         assert_eq!(
             rest[2],
             ("b.3".to_owned(), UseKind::BitWritten { of }, Some(store))

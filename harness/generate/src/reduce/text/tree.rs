@@ -82,7 +82,9 @@ pub(super) fn operands(expression: &Expression<'_>) -> Vec<ExpressionId> {
         ExpressionKind::Unary { operand, .. } | ExpressionKind::Parenthesized(operand) => vec![*operand],
         ExpressionKind::Binary { left, right, .. } => vec![*left, *right],
         ExpressionKind::Call { arguments, .. } => arguments.iter().map(value_of).collect(),
-        ExpressionKind::Field { base, .. } | ExpressionKind::Bit { base, .. } => vec![*base],
+        ExpressionKind::Field { base, .. }
+        | ExpressionKind::Bit { base, .. }
+        | ExpressionKind::Part { base, .. } => vec![*base],
         ExpressionKind::Index { base, subscripts } => {
             [*base].into_iter().chain(subscripts.iter().copied()).collect()
         }

@@ -4,7 +4,7 @@ use super::state::Parser;
 use crate::dialect::PartialAccess;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::{ExpressionId, ExpressionKind};
-use stickler_types::Code;
+use stickler_types::{Code, ElementaryType};
 
 /// The forms of partial access.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -13,8 +13,10 @@ enum AccessForm {
     Short,
     /// `.%Xn`.
     Bit,
-    /// `.%Bn`, `.%Wn`, `.%Dn` or `.%Ln`.
-    Wider,
+    /// `.%Bn`, `.%Wn` or `.%Dn`: a part of this type.
+    Wider(ElementaryType),
+    /// `.%Ln`.
+    LongWord,
 }
 
 impl Parser<'_, '_> {
@@ -22,7 +24,7 @@ impl Parser<'_, '_> {
     /// diagnosed, and nothing else is said about the construct.
     ///
     /// Basis: ironplc-bit-access: Syntax, Edition 3 Partial-Access Syntax, Byte / Word / Dword / Lword Partial
-    /// Access; matiec, measured: no bit access at all.
+    /// Access; rusty-direct-variables: Constant based Direct Access; matiec, measured: no bit access at all.
     pub(super) fn partial_access(&mut self, base: ExpressionId, dot: Token) -> ExpressionId {
         let (form, index) = form_and_index(self.kind(), self.word());
         let suffix = dot.span.to(self.bump().span);
@@ -31,7 +33,12 @@ impl Parser<'_, '_> {
                 self.report(code, suffix, || message);
                 ExpressionKind::Error
             }
-            None => ExpressionKind::Bit { base, index },
+            None => match form {
+                AccessForm::Wider(part) => ExpressionKind::Part { base, part, index },
+                AccessForm::Short | AccessForm::Bit | AccessForm::LongWord => {
+                    ExpressionKind::Bit { base, index }
+                }
+            },
         };
         let span = self.span_of(base).to(suffix);
         self.push(kind, span)
@@ -46,7 +53,12 @@ impl Parser<'_, '_> {
                 Code::SyntaxError,
                 format!("the dialect {dialect} has no bit access: expected a field's name"),
             )),
-            (AccessForm::Bit, PartialAccess::BitsOnly) => None,
+            (AccessForm::Bit, PartialAccess::BitsOnly)
+            | (AccessForm::Bit | AccessForm::Wider(_), PartialAccess::UpToDoubleWords) => None,
+            (_, PartialAccess::UpToDoubleWords) => Some((
+                Code::UnexpectedToken,
+                format!("the dialect {dialect} has partial access up to double words (`.%D`) only"),
+            )),
             (_, PartialAccess::BitsOnly) => Some((
                 Code::UnexpectedToken,
                 format!("the dialect {dialect} has partial access to bits (`.%X`) only"),
@@ -69,7 +81,10 @@ impl Parser<'_, '_> {
 fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
     let form = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
         _ if kind == TokenKind::Integer => AccessForm::Short,
-        Some(b'B' | b'W' | b'D' | b'L') => AccessForm::Wider,
+        Some(b'B') => AccessForm::Wider(ElementaryType::Byte),
+        Some(b'W') => AccessForm::Wider(ElementaryType::Word),
+        Some(b'D') => AccessForm::Wider(ElementaryType::Dword),
+        Some(b'L') => AccessForm::LongWord,
         _ => AccessForm::Bit,
     };
     let digits = text.bytes().filter(u8::is_ascii_digit);
@@ -122,7 +137,20 @@ mod tests {
     }
 
     #[test]
-    fn the_wider_forms_are_nowhere_enabled() {
+    fn the_wider_forms_are_enabled_in_rusty_up_to_double_words() {
+        for suffix in [".%B1", ".%w0", ".%D0", ".%D1.%W1.%B1.%X1"] {
+            let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
+            assert_eq!(codes(&text, &Dialect::rusty()), [], "{suffix}");
+        }
+        let text = "PROGRAM p x := y + a.%L0; END_PROGRAM";
+        assert_eq!(
+            codes(text, &Dialect::rusty()),
+            only(Code::UnexpectedToken, ".%L0")
+        );
+    }
+
+    #[test]
+    fn the_wider_forms_are_enabled_nowhere_else() {
         for suffix in [".%B1", ".%w0", ".%D0", ".%l0"] {
             let disabled = only(Code::PartialAccessSyntaxDisabled, suffix);
             let unmatched = only(Code::UnexpectedToken, suffix);

@@ -6,6 +6,7 @@ use super::writer::Writer;
 use crate::syntax::tree::{
     Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, UnaryOperator,
 };
+use stickler_types::ElementaryType;
 
 impl<'u, 's> Writer<'u, 's> {
     /// An expression; gives what is known of the variable that it names.
@@ -39,6 +40,15 @@ impl<'u, 's> Writer<'u, 's> {
             ExpressionKind::Bit { base, index } => {
                 self.expression(*base);
                 self.put(".");
+                self.put(&index.to_string());
+            }
+            ExpressionKind::Part { base, part, index } => {
+                self.expression(*base);
+                self.put(match part {
+                    ElementaryType::Byte => ".%B",
+                    ElementaryType::Word => ".%W",
+                    _ => ".%D",
+                });
                 self.put(&index.to_string());
             }
             ExpressionKind::Call { callee, arguments } => {

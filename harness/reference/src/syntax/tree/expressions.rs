@@ -2,6 +2,7 @@
 
 use super::{ExpressionId, Literal, Name, Prefixed};
 use crate::source::Span;
+use stickler_types::ElementaryType;
 
 /// An expression.
 #[derive(Debug)]
@@ -39,6 +40,15 @@ pub enum ExpressionKind<'s> {
     Bit {
         /// The variable.
         base: ExpressionId,
+        /// The index as written; `u64::MAX` stands for anything larger.
+        index: u64,
+    },
+    /// `base.%B3`, `base.%W3` or `base.%D3`, where the dialect has that form.
+    Part {
+        /// The variable.
+        base: ExpressionId,
+        /// The type of the part: BYTE, WORD or DWORD.
+        part: ElementaryType,
         /// The index as written; `u64::MAX` stands for anything larger.
         index: u64,
     },
