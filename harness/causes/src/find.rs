@@ -4,7 +4,7 @@ use crate::essence::{Essence, keeps_claim};
 use crate::failed::{FailedCases, Group};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
-use crate::question::{Questioner, with_program};
+use crate::question::{Heard, Questioner, with_program};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
@@ -104,6 +104,7 @@ pub fn find(
         let asking = Asking {
             engine: *engine,
             store: search.stores.get(place).copied().flatten(),
+            heard: Heard::default(),
             search,
             cases: &cases,
             stop: &stop,
@@ -199,6 +200,7 @@ impl Found {
 struct Asking<'r> {
     engine: &'r dyn Engine,
     store: Option<&'r dyn AnswerStore>,
+    heard: Heard,
     search: &'r Search<'r>,
     cases: &'r HashMap<(String, String), &'r Case>,
     stop: &'r (dyn Fn() -> bool + Sync),
@@ -218,6 +220,7 @@ impl Asking<'_> {
                 session: EngineSession::new(self.engine),
                 judge,
                 store: self.store,
+                heard: &self.heard,
             })
         };
         let work = |asked: &mut Questioner<'_>, (sign, event): (&Sign, &CaseEvent)| {

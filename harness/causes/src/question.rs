@@ -1,15 +1,37 @@
 //! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
 
 use crate::sign::Sign;
-use std::sync::Arc;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, ask, ask_stored};
+use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, ask, ask_stored, question};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
+
+/// What an engine answered in a search, by the digest of the question. Groups with one cause ask for the same small programs.
+#[derive(Default)]
+pub(crate) struct Heard(Mutex<HashMap<String, Answers>>);
+
+impl Heard {
+    fn get(&self, question: &str) -> Option<Answers> {
+        let heard = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        heard.get(question).cloned()
+    }
+
+    /// Keeps answers, but a limit of time or an error, which the machine may have caused.
+    fn keep(&self, question: String, answers: &Answers) {
+        let by_the_machine =
+            |outcome: &Outcome| matches!(outcome, Outcome::TimedOut { .. } | Outcome::Error { .. });
+        if !answers.outcomes().any(by_the_machine) {
+            let mut heard = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+            heard.insert(question, answers.clone());
+        }
+    }
+}
 
 /// An engine with the judge of its cases.
 pub(crate) struct Questioner<'e> {
@@ -18,6 +40,8 @@ pub(crate) struct Questioner<'e> {
     pub(crate) judge: CaseJudge<'e>,
     /// The answers of earlier runs.
     pub(crate) store: Option<&'e dyn AnswerStore>,
+    /// The answers of this search.
+    pub(crate) heard: &'e Heard,
 }
 
 /// A deviation that an engine showed on a program.
@@ -29,13 +53,21 @@ pub(crate) struct Deviation {
 }
 
 impl Questioner<'_> {
-    /// Asks the engine about a case, or takes what it answered in an earlier run; `None` where it does what it must, or does
+    /// Asks the engine about a case, or takes what it answered before, in this search or in an earlier run; `None` where it does what it must, or does
     /// not support the program.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
-        let answers = ask_stored(&mut self.session, case, self.store)?;
+        let question = question(case);
+        let answers = match self.heard.get(&question) {
+            Some(answers) => answers,
+            None => {
+                let answers = ask_stored(&mut self.session, case, self.store)?;
+                self.heard.keep(question, &answers);
+                answers
+            }
+        };
         Ok(self.judged(case, answers)?.1)
     }
 

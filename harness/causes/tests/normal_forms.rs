@@ -1,6 +1,7 @@
 //! Finds which failing cases belong together on engines with one planted defect, by the normal forms of their programs.
 
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
 use stickler_causes::{FailedCases, Limits, Search, find};
 use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
 use stickler_run::{Cause, Event, Fact, Plan, run};
@@ -279,4 +280,35 @@ fn a_value_that_nobody_asked_about_explains_no_other() {
     };
     let found = causes_within(&Compiler::new(converts_otherwise), cases, limits);
     assert_eq!(found.len(), 2, "{:?}", titles(&found));
+}
+
+/// The number of times that the operand was asked for alone.
+static ALONE: AtomicU32 = AtomicU32::new(0);
+
+/// Adds one to the literal 40.
+fn counts_the_operand(request: &RunRequest<'_>) -> Outcome {
+    if request.source.contains("    into := 40;") {
+        ALONE.fetch_add(1, Ordering::Relaxed);
+    }
+    let source = request.source.replace(":= 40", ":= 41");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn a_program_that_several_groups_ask_for_is_run_once() {
+    let with = |id: &str, operation: &str, value: &str| {
+        let declarations = "data : INT := 40; into : INT;";
+        case(id, declarations, &format!("into := {operation};"), value)
+    };
+    let cases = vec![
+        with("t::sum", "data + 2", "into = INT#42"),
+        with("t::quotient", "data / 5 * data", "into = INT#320"),
+        with("t::absolute", "ABS(data)", "into = INT#40"),
+    ];
+    let found = causes(&Compiler::new(counts_the_operand), cases);
+    assert_eq!(found.len(), 1, "{:?}", titles(&found));
+    assert_eq!(ALONE.load(Ordering::Relaxed), 1);
 }

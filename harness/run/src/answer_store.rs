@@ -45,7 +45,8 @@ pub fn ask_stored(
 }
 
 /// Returns the digest of everything that an engine is asked about a case: 32 hexadecimal digits.
-pub(crate) fn question(case: &Case) -> String {
+#[must_use]
+pub fn question(case: &Case) -> String {
     let mut digest = Digest::new("question");
     digest.text(case.dialect.as_str()).text(&case.source);
     // An engine that does not know a custom dialect is asked about its base, which the name does not contain.

@@ -23,7 +23,7 @@ mod schedule;
 mod select;
 mod symptom;
 
-pub use answer_store::{AnswerStore, ask_stored};
+pub use answer_store::{AnswerStore, ask_stored, question};
 pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
