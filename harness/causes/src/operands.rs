@@ -97,19 +97,19 @@ pub(crate) fn alone(program: &str) -> Vec<Alone> {
                 continue;
             };
             let plain = literal.split_once('#').filter(|_| prefix_type(token) == Some(ty));
-            literals.extend(plain.map(|(_, plain)| assigned(ty, plain)));
-            literals.push(assigned(ty, &literal));
+            literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, plain)));
+            literals.push(Alone::assigned(ty, &literal));
             if names.is_declared_at(at) {
-                literals.push(initial(ty, &literal));
+                literals.push(Alone::initial(ty, &literal));
             }
         } else if let (Some(ty), Some(from)) = (target, names.type_of(token)) {
             let value = names.initial.get(&token.text.to_ascii_uppercase()).cloned();
             let value = value.or_else(|| names.some_value(from));
-            variables.push(copied(from, ty, value.as_deref()));
+            variables.push(Alone::copied(from, ty, value.as_deref()));
         }
         if let Some((from, ty)) = names.met(&tokens, at) {
             let value = names.some_value(from);
-            variables.push(copied(from, ty, value.as_deref()));
+            variables.push(Alone::copied(from, ty, value.as_deref()));
         }
         variables.extend(mixed(&names, &tokens, at));
     }
@@ -122,37 +122,42 @@ pub(crate) fn alone(program: &str) -> Vec<Alone> {
     found
 }
 
-fn assigned(ty: ElementaryType, literal: &str) -> Alone {
-    let name = ty.name();
-    Alone {
-        program: format!(
-            "PROGRAM main\nVAR\n    into : {name};\nEND_VAR\n    into := {literal};\nEND_PROGRAM\n"
-        ),
-        ty,
-        literal: Some(literal.to_owned()),
+impl Alone {
+    /// Assigns a literal.
+    fn assigned(ty: ElementaryType, literal: &str) -> Alone {
+        Alone {
+            literal: Some(literal.to_owned()),
+            ..Alone::new(None, ty, literal)
+        }
     }
-}
 
-fn initial(ty: ElementaryType, literal: &str) -> Alone {
-    let name = ty.name();
-    Alone {
-        program: format!(
-            "PROGRAM main\nVAR\n    data : {name} := {literal};\n    into : {name};\nEND_VAR\n    into := data;\nEND_PROGRAM\n"
-        ),
-        ty,
-        literal: Some(literal.to_owned()),
+    /// Begins a variable with a literal, and assigns the variable.
+    fn initial(ty: ElementaryType, literal: &str) -> Alone {
+        Alone {
+            literal: Some(literal.to_owned()),
+            ..Alone::copied(ty, ty, Some(literal))
+        }
     }
-}
 
-fn copied(from: ElementaryType, ty: ElementaryType, value: Option<&str>) -> Alone {
-    let value = value.map(|value| format!(" := {value}")).unwrap_or_default();
-    let (from, into) = (from.name(), ty.name());
-    Alone {
-        program: format!(
-            "PROGRAM main\nVAR\n    data : {from}{value};\n    into : {into};\nEND_VAR\n    into := data;\nEND_PROGRAM\n"
-        ),
-        ty,
-        literal: None,
+    /// Assigns a variable of the type `from`, which may have an initial value.
+    fn copied(from: ElementaryType, ty: ElementaryType, initial: Option<&str>) -> Alone {
+        Alone::new(Some((from, initial)), ty, "data")
+    }
+
+    /// Assigns an expression, which may use the variable `data` with a type and an initial value.
+    fn new(data: Option<(ElementaryType, Option<&str>)>, ty: ElementaryType, expression: &str) -> Alone {
+        let data = data.map(|(from, initial)| {
+            let initial = initial.map(|value| format!(" := {value}")).unwrap_or_default();
+            format!("    data : {}{initial};\n", from.name())
+        });
+        let (data, name) = (data.unwrap_or_default(), ty.name());
+        Alone {
+            program: format!(
+                "PROGRAM main\nVAR\n{data}    into : {name};\nEND_VAR\n    into := {expression};\nEND_PROGRAM\n"
+            ),
+            ty,
+            literal: None,
+        }
     }
 }
 
@@ -166,15 +171,8 @@ fn conversion(tokens: &[Token<'_>], at: usize, names: &Names) -> Option<Alone> {
         let name = tokens.get(at + 2)?.text.to_ascii_uppercase();
         names.initial.get(&name).cloned()
     });
-    let value = operand.map(|value| format!(" := {value}")).unwrap_or_default();
-    let (name, source, into) = (tokens[at].text, from.name(), ty.name());
-    Some(Alone {
-        program: format!(
-            "PROGRAM main\nVAR\n    data : {source}{value};\n    into : {into};\nEND_VAR\n    into := {name}(data);\nEND_PROGRAM\n"
-        ),
-        ty,
-        literal: None,
-    })
+    let call = format!("{}(data)", tokens[at].text);
+    Some(Alone::new(Some((from, operand.as_deref())), ty, &call))
 }
 
 /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
@@ -191,8 +189,8 @@ fn mixed(names: &Names, tokens: &[Token<'_>], at: usize) -> Vec<Alone> {
     match (operand(at.checked_sub(1)), operand(Some(at + 1))) {
         (Some((left, first)), Some((right, second))) if is_operator && left != right => {
             vec![
-                copied(left, right, first.as_deref()),
-                copied(right, left, second.as_deref()),
+                Alone::copied(left, right, first.as_deref()),
+                Alone::copied(right, left, second.as_deref()),
             ]
         }
         _ => Vec::new(),

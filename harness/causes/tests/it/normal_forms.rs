@@ -1,13 +1,12 @@
 //! Finds which failing cases belong together on engines with one planted defect, by the normal forms of their programs.
 
-use std::sync::Arc;
+use crate::fixtures::{self, identity, suite, titles};
 use std::sync::atomic::{AtomicU32, Ordering};
-use stickler_causes::{FailedCases, Limits, Search, find};
-use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use stickler_run::{Cause, Event, Fact, Plan, run};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
-use stickler_types::{Code, DialectName, Observation, Value};
-use stickler_workers::Cancellation;
+use stickler_causes::Limits;
+use stickler_engines::{Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use stickler_run::{Cause, Fact};
+use stickler_suite::Case;
+use stickler_types::{Code, DialectName};
 
 /// A compiler that runs programs with one defect.
 struct Compiler {
@@ -17,14 +16,7 @@ struct Compiler {
 
 impl Compiler {
     fn new(run: fn(&RunRequest<'_>) -> Outcome) -> Compiler {
-        let identity = Identity {
-            name: "defective".to_owned(),
-            version: "1".to_owned(),
-            dialects: vec![DialectName::IronplcEd3],
-            abilities: vec![Ability::Execute],
-            grade: Grade::Code,
-            lacks: Vec::new(),
-        };
+        let identity = identity();
         Compiler { identity, run }
     }
 }
@@ -64,45 +56,8 @@ fn as_the_reference(request: &RunRequest<'_>) -> Outcome {
 /// Returns a case with a program of these declarations and statements, which must end with a value (`into = REAL#5.0`) or be
 /// rejected (`6 P4035`).
 fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
-    let mut expectation = Expectation::default();
-    let mut observe = Vec::new();
-    if let Some((name, value)) = must.split_once(" = ") {
-        let value = Value::parse(value).expect("a literal");
-        observe.push(Observation::last(name, value.type_name()));
-        expectation.values.push(ExpectedValue {
-            name: name.into(),
-            after: None,
-            value,
-            line: 1,
-        });
-    } else {
-        let (line, code) = must.split_once(' ').expect("a line and a code");
-        expectation.accepted = Acceptance::Rejected;
-        expectation.diagnostics.push(ExpectedDiagnostic {
-            line: line.parse().expect("a number"),
-            code: code.parse().expect("a code"),
-        });
-    }
-    let source = format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n{statements}\nEND_PROGRAM\n");
-    Case {
-        id: id.into(),
-        dialect: DialectName::IronplcEd3,
-        title: "t".into(),
-        basis: format!("document: {id}").into(),
-        summary: None,
-        file: "t.toml".into(),
-        area: "t".into(),
-        line: 1,
-        source: source.into(),
-        scans: 1,
-        tags: Arc::default(),
-        clock: Arc::default(),
-        set: Arc::default(),
-        expectation: Arc::new(expectation),
-        observe: observe.into(),
-        cell: None,
-        placement: None,
-    }
+    let program = format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n{statements}\nEND_PROGRAM\n");
+    fixtures::case(id, &program, must)
 }
 
 fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
@@ -110,33 +65,7 @@ fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
 }
 
 fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: Limits) -> Vec<Cause> {
-    let plan = Plan {
-        jobs: 1,
-        ..Plan::default()
-    };
-    let mut suite = Suite::default();
-    suite.cases = cases;
-    let cancel = Cancellation::new();
-    let engines: [&dyn Engine; 1] = [compiler];
-    let mut failed = FailedCases::new(&plan, &engines);
-    let mut sink = |event: Event| failed.take(&event);
-    run(&plan, &suite, &engines, &mut sink, &cancel).expect("a run");
-    let search = Search {
-        plan: &plan,
-        suite: &suite,
-        engines: &engines,
-        stores: &[],
-        limits,
-        cancel: &cancel,
-    };
-    find(&failed, &search, &mut |_| {}).expect("causes")
-}
-
-fn titles(found: &[Cause]) -> Vec<(u64, &str)> {
-    found
-        .iter()
-        .map(|cause| (cause.number(), cause.title.as_str()))
-        .collect()
+    fixtures::causes(&suite(cases), compiler, 1, limits)
 }
 
 /// Begins LREAL variables without the sign of their initial value.

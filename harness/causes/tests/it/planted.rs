@@ -1,15 +1,14 @@
 //! Finds the defects that are planted in an engine, each of which many cases of several tables and dialects show.
 
+use crate::fixtures::{self, causes, identity, titles};
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
-use stickler_causes::{FailedCases, Limits, Search, find};
-use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use stickler_run::{Cause, Event, Plan, Reduced, run};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
-use stickler_types::{Diagnostic, DialectName, Observation, Value};
-use stickler_workers::Cancellation;
+use stickler_causes::Limits;
+use stickler_engines::{Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use stickler_run::{Cause, Reduced};
+use stickler_suite::{Case, Suite};
+use stickler_types::{Diagnostic, DialectName, Value};
 
 /// A compiler that does what the reference does, but for three defects: it cannot read an exponent of three digits, it
 /// assigns a value of every type to every other, and it does not convert integers to REAL.
@@ -26,16 +25,8 @@ struct Defective {
 
 impl Defective {
     fn new(rejects_every: u64) -> Defective {
-        let identity = Identity {
-            name: "defective".to_owned(),
-            version: "1".to_owned(),
-            dialects: vec![DialectName::IronplcEd2, DialectName::IronplcEd3],
-            abilities: vec![Ability::Execute],
-            grade: Grade::Code,
-            lacks: Vec::new(),
-        };
         Defective {
-            identity: Some(identity),
+            identity: Some(identity()),
             rejects_every,
             ..Defective::default()
         }
@@ -113,49 +104,12 @@ impl Session for Compiling<'_> {
     }
 }
 
-/// Returns a case in both dialects: a program, which must end with a value (`into = REAL#5.0`), or be rejected (`7 P4035`).
-fn case(id: &str, program: &str, must: &str) -> Vec<Case> {
-    let mut expectation = Expectation::default();
-    let mut observe = Vec::new();
-    if let Some((name, value)) = must.split_once(" = ") {
-        let value = Value::parse(value).expect("a literal");
-        observe.push(Observation::last(name, value.type_name()));
-        expectation.values.push(ExpectedValue {
-            name: name.into(),
-            after: None,
-            value,
-            line: 1,
-        });
-    } else {
-        let (line, code) = must.split_once(' ').expect("a line and a code");
-        expectation.accepted = Acceptance::Rejected;
-        expectation.diagnostics.push(ExpectedDiagnostic {
-            line: line.parse().expect("a number"),
-            code: code.parse().expect("a code"),
-        });
-    }
-    let in_dialect = |dialect| Case {
-        id: id.into(),
+/// Returns a case in both dialects.
+fn case(id: &str, program: &str, must: &str) -> [Case; 2] {
+    [DialectName::IronplcEd2, DialectName::IronplcEd3].map(|dialect| Case {
         dialect,
-        title: "A title".into(),
-        basis: format!("a-source: {}", id.split("::").next().unwrap_or_default()).into(),
-        summary: None,
-        file: "conformance-cases/area/file.toml".into(),
-        area: "area".into(),
-        line: 1,
-        source: program.into(),
-        scans: 1,
-        tags: Arc::new([]),
-        clock: Arc::new([]),
-        set: Arc::new([]),
-        expectation: Arc::new(expectation.clone()),
-        observe: observe.clone().into(),
-        cell: None,
-        placement: None,
-    };
-    [DialectName::IronplcEd2, DialectName::IronplcEd3]
-        .map(in_dialect)
-        .to_vec()
+        ..fixtures::case(id, program, must)
+    })
 }
 
 /// Returns a program that assigns a variable of one type to one of another in a function, and more that does not matter.
@@ -191,48 +145,14 @@ fn suite() -> Suite {
         let must = format!("into = LREAL#{value}");
         cases.extend(case(id, &assigning("LREAL", value, "LREAL"), &must));
     }
-    let mut suite = Suite::default();
-    suite.cases = cases;
-    suite
-}
-
-fn causes(engine: &dyn Engine, jobs: usize, limits: Limits) -> Vec<Cause> {
-    causes_of(&suite(), engine, jobs, limits)
-}
-
-fn causes_of(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: Limits) -> Vec<Cause> {
-    let plan = Plan {
-        jobs,
-        ..Plan::default()
-    };
-    let cancel = Cancellation::new();
-    let engines: [&dyn Engine; 1] = [engine];
-    let mut failed = FailedCases::new(&plan, &engines);
-    let mut sink = |event: Event| failed.take(&event);
-    run(&plan, suite, &engines, &mut sink, &cancel).expect("a run");
-    let search = Search {
-        plan: &plan,
-        suite,
-        engines: &engines,
-        stores: &[],
-        limits,
-        cancel: &cancel,
-    };
-    let mut told = Vec::new();
-    let found = find(&failed, &search, &mut |progress| told.push(progress)).expect("causes");
-    assert!(told.last().is_none_or(|last| last.done == last.of));
-    found
+    fixtures::suite(cases)
 }
 
 #[test]
 fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
-    let found = causes(&Defective::new(0), 2, Limits::default());
-    let told: Vec<(u64, &str)> = found
-        .iter()
-        .map(|cause| (cause.number(), cause.title.as_str()))
-        .collect();
+    let found = causes(&suite(), &Defective::new(0), 2, Limits::default());
     assert_eq!(
-        told,
+        titles(&found),
         [
             (
                 6,
@@ -264,7 +184,7 @@ fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
 
 #[test]
 fn the_same_is_found_however_many_threads_there_are() {
-    let found = |jobs| causes(&Defective::new(0), jobs, Limits::default());
+    let found = |jobs| causes(&suite(), &Defective::new(0), jobs, Limits::default());
     assert_eq!(found(1), found(4));
 }
 
@@ -275,7 +195,7 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
         questions: 0,
         ..Limits::default()
     };
-    let found = causes(&engine, 1, limits);
+    let found = causes(&suite(), &engine, 1, limits);
     assert_eq!(found.iter().map(Cause::number).sum::<u64>(), 18);
     assert_eq!(engine.asked.load(Ordering::Relaxed), 18, "the run alone asked");
     let program = &found
@@ -295,7 +215,7 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
         ..Limits::default()
     };
     assert!(
-        causes(&engine, 1, late)
+        causes(&suite(), &engine, 1, late)
             .iter()
             .all(|cause| cause.reduction == Reduced::Partly)
     );
@@ -303,7 +223,7 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
 
 #[test]
 fn what_comes_by_chance_is_told_as_such() {
-    let found = causes(&Defective::new(19), 1, Limits::default());
+    let found = causes(&suite(), &Defective::new(19), 1, Limits::default());
     let chance = found
         .iter()
         .find(|cause| cause.title.contains("the dice"))
@@ -335,7 +255,7 @@ fn a_construct_that_a_document_promises_and_that_is_not_implemented_is_a_cause_w
             ..case
         }));
     }
-    let found = causes_of(&suite, &engine, 1, Limits::default());
+    let found = causes(&suite, &engine, 1, Limits::default());
     assert_eq!(found.len(), 1, "{found:?}");
     let cause = &found[0];
     assert_eq!(cause.number(), 2);

@@ -1,0 +1,5 @@
+//! Tests of the crate from outside: suites made by hand, and engines with planted defects.
+
+mod fixtures;
+mod normal_forms;
+mod planted;
