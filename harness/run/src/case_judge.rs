@@ -1,7 +1,7 @@
 //! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
-use crate::judge::{differ_in_blanks_only, judge, lack_places_only};
+use crate::judge::{differ_in_blanks_only, judge, tells_too_little_only};
 use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
@@ -11,7 +11,7 @@ use stickler_suite::{Acceptance, Case, Sources};
 const RENDERING: &str = "rule: rendering";
 
 /// The basis of the line of a diagnostic that came without a place. No document promises that every diagnostic has one.
-const PLACES: &str = "rule: every-mistake-is-told";
+const EVERY_MISTAKE: &str = "rule: every-mistake-is-told";
 
 /// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
@@ -98,9 +98,9 @@ impl CaseJudge<'_> {
         match judgement.verdict {
             Verdict::Fail | Verdict::Differs if differ_in_blanks_only(expected, got) => RENDERING,
             Verdict::Fail | Verdict::Differs
-                if lack_places_only(expected, got, self.plan.needed(self.engine, case)) =>
+                if tells_too_little_only(expected, got, self.plan.needed(self.engine, case)) =>
             {
-                PLACES
+                EVERY_MISTAKE
             }
             _ => &case.basis,
         }

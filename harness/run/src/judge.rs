@@ -8,7 +8,7 @@ mod rendered;
 mod values;
 
 pub use bodies::rendered_bodies;
-pub use diagnostics::lack_places_only;
+pub use diagnostics::tells_too_little_only;
 pub use rendered::differ_in_blanks_only;
 
 use crate::{Answers, Fact, Grade, Observed, Verdict};

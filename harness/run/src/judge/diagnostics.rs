@@ -73,10 +73,11 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
     }
 }
 
-/// Returns whether the actual facts of a rejection miss nothing of the expected ones but places: each expected diagnostic came,
-/// or has a counterpart without a line; with the same code, where `needed` asks for codes.
+/// Returns whether the actual facts of a rejection miss nothing of the expected ones but places or further mistakes: each expected
+/// diagnostic came, or has a counterpart without a line, with the same code where `needed` asks for codes; or some of them came, and
+/// nothing else.
 #[must_use]
-pub fn lack_places_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
+pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
     let diagnostics = |facts: &[Fact]| facts.iter().map(|fact| fact.diagnostic().cloned()).collect();
     let (Some(mut missing), Some(mut extra)): (Option<Vec<Diagnostic>>, Option<Vec<Diagnostic>>) =
         (diagnostics(expected), diagnostics(got))
@@ -101,8 +102,11 @@ pub fn lack_places_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool 
         codes.sort();
         codes
     };
+    if extra.is_empty() {
+        return !missing.is_empty() && missing.len() < expected.len();
+    }
     let same_codes = needed == Grade::Line || codes(&missing) == codes(&extra);
-    !missing.is_empty() && !extra.is_empty() && same_codes && extra.iter().all(|told| told.line.is_none())
+    !missing.is_empty() && same_codes && extra.iter().all(|told| told.line.is_none())
 }
 
 /// Returns whether a diagnostic names one of these lines, given in ascending order.

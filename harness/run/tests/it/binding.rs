@@ -153,7 +153,7 @@ fn blanks_of_a_rendered_line_are_a_rule_whatever_the_source() {
 }
 
 #[test]
-fn a_place_that_is_not_told_is_a_rule_whatever_the_source() {
+fn places_and_further_mistakes_that_are_not_told_are_a_rule_whatever_the_source() {
     use Verdict::{Differs, Fail};
     let judged = |plan: &Plan, engine: &str, wanted: &[&'static str], told: &[&'static str]| {
         let mut suite = citing(IRONPLC);
@@ -176,6 +176,8 @@ fn a_place_that_is_not_told_is_a_rule_whatever_the_source() {
         (&["6 P4025"], &[], failed()),
         (&["6 P4025", "7 P4026"], &["6 P4025", "- P4026"], rule()),
         (&["6 P4025", "7 P4026"], &["- P4026"], failed()),
+        (&["6 P4025", "7 P4026"], &["6 P4025"], rule()),
+        (&["6 P4025", "7 P4026"], &["6 P4025", "8 P4026"], failed()),
     ] {
         assert_eq!(
             judged(&plan, "ironplc", wanted, told),
@@ -193,6 +195,7 @@ fn a_place_that_is_not_told_is_a_rule_whatever_the_source() {
     for (wanted, told, came) in [
         (&["6 P4025"][..], &["- P4026"][..], rule()),
         (&["6 P4025", "7 P4026"], &["6 -", "- -"], rule()),
+        (&["6 P4025", "7 P4026"], &["7 -"], rule()),
         (&["6 P4025"], &["6 -", "- -"], failed()),
         (&["6 P4025"], &["7 -"], failed()),
     ] {
