@@ -202,6 +202,8 @@ pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
             kind: "document".to_owned(),
             address: "https://example.org/{section}#{anchor}".to_owned(),
             read: "0.239".to_owned(),
+            engines: vec!["reference".to_owned()],
+            limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
         }];
     }
     events

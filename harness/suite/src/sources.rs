@@ -7,6 +7,8 @@ mod lint;
 mod read;
 mod sections;
 
+use std::collections::BTreeMap;
+
 use stickler_types::DialectName;
 
 use crate::near::suggestion;
@@ -48,6 +50,8 @@ pub struct Source {
     /// The dialects for which the source speaks. A standard and the rules name none.
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,
+    /// By section, the constructs that the section says are not there yet, though other sections may promise them.
+    pub limitations: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
     pub(crate) line: u32,
 }
@@ -186,6 +190,19 @@ mod tests {
             said[said.find("sources.toml").unwrap_or_default()..].to_owned()
         });
         (found.sources, errors.collect())
+    }
+
+    #[test]
+    fn limitations_belong_to_a_section() {
+        let (sources, errors) = read_texts(&format!("{SOURCE}limitations.P9999 = 'arrays'\n"));
+        assert!(errors.is_empty(), "{errors:?}");
+        let page = sources.get("page").expect("a source");
+        assert_eq!(page.limitations.get("P9999").map(String::as_str), Some("arrays"));
+        let (_, errors) = read_texts(&format!("{SOURCE}limitations.Nothing = 'arrays'\n"));
+        assert!(
+            errors[0].contains("limitations of no section `Nothing`; "),
+            "{errors:?}"
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Writes the page of a cause, and its line in the list of an engine's pages.
 
-use super::page::{block, called, expected_and_got, not_compared};
+use super::page::{block, called, expected_and_got, not_compared, without_agreeing};
 use crate::basis::Basis;
 use crate::overview::Overview;
 use crate::summary::{code, inline, linked};
@@ -115,6 +115,7 @@ pub(crate) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
         false => format!("Expected, by {}:", cited(shown, overview)),
     };
     expected_and_got(&mut text, &by, (&shown.basis, &shown.expected, &shown.got));
+    limitation(&mut text, cause, overview);
     if let Some(repeats) = &cause.flaky {
         by_chance(&mut text, repeats);
     }
@@ -132,6 +133,28 @@ pub(crate) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
         None => writeln!(text, "."),
     };
     text
+}
+
+/// Adds what the makers of a compiler say themselves of what it does not implement, since that contradicts what promises it.
+fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
+    let reason = cause.shown.got.iter().find_map(|fact| match fact {
+        Fact::NotImplemented { reason, .. } => Some(reason.as_str()),
+        _ => None,
+    });
+    let code = reason.and_then(|reason| Some(reason.split_once(':')?.0));
+    let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    let said = code.and_then(|code| {
+        let mut own = overview.sources().iter().filter(own);
+        own.find_map(|source| Some((source, code, source.limitations.get(code)?)))
+    });
+    if let Some((source, code, lacks)) = said {
+        let claim = linked(&format!("{}: {code}", source.key), &source.address_of(code));
+        let _ = write!(
+            text,
+            "{claim} lists what may give this answer: {lacks}. Where a page promises one of these, the two pages contradict each \
+             other.\n\n"
+        );
+    }
 }
 
 /// Adds the outcomes of a program with which the compiler does not do the same each time.
@@ -232,12 +255,10 @@ fn second(text: &mut String, cause: &Cause) {
             &visible(&second.program),
         );
         if !same {
-            let _ = write!(
-                text,
-                "Expected: {}. Got: {}.\n\n",
-                code(&visible(&Fact::text(&second.expected)).replace('\n', "; ")),
-                code(&visible(&Fact::text(&second.got)).replace('\n', "; "))
-            );
+            let (expected, got) = (&second.expected, &second.got);
+            let line = |facts: &[Fact]| code(&visible(&Fact::text(facts)).replace('\n', "; "));
+            let (wanted, told) = (without_agreeing(expected, got), without_agreeing(got, expected));
+            let _ = write!(text, "Expected: {}. Got: {}.\n\n", line(&wanted), line(&told));
         }
     }
     let types: Vec<&str> = cause

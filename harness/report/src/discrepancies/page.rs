@@ -94,15 +94,36 @@ pub(super) fn expected_and_got(
     let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
     let is_unusable = |fact: &Fact| matches!(fact, Fact::Unusable { .. });
     let is_rule = Basis::of(basis).is_rule();
+    let (wanted, told) = (without_agreeing(expected, got), without_agreeing(got, expected));
     if is_rule && got.iter().any(no_answer) {
         block(text, "Expected:", "", "an answer, no crash");
     } else if is_rule && got.iter().any(is_unusable) {
         block(text, "Expected:", "", "a rejection, or a program that runs");
     } else {
-        let expected = visible(&Fact::text(expected));
-        block(text, by, "", &expected);
+        block(text, by, "", &visible(&Fact::text(&wanted)));
     }
-    block(text, "Got:", "", &visible(&Fact::text(got)));
+    block(text, "Got:", "", &visible(&Fact::text(&told)));
+    let agreeing = (expected.len() - wanted.len()) as u64;
+    if agreeing > 0 {
+        let values = counted(agreeing, "other value is", "other values are");
+        let _ = write!(text, "{values} as expected.\n\n");
+    }
+}
+
+/// Returns the facts without those values that the other facts have too, where all that differs are values.
+pub(super) fn without_agreeing(facts: &[Fact], others: &[Fact]) -> Vec<Fact> {
+    let is_value = |fact: &Fact| {
+        matches!(
+            fact,
+            Fact::Value { .. } | Fact::MissingValue { .. } | Fact::OtherValue { .. }
+        )
+    };
+    let are_values = facts.iter().chain(others).all(is_value);
+    let differs = |fact: &&Fact| !others.contains(fact);
+    match are_values && facts.iter().any(|fact| differs(&fact)) {
+        true => facts.iter().filter(differs).cloned().collect(),
+        false => facts.to_vec(),
+    }
 }
 
 /// Returns the sentence about the parts of a diagnostic that were not compared.

@@ -98,6 +98,24 @@ Found by Stickler, in its dialect `ironplc-ed2`: `` stickler run --filter 'widen
 }
 
 #[test]
+fn of_many_values_only_those_that_differ_are_shown() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let values = |last: &str| vec![value("a", "INT#1"), value("b", "INT#2"), value("c", last)];
+    let case = CaseEvent {
+        expected: values("INT#3"),
+        got: values("INT#4"),
+        ..failing("t::a(1)", "PROGRAM m END_PROGRAM\n", value("c", "INT#4"))
+    };
+    write(folder.path(), &sample::run_of(vec![case]));
+    let page = folder
+        .path()
+        .join("discrepancies/reference/01-widening-t-value.md");
+    let page = fs::read_to_string(page).expect("a page");
+    let end = "```\nc = INT#3\n```\n\nGot:\n\n```\nc = INT#4\n```\n\n2 other values are as expected.\n";
+    assert!(page.contains(end), "{page}");
+}
+
+#[test]
 fn the_pages_of_a_folder_tell_of_one_run_and_what_others_put_there_stays() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let run = sample::run_of(vec![failing(
@@ -328,4 +346,27 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
         assert!(page.contains(part), "{part}\n{page}");
     }
     assert!(!page.contains("Expected, by"), "{page}");
+}
+
+#[test]
+fn of_what_is_not_implemented_the_page_that_lists_it_is_named() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let page = |reason: &str| {
+        let lacking = Fact::NotImplemented {
+            reason: reason.to_owned(),
+            promised_by: None,
+        };
+        let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", lacking);
+        let mut run = sample::with_sources(sample::run_of(vec![case.clone()]));
+        let footer = run.pop().expect("a footer");
+        let mut cause = sample::cause("lacks", 1, Verdict::Fail);
+        cause.shown.got = case.got;
+        run.extend([Event::Cause(cause), footer]);
+        write(folder.path(), &run);
+        fs::read_to_string(folder.path().join("discrepancies/reference/01-lacks.md")).expect("a page")
+    };
+    let text = page("P9999: not yet");
+    let said = "[ironplc-type-conversions: P9999](<https://example.org/P9999#p9999>) lists what may give this answer: arrays. Where";
+    assert!(text.contains(said), "{text}");
+    assert!(!page("P9997: not yet").contains("lists what"));
 }

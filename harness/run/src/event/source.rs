@@ -1,6 +1,7 @@
 //! The sources of claims, as the header of a run names them.
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use stickler_suite::{Source, Sources, address_of};
 
 /// A source that cases may cite, or Stickler's own rules.
@@ -19,6 +20,12 @@ pub struct SourceHeader {
     /// The edition, version, commit or date at which it was read; empty for rules.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub read: String,
+    /// The built-in engines for which it speaks; none of a standard and of the rules.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub engines: Vec<String>,
+    /// By section, the constructs that the section says are not there yet.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub limitations: BTreeMap<String, String>,
 }
 
 impl SourceHeader {
@@ -44,6 +51,8 @@ impl From<&Source> for SourceHeader {
             kind: source.kind.as_str().to_owned(),
             address: source.address.clone(),
             read: source.read.clone(),
+            engines: source.engines.clone(),
+            limitations: source.limitations.clone(),
         }
     }
 }

@@ -28,6 +28,8 @@ struct Entry {
     engines: Option<Vec<String>>,
     dialects: Option<Vec<Spanned<String>>>,
     sections: Option<Strings>,
+    #[serde(default)]
+    limitations: BTreeMap<Spanned<String>, String>,
 }
 
 /// The sources of a suite, and what is wrong with their files.
@@ -108,6 +110,7 @@ fn rules(root: &files::Root) -> (Source, Option<CaseFileError>) {
             headings: headings(&text),
             forms: Vec::new(),
         },
+        limitations: BTreeMap::new(),
         line: 1,
     };
     (source, mistake)
@@ -149,6 +152,15 @@ impl Reader<'_> {
         }
         dialects.sort_unstable();
         dialects.dedup();
+        let sections = self.sections(name, at, file.as_deref(), entry.sections);
+        let mut limitations = BTreeMap::new();
+        for (section, text) in entry.limitations {
+            if let Some(expected) = sections.unknown(section.get_ref()) {
+                let message = format!("limitations of no section `{}`; {expected}", section.get_ref());
+                self.wrong(section.span().start, name, message);
+            }
+            limitations.insert(section.into_inner(), text);
+        }
         Some(Source {
             key: name.to_owned(),
             title: entry.title,
@@ -158,7 +170,8 @@ impl Reader<'_> {
             read: entry.read,
             engines: entry.engines.unwrap_or_default(),
             dialects,
-            sections: self.sections(name, at, file.as_deref(), entry.sections),
+            sections,
+            limitations,
             line: self.lines.line(at),
         })
     }
