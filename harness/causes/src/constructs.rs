@@ -15,7 +15,9 @@ pub(crate) struct Constructs {
     uses: BTreeMap<String, BTreeSet<String>>,
     /// The names that are declared with an elementary type, in capitals.
     elementary: BTreeSet<String>,
-    /// Whether a list of initial values repeats something zero times, or nothing.
+    /// The operators that stand before an operand and behind none.
+    unary: BTreeSet<String>,
+    /// Whether a list of initial values repeats something zero times, or nothing, or a loop counts by zero.
     repeats_nothing: bool,
     /// Whether a statement is a semicolon alone, which not every compiler accepts.
     has_empty_statement: bool,
@@ -31,6 +33,7 @@ impl Constructs {
             literals: literals(&tokens),
             uses: uses(&tokens),
             elementary: elementary(&tokens),
+            unary: unary(&tokens),
             repeats_nothing: repeats_nothing(&tokens),
             has_empty_statement: has_empty_statement(&tokens),
             is_whole: is_whole(&tokens),
@@ -43,6 +46,7 @@ impl Constructs {
             && (self.has_empty_statement || !smaller.has_empty_statement)
             && (self.repeats_nothing || !smaller.repeats_nothing)
             && smaller.literals.is_subset(&self.literals)
+            && smaller.unary.is_subset(&self.unary)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
     }
 
@@ -185,7 +189,19 @@ fn elementary(tokens: &[Token<'_>]) -> BTreeSet<String> {
     found
 }
 
-/// Returns whether something is repeated zero times, as in `[0(5)]`, or nothing is repeated, as in `[5()]`.
+/// Returns the operators before an operand and behind none, so that `a - b` does not become `-b`.
+fn unary(tokens: &[Token<'_>]) -> BTreeSet<String> {
+    let ends_operand = |token: &Token<'_>| match token.kind {
+        TokenKind::Sign => matches!(token.text, ")" | "]"),
+        TokenKind::Word => !is_fixed(token.text) || token.is("TRUE") || token.is("FALSE"),
+        _ => true,
+    };
+    let pairs = tokens.windows(2);
+    let found = pairs.filter(|pair| matches!(pair[1].text, "+" | "-") && !ends_operand(&pair[0]));
+    found.map(|pair| pair[1].text.to_owned()).collect()
+}
+
+/// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.
 fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
     let is_zero = |token: &Token<'_>| {
         token.kind == TokenKind::Number && token.text.chars().all(|digit| matches!(digit, '0' | '_'))
@@ -195,6 +211,7 @@ fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
         triple[0].kind == TokenKind::Number
             && triple[1].text == "("
             && (is_zero(&triple[0]) || triple[2].text == ")")
+            || triple[0].is("BY") && is_zero(&triple[1])
     })
 }
 
@@ -291,6 +308,15 @@ mod tests {
     }
 
     #[test]
+    fn an_operator_between_two_operands_does_not_become_one_before_an_operand() {
+        for (body, smaller) in [("n := n - w;", "n := -w;"), ("n := (n) + 5;", "n := +5;")] {
+            assert!(!may_become(body, smaller), "{body} {smaller}");
+        }
+        assert!(may_become("n := n - -w;", "n := -w;"));
+        assert!(may_become("n := -n - w;", "n := n - w;"));
+    }
+
+    #[test]
     fn a_repetition_repeats_something() {
         let of = |list: &str| {
             Constructs::of(&format!(
@@ -301,6 +327,8 @@ mod tests {
         assert!(!of("[2(INT#5)]").may_become(&of("[2()]")));
         assert!(of("[2(INT#5)]").may_become(&of("[1(INT#0)]")));
         assert!(of("[0(INT#5)]").may_become(&of("[0(INT#0)]")));
+        let counting = |step: &str| format!("FOR n := 1 TO 5 BY {step} DO w := v; END_FOR;");
+        assert!(!may_become(&counting("w"), &counting("0")));
     }
 
     #[test]

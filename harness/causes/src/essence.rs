@@ -4,15 +4,24 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
+use crate::names::Names;
 use crate::normal::Normal;
 use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
-use crate::shape::{in_declarations, number, own_functions, text};
-use crate::title::assignment;
+use crate::shape::{in_declarations, number, own_functions, text, types_of};
+use crate::statements::{is_block, path};
+use crate::title::{assignment, unimplemented};
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};
 use stickler_types::{Diagnostic, ElementaryType, Family};
+
+/// The features of where a line stands.
+const PLACES: [&str; 3] = ["type", "declaration", "statement"];
+/// The feature of a mistake that is a literal without a type.
+const LITERAL: &str = "untyped literal";
+/// The feature of a place where a value of every type is accepted.
+const UNCHECKED: &str = "unchecked";
 
 /// What matters of a small program that shows a defect.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -36,7 +45,12 @@ impl Essence {
         let sign = &normal.deviation.sign;
         let program = Program::new(normal);
         let (class, features, is_contained) = match &sign.symptom {
-            Symptom::NotRejected(code) => (format!("accepted {code}"), program.of_mistake(), false),
+            Symptom::NotRejected(code) => {
+                let features = program.of_mistake(normal.is_unchecked);
+                // A place alone is in every program.
+                let names_construct = !features.iter().any(|feature| PLACES.contains(&feature.as_str()));
+                (format!("accepted {code}"), features, names_construct)
+            }
             // What the engine says of a literal depends on the place where it stands.
             Symptom::Rejected(_) if program.has_special_literal() => {
                 ("rejected literal".to_owned(), program.of_rejection(), true)
@@ -44,9 +58,24 @@ impl Essence {
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
             Symptom::NotImplemented(words) => {
                 let class = format!("not implemented {words}");
-                (class, program.of_rejection(), true)
+                (class, program.of_missing(normal), true)
             }
-            Symptom::OtherCode { code, told } => (format!("{code} as {told}"), program.of_mistake(), false),
+            Symptom::OtherCode { code, told } => {
+                // The kind of value does not matter for what else is said.
+                let mut features = program.of_mistake(false);
+                if features.remove(LITERAL) {
+                    features.insert(program.place().to_owned());
+                }
+                (format!("{code} as {told}"), features, false)
+            }
+            Symptom::Value if normal.is_beginning => {
+                let features = ["FUNCTION_BLOCK", "initial value"].map(str::to_owned);
+                (sign.symptom.word(), BTreeSet::from(features), false)
+            }
+            Symptom::Value if normal.is_widened => {
+                let features = BTreeSet::from(["operation in the type of its target".to_owned()]);
+                (sign.symptom.word(), features, false)
+            }
             Symptom::Value | Symptom::Missing => {
                 let (features, converts) = program.of_value();
                 (sign.symptom.word(), features, !converts)
@@ -54,13 +83,18 @@ impl Essence {
             Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
                 (format!("crash {words}"), BTreeSet::new(), false)
             }
-            Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => (sign.word(), BTreeSet::new(), false),
-            Symptom::OtherLine(_) | Symptom::Incomplete(_) => (sign.word(), program.of_mistake(), false),
+            // Whatever it says, it says where by one piece of work.
+            Symptom::NoPlace(_) => ("no place".to_owned(), BTreeSet::new(), false),
+            Symptom::Text | Symptom::Error(_) => (sign.word(), BTreeSet::new(), false),
+            Symptom::OtherLine(_) | Symptom::Incomplete(_) => (sign.word(), program.of_mistake(false), false),
+            Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
+                (sign.word(), program.of_fault(), false)
+            }
             _ => (sign.word(), BTreeSet::from([sign.shape(&normal.program)]), false),
         };
         let mut features = features;
         if normal.is_unchecked {
-            features.insert("unchecked".to_owned());
+            features.insert(UNCHECKED.to_owned());
         }
         let hidden = match &sign.symptom {
             Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => {
@@ -96,7 +130,11 @@ impl Essence {
     /// Returns whether a cause with this essence explains one with the essence `other`.
     pub(crate) fn explains(&self, other: &Essence) -> bool {
         let needs_no_more = |class: &str, features: &BTreeSet<String>| {
-            let contains = self.is_contained && self.features.is_subset(features);
+            // Where nothing is checked is more than where one mistake is not seen.
+            let is_checked = |features: &BTreeSet<String>| !features.contains(UNCHECKED);
+            let contains = self.is_contained
+                && self.features.is_subset(features)
+                && is_checked(&self.features) == is_checked(features);
             self.class == class && (self.features == *features || contains)
         };
         let hidden = other.hidden.as_ref();
@@ -141,12 +179,40 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         return false;
     }
     let own = own_functions(&all);
-    let claimed = line.map(|line| operations(&line, &own)).unwrap_or_default();
+    let claimed = line
+        .as_ref()
+        .map(|line| operations(line, &own))
+        .unwrap_or_default();
     let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
     if is_value && claimed.is_empty() && is_unread(&smallest.deviation.got) {
         return false;
     }
-    claimed.is_subset(&operations_of(&smallest.program))
+    let kept = operations_of(&smallest.program);
+    claimed.is_subset(&kept)
+        && has_signed_literal(&line.unwrap_or_default()) <= has_signed_literal(&tokens(&smallest.program))
+        && (!smallest.deviation.sign.rejects_valid() || keeps_work(program, &smallest.program, &kept))
+}
+
+/// Returns whether a program that an engine does not take still does what the whole one did with its values: conversions by name
+/// and accesses of bits, or else the conversion between two types.
+fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
+    let is_work = |operation: &&String| operation.contains("_TO_") || *operation == "bit access";
+    let operations = operations_of(whole);
+    let work: Vec<&String> = operations.iter().filter(is_work).collect();
+    let types = |program: &str| {
+        let types = types_of(program).into_iter();
+        types.filter(|ty| *ty != "BOOL").count()
+    };
+    match work.is_empty() {
+        true => types(whole) < 2 || types(program) > 1,
+        false => work.into_iter().all(|operation| kept.contains(operation)),
+    }
+}
+
+/// Returns whether a minus stands before a literal with a type.
+fn has_signed_literal(tokens: &[Token<'_>]) -> bool {
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[0].text == "-" && pair[1].kind == TokenKind::Typed)
 }
 
 /// Returns whether an engine says that it could not read a program.
@@ -204,17 +270,113 @@ impl<'p> Program<'p> {
         }
     }
 
-    /// Returns the features of a mistake that is accepted: the operators of its line, or the kinds of its operands.
-    fn of_mistake(&self) -> BTreeSet<String> {
+    /// Returns the features of a mistake that is accepted: the operators of its line, what it assigns, or the kinds of its operands.
+    /// Whatever the operator is, checking the types around it is one piece of work; and where nothing is checked, the value does not
+    /// matter.
+    fn of_mistake(&self, is_unchecked: bool) -> BTreeSet<String> {
         let line = self.of_line();
-        let mut features = operations(&line, &self.own);
-        if features.is_empty() {
-            features.insert(place_of(&self.tokens, self.line).to_owned());
-            let value = line.iter().rfind(|token| token.kind != TokenKind::Sign);
-            if value.is_some_and(|value| matches!(value.kind, TokenKind::Number | TokenKind::Text)) {
-                features.insert("untyped literal".to_owned());
-            }
+        let as_one = |operation: String| match operation.as_str() {
+            "arithmetic" | "power" | "comparison" | "bitwise operator" => "operator".to_owned(),
+            "call" if self.calls_block(&line) => "call of a block".to_owned(),
+            _ => operation,
+        };
+        let mut features: BTreeSet<String> = operations(&line, &self.own).into_iter().map(as_one).collect();
+        if is_unchecked {
+            features.remove("subscript or list");
+            features.extend(self.target(&line).map(str::to_owned));
         }
+        if features.is_empty() {
+            let value = line.iter().rfind(|token| token.kind != TokenKind::Sign);
+            let is_untyped =
+                value.is_some_and(|value| matches!(value.kind, TokenKind::Number | TokenKind::Text));
+            // Where a literal stands is told by the code, if it matters at all.
+            features.insert(match is_untyped && !is_unchecked {
+                true => LITERAL.to_owned(),
+                false => self.place().to_owned(),
+            });
+        }
+        features
+    }
+
+    /// Returns where the line that matters stands.
+    fn place(&self) -> &'static str {
+        place_of(&self.tokens, self.line)
+    }
+
+    /// Returns whether a line calls an instance of a function block.
+    fn calls_block(&self, line: &[Token<'_>]) -> bool {
+        let names = Names::new(&self.tokens);
+        let mut pairs = line.windows(2);
+        pairs.any(|pair| {
+            let ty = names.words.get(&pair[0].text.to_ascii_uppercase());
+            pair[1].text == "(" && ty.is_some_and(|ty| is_block(&self.tokens, ty))
+        })
+    }
+
+    /// Returns the kind of variable that a line assigns, unless that is a plain one.
+    fn target(&self, line: &[Token<'_>]) -> Option<&'static str> {
+        let sign = line.iter().position(|token| token.text == ":=")?;
+        let end = path(line, 0)?;
+        let mut heads = self.tokens.windows(2);
+        let is_result = heads.any(|pair| pair[0].is("FUNCTION") && pair[1].is(line[0].text));
+        match end {
+            1 if sign == 1 && is_result => Some("result of a function"),
+            end if end > 1 && end == sign => Some("field or element"),
+            _ => None,
+        }
+    }
+
+    /// Returns the features of a program of which something is not implemented: the kinds of the variables on its line, and whether
+    /// that stands in a program or in another unit, which has its variables elsewhere; without such variables, the operations.
+    fn of_missing(&self, normal: &Normal) -> BTreeSet<String> {
+        let program = normal.program.as_str();
+        let text = unimplemented(program, &normal.deviation.got);
+        let line = tokens(text);
+        let all = &self.tokens;
+        let names = Names::new(all);
+        let kinds = line.iter().filter_map(|token| {
+            let ty = names.words.get(&token.text.to_ascii_uppercase())?;
+            let declared = all
+                .windows(3)
+                .find(|three| three[0].is(ty) && three[1].text == ":");
+            let ty = declared
+                .map_or(ty.as_str(), |three| three[2].text)
+                .to_ascii_uppercase();
+            Some(match ty.split(' ').next()? {
+                "ARRAY" => "array",
+                "STRUCT" => "structure",
+                _ if is_block(all, &ty) => "instance of a function block",
+                _ => return None,
+            })
+        });
+        let mut features: BTreeSet<String> = kinds.map(str::to_owned).collect();
+        if features.is_empty() {
+            features = operations(&line, &self.own);
+            if features.is_empty() {
+                features.insert("statement".to_owned());
+            }
+            return features;
+        }
+        let place = text.as_ptr() as usize - program.as_ptr() as usize;
+        let is_program = program[..place].rfind("PROGRAM ").is_some_and(|head| {
+            let others = ["END_FUNCTION", "END_PROGRAM"];
+            others.iter().all(|end| !program[head + 1..place].contains(end))
+        });
+        features.extend((!is_program).then(|| "function or function block".to_owned()));
+        if is_program {
+            features.extend(
+                operations(&line, &self.own)
+                    .into_iter()
+                    .filter(|one| one == "bit access"),
+            );
+        }
+        features
+    }
+
+    /// Returns the features of a program that stops, or does not stop, with a fault.
+    fn of_fault(&self) -> BTreeSet<String> {
+        let mut features = operations(&self.tokens, &self.own);
+        features.remove("call");
         features
     }
 
@@ -227,7 +389,7 @@ impl<'p> Program<'p> {
         literals.extend(self.signed_literal(&line));
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
         if literals.is_empty() && !(self.is_unread && self.calls_library(&line)) {
-            features.insert(place_of(&self.tokens, self.line).to_owned());
+            features.insert(self.place().to_owned());
         }
         features.extend(literals);
         let by_name = line
@@ -367,7 +529,9 @@ fn special_literal(token: &Token<'_>) -> Option<String> {
             let form = number(value.trim_start_matches('-'));
             match is_number {
                 true => Some(form).filter(|form| form == "real-beyond-REAL"),
+                // Dates and times of day are read by one piece of work.
                 false => match type_of_token(token) {
+                    Some(ty) if kind(ty) == Some("date or time") => Some("date or time#".to_owned()),
                     Some(ty) => Some(format!("{}#", ty.name())),
                     None => Some(format!("{prefix}#")),
                 },

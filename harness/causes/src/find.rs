@@ -8,7 +8,7 @@ use crate::question::{Heard, Questioner, with_program};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
-use crate::title::title;
+use crate::title::{shows_initial_value, title};
 use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -340,12 +340,18 @@ impl Member {
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
         // that is rejected like one with a mistake.
         let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
-        let is_derived = hides || normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
-        let shown = match is_derived {
-            true => &normal.as_smallest(smallest),
-            false => smallest,
+        let is_other = normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
+        let begins = normal.is_beginning && !shows_initial_value(smallest);
+        let is_derived = hides || is_other || begins;
+        let mut shown = match is_derived {
+            true => normal.as_smallest(smallest),
+            false => smallest.clone(),
         };
         let is_derived = is_derived || !keeps_claim(&group.shown, smallest);
+        if is_derived {
+            shown.deviation.forget_promise();
+        }
+        let shown = &shown;
         let mut types = types_of(&shown.program);
         types.sort_unstable();
         let cause = Cause {
@@ -424,8 +430,16 @@ fn merged(mut members: Vec<Member>) -> Vec<Member> {
         };
         let mut member = member;
         let is_same = cause.essence == member.essence;
-        // What contradicts a source that binds the engine is shown by such a source.
-        if is_same && member.preference() < cause.preference() || cause.differs && !member.differs {
+        // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
+        // claim still speaks.
+        let is_claimed = cause.sign.rejects_valid()
+            && cause.cause.shown.is_derived
+            && !member.cause.shown.is_derived
+            && member.cause.reduction == Reduced::Smallest;
+        if is_same && member.preference() < cause.preference()
+            || is_claimed && member.differs <= cause.differs
+            || cause.differs && !member.differs
+        {
             std::mem::swap(cause, &mut member);
             std::mem::swap(&mut cause.essence, &mut member.essence);
         }

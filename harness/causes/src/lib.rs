@@ -4,7 +4,7 @@
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `constructs`, `question` |
-//! | the normal form of each is found by asking for operands alone, plainer literals and other types | `normal`, `operands`, `names`, `twins` |
+//! | the normal form of each is found by asking for operands alone, plainer literals, other types and other statements | `normal`, `operands`, `statements`, `names`, `twins` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
 //!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
@@ -27,6 +27,7 @@ mod question;
 mod reduction;
 mod shape;
 mod sign;
+mod statements;
 mod title;
 mod tokens;
 mod twins;

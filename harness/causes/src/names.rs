@@ -1,6 +1,7 @@
 //! The names that a program declares, with their types and initial values, found without a parser.
 
 use crate::shape::{in_declarations, own_functions};
+use crate::statements::path;
 use crate::tokens::{Token, TokenKind};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;
@@ -17,7 +18,7 @@ pub(crate) struct Names {
     /// The inputs of each function and function block.
     inputs: BTreeMap<String, Vec<String>>,
     /// The type of each variable, field and parameter as it is written.
-    words: BTreeMap<String, String>,
+    pub(crate) words: BTreeMap<String, String>,
     pub(crate) own: BTreeSet<String>,
     declared: Vec<bool>,
 }
@@ -140,6 +141,25 @@ impl Names {
         }
     }
 
+    /// Returns the type of the variable, field or element that begins at a token, where nothing follows that is done with it.
+    pub(crate) fn whole(&self, tokens: &[Token<'_>], at: usize) -> Option<ElementaryType> {
+        let end = path(tokens, at)?;
+        if !tokens
+            .get(end)
+            .is_some_and(|next| matches!(next.text, ";" | "," | ")"))
+        {
+            return None;
+        }
+        // The name before the subscripts of an element has the type of the element.
+        let is_name = |place: &usize| tokens[*place].kind == TokenKind::Word;
+        let behind_bracket = tokens[end - 1].text == "]";
+        let last = match behind_bracket {
+            true => (at..end).rfind(|place| is_name(place) && tokens[place + 1].text == "[")?,
+            false => end - 1,
+        };
+        self.type_of(&tokens[last])
+    }
+
     /// Returns a literal of a type: one that a variable of the type begins with, or a number with all of its bits.
     pub(crate) fn some_value(&self, ty: ElementaryType) -> Option<String> {
         let mut of_type = self
@@ -157,13 +177,15 @@ impl Names {
         known.or_else(|| is_number.then(|| format!("{}#{plain}", ty.name())))
     }
 
-    /// Returns the types between which the value of an output, or the result of a conversion function, is converted when it is
-    /// given to a variable of another type, for the arrow or the assignment sign before it.
+    /// Returns the types between which a value is converted when it is given to a variable of another type, for the arrow or the
+    /// assignment sign before it: the value of an output, of a variable, or the result of a conversion function.
     pub(crate) fn met(&self, tokens: &[Token<'_>], at: usize) -> Option<(ElementaryType, ElementaryType)> {
         let next = tokens.get(at + 1)?;
         if tokens[at].text == ":=" {
-            let ((_, result), target) = (converted(next)?, self.assigned(tokens, at)?);
-            return (result != target).then_some((result, target));
+            let result = converted(next).map(|(_, result)| result);
+            let source = result.or_else(|| self.whole(tokens, at + 1))?;
+            let target = self.assigned(tokens, at)?;
+            return (source != target).then_some((source, target));
         }
         let output = tokens.get(at.checked_sub(1)?)?;
         let is_arrow = tokens[at].text == "=>";
@@ -171,7 +193,7 @@ impl Names {
     }
 
     /// Returns the type of what stands before an assignment sign.
-    fn assigned(&self, tokens: &[Token<'_>], sign: usize) -> Option<ElementaryType> {
+    pub(crate) fn assigned(&self, tokens: &[Token<'_>], sign: usize) -> Option<ElementaryType> {
         let mut at = sign.checked_sub(1)?;
         if self.is_declared_at(sign) {
             let start = tokens[..sign]

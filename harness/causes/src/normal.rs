@@ -7,13 +7,20 @@
 use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
 use crate::reduction::Smallest;
+use crate::statements::{in_two_steps, with_one_statement};
 use crate::tokens::tokens;
-use crate::twins::{plainer_literals, plainer_types, value_features, with_other_operand, with_same_types};
+use crate::twins::{
+    plainer_literals, plainer_types, value_features, with_first_parts, with_other_operand, with_same_types,
+};
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_run::{Fact, Symptom};
-use stickler_suite::Case;
+use stickler_suite::{Acceptance, Case};
 use stickler_types::Observation;
+
+/// The plainest program with a variable of a function block that begins with a value.
+const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
+    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n";
 
 /// The normal form of a small program.
 #[derive(Clone, PartialEq, Debug)]
@@ -24,6 +31,11 @@ pub(crate) struct Normal {
     pub(crate) is_operand: bool,
     /// Whether quite another type is accepted in the place of the mistake.
     pub(crate) is_unchecked: bool,
+    /// Whether variables of function blocks do not begin with their values, so that what the small program does with them does not
+    /// matter.
+    pub(crate) is_beginning: bool,
+    /// Whether the engine does an operation in the type of its target, and not in that of its operands.
+    pub(crate) is_widened: bool,
     /// The properties of values and types without which the engine does not fail.
     pub(crate) labels: BTreeSet<String>,
     /// The literals of the small program with which the engine does not fail alone.
@@ -40,6 +52,8 @@ impl Normal {
             deviation: smallest.deviation.clone(),
             is_operand: false,
             is_unchecked: false,
+            is_beginning: false,
+            is_widened: false,
             labels: BTreeSet::new(),
             innocent: Vec::new(),
             questions: 0,
@@ -81,14 +95,10 @@ pub(crate) fn normal_form(
         return Ok(search.normal);
     }
     match symptom {
-        Symptom::Value | Symptom::Missing => {
+        // A loop may have no end, and a division stop, because a variable does not begin with its value.
+        Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_) => {
             search.initial_values()?;
-            search.plain_literals()?;
-            search.operands()?;
-            search.plain_types()?;
-            search.plain_literals()?;
-            let labels = value_features(&search.normal.program);
-            search.normal.labels.extend(labels);
+            search.value()?;
         }
         Symptom::NotRejected(code) => {
             search.operands()?;
@@ -100,7 +110,9 @@ pub(crate) fn normal_form(
             search.operands()?;
             search.plain_types()?;
         }
+        Symptom::NotImplemented(_) => search.statements()?,
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
+            search.first_parts()?;
             search.operands()?;
             search.valid_twin()?;
         }
@@ -168,7 +180,74 @@ impl Search<'_, '_> {
             return Ok(());
         };
         let observe = all_variables(self.case, &program);
-        self.normal.is_operand |= self.takes(&program, &observe)?;
+        let is_taken = self.takes(&program, &observe)?;
+        self.normal.is_operand |= is_taken;
+        if is_taken && self.is_within_a_block() {
+            let observe = all_variables(self.case, BEGINNING_BLOCK);
+            self.normal.is_beginning = self.takes(BEGINNING_BLOCK, &observe)?;
+        }
+        Ok(())
+    }
+
+    /// Returns whether the first variable with a wrong value is one of a function block.
+    fn is_within_a_block(&self) -> bool {
+        let Deviation { expected, got, .. } = &self.normal.deviation;
+        let differs = |fact: &&Fact| !got.contains(fact);
+        let wrong = expected.iter().find(differs);
+        wrong.is_some_and(|wrong| matches!(wrong, Fact::Value { name, .. } if name.contains('.')))
+            && self.normal.program.contains("FUNCTION_BLOCK")
+    }
+
+    /// Asks for programs of which one body is a single statement that does nothing but name a variable.
+    fn statements(&mut self) -> Result<(), EngineError> {
+        for program in with_one_statement(&self.normal.program) {
+            if self.takes(&program, &[])? {
+                self.normal.is_operand = true;
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks for the first parts of the variables of which other parts are accessed.
+    fn first_parts(&mut self) -> Result<(), EngineError> {
+        if let Some(program) = with_first_parts(&self.normal.program) {
+            self.takes(&program, &[])?;
+        }
+        Ok(())
+    }
+
+    /// Finds what is needed of the operands, types and literals of a program that computes a wrong value.
+    fn value(&mut self) -> Result<(), EngineError> {
+        let has_value = matches!(
+            self.normal.deviation.sign.symptom,
+            Symptom::Value | Symptom::Missing
+        );
+        if self.normal.is_beginning || !has_value {
+            return Ok(());
+        }
+        self.plain_literals()?;
+        self.operands()?;
+        self.plain_types()?;
+        self.plain_literals()?;
+        self.steps()?;
+        let labels = match self.normal.is_widened {
+            true => BTreeSet::new(),
+            false => value_features(&self.normal.program),
+        };
+        self.normal.labels.extend(labels);
+        Ok(())
+    }
+
+    /// Asks for the program with its operation and the conversion of what it gives in two statements: where that is right, the
+    /// operation is done in the type of its target.
+    fn steps(&mut self) -> Result<(), EngineError> {
+        let Some(program) = in_two_steps(&self.normal.program) else {
+            return Ok(());
+        };
+        let (before, observe) = (self.left, self.observe.clone());
+        let seen = self.fails(&program, &observe)?;
+        self.normal.is_widened = seen.is_none() && self.left < before;
         Ok(())
     }
 
@@ -185,27 +264,34 @@ impl Search<'_, '_> {
         Ok(())
     }
 
-    /// Replaces types by those that come first among their neighbours.
+    /// Replaces types by those that come first among their neighbours, until none can be replaced.
     fn plain_types(&mut self) -> Result<(), EngineError> {
-        for twin in plainer_types(&self.normal.program) {
-            let observe: Vec<Observation> = self
-                .observe
-                .iter()
-                .map(|one| Observation {
-                    type_name: twin.changed(&one.type_name).into(),
-                    ..one.clone()
-                })
-                .collect();
-            // A twin of the program before another type was replaced.
-            let program = twin.of(&self.normal.program);
-            if program != self.normal.program {
-                self.takes(&program, &observe)?;
+        let mut asked = BTreeSet::new();
+        loop {
+            let before = self.normal.program.clone();
+            for twin in plainer_types(&before) {
+                let observe: Vec<Observation> = self
+                    .observe
+                    .iter()
+                    .map(|one| Observation {
+                        type_name: twin.changed(&one.type_name).into(),
+                        ..one.clone()
+                    })
+                    .collect();
+                // A twin of the program before another type was replaced.
+                let program = twin.of(&self.normal.program);
+                if program != self.normal.program && asked.insert(program.clone()) {
+                    self.takes(&program, &observe)?;
+                }
+            }
+            if self.normal.program == before {
+                return Ok(());
             }
         }
-        Ok(())
     }
 
-    /// Asks whether the place of a mistake is checked at all: whether an operand of quite another type is accepted there too.
+    /// Asks whether the place of a mistake is checked at all: whether a value of quite another type is accepted there too. That
+    /// program is the normal form then, since it does not matter where the value comes from.
     fn unchecked(&mut self) -> Result<(), EngineError> {
         let line = self
             .normal
@@ -214,12 +300,9 @@ impl Search<'_, '_> {
             .iter()
             .find_map(|fact| fact.diagnostic()?.line);
         for program in with_other_operand(&self.normal.program, line) {
-            let before = self.left;
-            let seen = self.fails(&program, &[])?;
-            if seen.is_some_and(|seen| is_same(&self.normal.deviation, &seen)) {
-                self.normal.is_unchecked = true;
-            }
-            if self.left < before {
+            let must = as_the_reference(self.case, &program, &[]);
+            if must.is_some_and(|must| must.expectation.accepted == Acceptance::Rejected) {
+                self.normal.is_unchecked = self.takes(&program, &[])?;
                 return Ok(());
             }
         }
@@ -254,8 +337,11 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
         (Symptom::OtherCode { told, .. } | Symptom::Surplus(told), Symptom::Rejected(reason)) => {
             told == reason
         }
+        // The code that was expected is not missed alone.
+        (Symptom::OtherCode { code, .. }, Symptom::NotRejected(same)) => code == same,
         (Symptom::NotRejected(_), Symptom::NotRejected(_))
-        | (Symptom::Value | Symptom::Missing, Symptom::Value) => true,
+        | (Symptom::NotImplemented(_), Symptom::NotImplemented(_))
+        | (Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_), Symptom::Value) => true,
         _ => false,
     }
 }

@@ -52,6 +52,17 @@ pub(crate) struct Deviation {
     pub(crate) got: Vec<Fact>,
 }
 
+impl Deviation {
+    /// Removes the promise from what the engine did, of a program of which the claim does not speak.
+    pub(crate) fn forget_promise(&mut self) {
+        for fact in &mut self.got {
+            if let Fact::NotImplemented { promised_by, .. } = fact {
+                *promised_by = None;
+            }
+        }
+    }
+}
+
 impl Questioner<'_> {
     /// Asks the engine about a case, or takes what it answered before, in this search or in an earlier run; `None` where it does what it must, or does
     /// not support the program.

@@ -59,6 +59,11 @@ impl Sign {
         )
     }
 
+    /// Returns whether the engine does not take a program that must be accepted.
+    pub(crate) const fn rejects_valid(&self) -> bool {
+        matches!(self.symptom, Symptom::Rejected(_) | Symptom::NotImplemented(_))
+    }
+
     /// Returns whether the engine accepts what must be rejected.
     pub(crate) const fn accepts(&self) -> bool {
         matches!(self.symptom, Symptom::NotRejected(_))
@@ -122,12 +127,18 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     if differ_in_blanks_only(expected, got) {
         return "blanks".to_owned();
     }
+    let is_rejected = |fact: &Fact| matches!(fact, Fact::NotRendered { again: true, .. });
+    let again = if got.iter().any(is_rejected) { "again " } else { "" };
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     let mut pairs = expected.lines().zip(got.lines());
     let Some((wanted, told)) = pairs.find(|(wanted, told)| wanted != told) else {
         return "lines are missing".to_owned();
     };
-    format!("{} / {}", shape(wanted, Types::Equal), shape(told, Types::Equal))
+    format!(
+        "{again}{} / {}",
+        shape(wanted, Types::Equal),
+        shape(told, Types::Equal)
+    )
 }
 
 #[cfg(test)]

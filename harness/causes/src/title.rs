@@ -1,7 +1,7 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
 use crate::reduction::Smallest;
-use crate::shape::is_fixed;
+use crate::shape::{in_declarations, is_fixed};
 use crate::tokens::{Token, TokenKind, tokens};
 use stickler_run::{Fact, Symptom};
 use stickler_types::{Diagnostic, ElementaryType};
@@ -43,7 +43,10 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             format!("{} is accepted, not rejected{code}", line(wanted.line))
         }
         Symptom::Rejected(_) => format!("{} is rejected: {}", line(told.line), said(&told)),
-        Symptom::NotImplemented(_) => format!("{} is {}", line(None), clipped(&Fact::text(got))),
+        Symptom::NotImplemented(_) => {
+            let line = described(program, unimplemented(program, got));
+            format!("{line} is {}", clipped(&Fact::text(got)))
+        }
         Symptom::OtherCode { code, .. } => {
             format!(
                 "{} is rejected, but not with {code}: {}",
@@ -51,7 +54,11 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
                 said(&told)
             )
         }
-        Symptom::NoPlace(code) => format!("{code} is reported without the place of the mistake"),
+        Symptom::NoPlace(_) => format!(
+            "{} is rejected without the place of the mistake: {}",
+            line(wanted.line),
+            said(&told)
+        ),
         Symptom::OtherLine(_) => {
             format!(
                 "{}: {} is reported on another line",
@@ -123,6 +130,17 @@ fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
 }
 
 fn rendered(expected: &[Fact], got: &[Fact]) -> String {
+    let rejected = got.iter().find_map(|fact| match fact {
+        Fact::NotRendered {
+            again: true,
+            rejection,
+        } => Some(rejection.as_deref().unwrap_or("no text")),
+        _ => None,
+    });
+    if let Some(message) = rejected {
+        let message = clipped(message);
+        return format!("what it renders is rejected when that is rendered again: {message}");
+    }
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     let mut pairs = expected.lines().zip(got.lines());
     match pairs.find(|(wanted, told)| wanted != told) {
@@ -290,36 +308,95 @@ fn declaration<'p>(program: &'p str, path: &str) -> &'p str {
         .unwrap_or_else(|| last_statement(program))
 }
 
+/// Returns whether the first value that a small program has wrong is one that a variable begins with, and nothing assigns.
+pub(crate) fn shows_initial_value(smallest: &Smallest) -> bool {
+    let Smallest {
+        program, deviation, ..
+    } = smallest;
+    let differs = |fact: &&Fact| !deviation.got.contains(fact);
+    let wrong = deviation.expected.iter().find(differs);
+    let Some(Fact::Value { name, .. }) = wrong else {
+        return false;
+    };
+    assignment(program, name).is_none() && declaration(program, name).contains(":=")
+}
+
 /// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
 /// them, since a plain assignment may be there only because a program needs a statement.
 fn culprit(program: &str) -> &str {
-    let weight = |line: &&str| {
-        let tokens = tokens(line);
-        let first = tokens
-            .first()
-            .map(|first| first.text.to_ascii_uppercase())
-            .unwrap_or_default();
-        let is_frame = is_fixed(&first)
-            && !["IF", "CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT"].contains(&first.as_str());
-        if tokens.iter().all(|token| token.text == ";") || is_frame {
-            return 0;
-        }
-        let is_plain = |token: &Token<'_>| matches!(token.text, ":=" | ":" | "," | ";") || is_simple(token);
-        match tokens.iter().all(is_plain) {
-            true if tokens.iter().any(|token| token.text == ":=") => 2,
-            true => 1,
-            false => 3,
-        }
-    };
-    let heaviest = program.lines().filter(|line| weight(line) > 0).max_by_key(weight);
+    let heaviest = program
+        .lines()
+        .filter(|line| weight(line) > 0)
+        .max_by_key(|line| weight(line));
     heaviest.unwrap_or_else(|| last_statement(program))
 }
 
-/// Returns whether a token is a name, an elementary type, or a plain number.
+/// Returns the line of a small program that an engine does not implement, by what it says: a statement with a variable that the
+/// message quotes, best with a part of it, or else the first of the statements with most to them, since calls of a body stand behind it.
+pub(crate) fn unimplemented<'p>(program: &'p str, got: &[Fact]) -> &'p str {
+    let all = tokens(program);
+    let declared = in_declarations(&all);
+    let is_declared = |number: u32| {
+        let mut places = all.iter().zip(&declared);
+        places.any(|(token, declared)| token.line == number && *declared)
+    };
+    let statements = || {
+        let lines = program.lines().zip(1..);
+        let statements = lines.filter(|(line, number)| weight(line) > 0 && !is_declared(*number));
+        statements.map(|(line, _)| line)
+    };
+    let message = got.iter().find_map(|fact| match fact {
+        Fact::NotImplemented { reason, .. } => Some(reason.as_str()),
+        _ => None,
+    });
+    let quoted = message.unwrap_or_default().split('\'').skip(1).step_by(2);
+    for name in quoted {
+        let has_part = |line: &&str| {
+            let tokens = tokens(line);
+            let mut pairs = tokens.windows(2);
+            pairs.any(|pair| pair[0].is(name) && matches!(pair[1].text, "." | "["))
+        };
+        let has_name = |line: &&str| tokens(line).iter().any(|token| token.is(name));
+        if let Some(line) = statements()
+            .find(has_part)
+            .or_else(|| statements().find(has_name))
+        {
+            return line;
+        }
+    }
+    let most = statements().map(weight).max();
+    let first = statements().find(|line| Some(weight(line)) == most);
+    first.unwrap_or_else(|| culprit(program))
+}
+
+/// Returns how much there is to a line: nothing to a frame, little to a plain assignment.
+fn weight(line: &str) -> u8 {
+    let tokens = tokens(line);
+    let first = tokens
+        .first()
+        .map(|first| first.text.to_ascii_uppercase())
+        .unwrap_or_default();
+    let is_frame = is_fixed(&first)
+        && !["IF", "CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT"].contains(&first.as_str());
+    if tokens.iter().all(|token| token.text == ";") || is_frame {
+        return 0;
+    }
+    let is_plain = |token: &Token<'_>| matches!(token.text, ":=" | ":" | "," | ";") || is_simple(token);
+    match tokens.iter().all(is_plain) {
+        true if tokens.iter().any(|token| token.text == ":=") => 2,
+        true => 1,
+        false => 3,
+    }
+}
+
+/// Returns whether a token is a name, an elementary type, a truth value, or a plain number.
 fn is_simple(token: &Token<'_>) -> bool {
     match token.kind {
         TokenKind::Word => {
-            !is_fixed(token.text) || ElementaryType::from_name(&token.text.to_ascii_uppercase()).is_some()
+            !is_fixed(token.text)
+                || token.is("TRUE")
+                || token.is("FALSE")
+                || ElementaryType::from_name(&token.text.to_ascii_uppercase()).is_some()
         }
         TokenKind::Number => token.text.bytes().all(|byte| byte.is_ascii_digit()),
         _ => false,
@@ -352,6 +429,23 @@ mod tests {
             described(PROGRAM, "x : LREAL := 1.0E300;"),
             "`x : LREAL := 1.0E300`"
         );
+    }
+
+    #[test]
+    fn what_is_not_implemented_is_the_statement_that_the_message_is_about() {
+        let program = "FUNCTION_BLOCK b\nVAR\n    list : ARRAY[0..1] OF INT;\nEND_VAR\n    IF FALSE THEN\n        list[0] := 0;\n    \
+                       END_IF;\nEND_FUNCTION_BLOCK\nPROGRAM p\nVAR\n    fb : b;\n    x : INT;\nEND_VAR\n    fb();\n    x := fb.v;\nEND_PROGRAM\n";
+        let of = |reason: &str| {
+            let reason = reason.to_owned();
+            let got = [Fact::NotImplemented {
+                reason,
+                promised_by: None,
+            }];
+            unimplemented(program, &got).trim().to_owned()
+        };
+        assert_eq!(of("Variable 'list' is not a structure"), "list[0] := 0;");
+        assert_eq!(of("Variable 'fb' is not a structure"), "x := fb.v;");
+        assert_eq!(of("Not implemented at a.rs#L7"), "IF FALSE THEN");
     }
 
     #[test]

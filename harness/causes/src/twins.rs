@@ -1,5 +1,6 @@
 //! Programs that differ from another in one property: of a literal, of a type, of an operand.
 
+use crate::statements::path;
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_types::ElementaryType;
@@ -251,29 +252,65 @@ impl<'t> PlainNumber<'t> {
     }
 }
 
-/// Returns a program with quite another type in the place of the operand of this line: a text where a number stands, a number
-/// where a text stands.
+/// Returns a program with quite another type in the place of what this line assigns, or else of an operand of the line: a text where
+/// a number stands, a number where a text stands.
 pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String> {
     let all = tokens(program);
     let mut found = Vec::new();
-    for (at, token) in all.iter().enumerate() {
-        let is_behind = at > 0 && matches!(all[at - 1].text, ":=" | "(" | "[" | "-");
-        let ends = all
-            .get(at + 1)
-            .is_some_and(|next| matches!(next.text, ";" | ")" | "]" | ","));
-        if Some(token.line) != line || !is_behind || !ends || token.kind == TokenKind::Sign {
-            continue;
-        }
+    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let mut replace = |from: usize, until: usize| {
+        let last = &all[until - 1];
+        let (from, until) = (offset(&all[from]), offset(last) + last.text.len());
         for other in ["'a'", "T#1s"] {
-            let is_sign = |place: usize| place + 1 == at && all[place].text == "-";
-            found.push(replaced(program, |place, token| match place {
-                _ if place == at => other.to_owned(),
-                _ if is_sign(place) => String::new(),
-                _ => token.text.to_owned(),
-            }));
+            found.push(format!("{}{other}{}", &program[..from], &program[until..]));
+        }
+    };
+    if let Some((from, until)) = assigned(&all, line) {
+        replace(from, until);
+    }
+    for (at, token) in all.iter().enumerate() {
+        let sign = usize::from(at > 0 && all[at - 1].text == "-");
+        let is_behind = at > sign && matches!(all[at - sign - 1].text, ":=" | "(" | "[");
+        let end = path(&all, at).unwrap_or(at + 1);
+        let ends = all
+            .get(end)
+            .is_some_and(|next| matches!(next.text, ";" | ")" | "]" | ","));
+        if Some(token.line) == line && is_behind && ends && token.kind != TokenKind::Sign {
+            replace(at - sign, end);
         }
     }
     found
+}
+
+/// Returns where the expression begins and ends that a statement of this line assigns.
+fn assigned(all: &[Token<'_>], line: Option<u32>) -> Option<(usize, usize)> {
+    let start = all.iter().position(|token| Some(token.line) == line)?;
+    let mut depth = 0_i32;
+    let mut sign = None;
+    for (at, token) in all.iter().enumerate().skip(start) {
+        match token.text {
+            "(" | "[" => depth += 1,
+            ")" | "]" => depth -= 1,
+            // The value of a declaration is looked at part by part.
+            ":" => return None,
+            ":=" if depth == 0 => sign = Some(at),
+            ";" => return Some((sign? + 1, at)),
+            _ => {}
+        }
+    }
+    None
+}
+
+/// Returns a program in which each partial access selects the first bit or byte, which are there in every type; `None` where it
+/// has none.
+pub(crate) fn with_first_parts(program: &str) -> Option<String> {
+    let first = |token: &Token<'_>| match token.kind {
+        TokenKind::Partial if token.text.to_ascii_uppercase().starts_with("%X") => "%X0".to_owned(),
+        TokenKind::Partial => "%B0".to_owned(),
+        _ => token.text.to_owned(),
+    };
+    let found = replaced(program, |_, token| first(token));
+    (found != program).then_some(found)
 }
 
 /// Returns a program with each token replaced by what `with` returns for it; blanks and comments stay.
@@ -350,6 +387,29 @@ mod tests {
     fn an_operand_of_quite_another_type_takes_the_place_of_the_last() {
         let found = with_other_operand("x : INT;\nx := -5;", Some(2));
         assert_eq!(found[0], "x : INT;\nx := 'a';");
-        assert!(with_other_operand("x : INT;\nx := y + 5;", Some(2)).is_empty());
+        assert_eq!(
+            with_other_operand("a[1].f := g(5);", Some(1))[0],
+            "a[1].f := 'a';"
+        );
+        assert_eq!(with_other_operand("fb(in := -5);", Some(1))[1], "fb(in := T#1s);");
+        assert_eq!(
+            with_other_operand("fb(in := r.a[1]);", Some(1))[0],
+            "fb(in := 'a');"
+        );
+        assert_eq!(
+            with_other_operand("a : R := (f := 5);", Some(1))[0],
+            "a : R := (f := 'a');"
+        );
+        assert_eq!(with_other_operand("x := y + 5;", Some(1))[0], "x := 'a';");
+        assert!(with_other_operand("g(x + y);", Some(1)).is_empty());
+    }
+
+    #[test]
+    fn the_first_part_takes_the_place_of_another() {
+        assert_eq!(
+            with_first_parts("v.%D2 := w.%X17;").as_deref(),
+            Some("v.%B0 := w.%X0;")
+        );
+        assert_eq!(with_first_parts("v.2 := 17;"), None);
     }
 }

@@ -6,7 +6,7 @@ use stickler_causes::Limits;
 use stickler_engines::{Engine, EngineError, Identity, Outcome, RunRequest, Session};
 use stickler_run::{Cause, Fact};
 use stickler_suite::Case;
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, DialectName, Fault};
 
 /// A compiler that runs programs with one defect.
 struct Compiler {
@@ -240,4 +240,91 @@ fn a_program_that_several_groups_ask_for_is_run_once() {
     let found = causes(&Compiler::new(counts_the_operand), cases);
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
     assert_eq!(ALONE.load(Ordering::Relaxed), 1);
+}
+
+/// Begins the variables of a function block with the default of their type, and takes no end of steps for no answer.
+fn without_initial_values_of_blocks(request: &RunRequest<'_>) -> Outcome {
+    let source = request
+        .source
+        .replace("finished : BOOL := TRUE", "finished : BOOL");
+    let outcome = as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    });
+    match outcome {
+        Outcome::Faulted {
+            fault: Fault::StepLimit,
+            ..
+        } => Outcome::TimedOut { after_ms: 1000 },
+        other => other,
+    }
+}
+
+#[test]
+fn a_loop_without_an_end_is_explained_by_the_initial_value_that_was_lost() {
+    let program = "FUNCTION_BLOCK looping\nVAR_OUTPUT\n    count : INT;\nEND_VAR\nVAR\n    finished : BOOL := TRUE;\nEND_VAR\n    REPEAT\n        \
+                   count := count + 1;\n    UNTIL finished\n    END_REPEAT;\nEND_FUNCTION_BLOCK\nPROGRAM main\nVAR\n    fb : looping;\n    into : INT;\nEND_VAR\n    \
+                   fb();\n    into := fb.count;\nEND_PROGRAM\n";
+    let case = fixtures::case("t::loop", program, "into = INT#1");
+    let found = causes(&Compiler::new(without_initial_values_of_blocks), vec![case]);
+    assert_eq!(
+        titles(&found),
+        [(
+            1,
+            "`finished : BOOL := TRUE`: fb.finished is BOOL#FALSE, not BOOL#TRUE"
+        )]
+    );
+}
+
+/// Does not look at the types of operands.
+fn without_types_of_operands(request: &RunRequest<'_>) -> Outcome {
+    match as_the_reference(request) {
+        Outcome::Rejected { diagnostics }
+            if diagnostics
+                .iter()
+                .all(|told| told.code.as_deref() == Some("P4049")) =>
+        {
+            Outcome::Accepted
+        }
+        other => other,
+    }
+}
+
+#[test]
+fn operands_that_no_operator_checks_are_one_cause() {
+    let declarations = "t : TIME; w : WORD; b : BOOL;";
+    let cases = ["t := t + w;", "b := t < w;", "w := w AND t;"]
+        .map(|line| case("t::a", declarations, line, "5 P4049"));
+    let found = causes(&Compiler::new(without_types_of_operands), cases.to_vec());
+    assert_eq!(found.len(), 1, "{:?}", titles(&found));
+    assert_eq!(found[0].number(), 3);
+}
+
+/// Says what is wrong, and not where.
+fn without_places(request: &RunRequest<'_>) -> Outcome {
+    match as_the_reference(request) {
+        Outcome::Rejected { mut diagnostics } => {
+            for told in &mut diagnostics {
+                (told.line, told.column) = (Some(1), Some(1));
+            }
+            Outcome::Rejected { diagnostics }
+        }
+        other => other,
+    }
+}
+
+#[test]
+fn a_compiler_that_loses_the_places_of_mistakes_has_one_cause_whatever_the_mistakes_are() {
+    let declarations = "from : DINT; into : INT;";
+    let cases = vec![
+        case("t::a", declarations, "into := from;", "5 P4035"),
+        case("t::b", declarations, "into := nobody;", "5 P4007"),
+    ];
+    let found = causes(&Compiler::new(without_places), cases);
+    assert_eq!(found.len(), 1, "{:?}", titles(&found));
+    let title = &found[0].title;
+    assert!(
+        title.contains("is rejected without the place of the mistake: P4"),
+        "{title}"
+    );
 }

@@ -1,0 +1,196 @@
+//! Programs with other statements in a body: one that only names a variable, or two in the place of one.
+
+use crate::names::{Names, prefix_type};
+use crate::shape::is_fixed;
+use crate::tokens::{Token, TokenKind, tokens};
+use std::ops::Range;
+
+/// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
+/// block that the body uses, and the assignment of each field and element that it uses to itself.
+pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
+    let all = tokens(program);
+    let names = Names::new(&all);
+    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let mut found = Vec::new();
+    for body in bodies(&all) {
+        let is_instance = |token: &&Token<'_>| {
+            let ty = names.words.get(&token.text.to_ascii_uppercase());
+            ty.is_some_and(|ty| is_block(&all, ty))
+        };
+        let used = &all[body.clone()];
+        let calls = used
+            .iter()
+            .filter(is_instance)
+            .map(|token| format!("{}();", token.text));
+        let parts = body.clone().filter_map(|at| {
+            let end = path(&all, at).filter(|end| *end > at + 1)?;
+            let path = &program[offset(&all[at])..offset(&all[end - 1]) + all[end - 1].text.len()];
+            Some(format!("{path} := {path};"))
+        });
+        let own: Vec<&str> = used.iter().map(|token| token.text).collect();
+        for statement in calls.chain(parts) {
+            let is_own = tokens(&statement)
+                .iter()
+                .map(|token| token.text)
+                .eq(own.iter().copied());
+            let (Some(first), Some(last)) = (used.first(), used.last()) else {
+                continue;
+            };
+            let (from, until) = (offset(first), offset(last) + last.text.len());
+            let changed = format!("{}{statement}{}", &program[..from], &program[until..]);
+            if !is_own && !found.contains(&changed) {
+                found.push(changed);
+            }
+        }
+    }
+    found
+}
+
+/// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
+/// the type of the target; `None` where it has no statement that does both.
+pub(crate) fn in_two_steps(program: &str) -> Option<String> {
+    let all = tokens(program);
+    let names = Names::new(&all);
+    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let ty = |token: &Token<'_>| prefix_type(token).or_else(|| names.type_of(token));
+    for body in bodies(&all) {
+        for at in body.clone() {
+            let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
+                break;
+            };
+            let is_operator = matches!(operator.text, "+" | "-" | "*" | "/" | "**") || operator.is("MOD");
+            if all[at].text != ":=" || !is_operator || end.text != ";" {
+                continue;
+            }
+            let (Some(own), Some(target)) = (ty(left), names.assigned(&all, at)) else {
+                continue;
+            };
+            if ty(right) != Some(own) || target == own {
+                continue;
+            }
+            let (first, from, until) = (offset(&all[body.start]), offset(left), offset(end));
+            let start = statement(&all, at);
+            let start = offset(&all[start.max(body.start)]);
+            return Some(format!(
+                "{}VAR\n    partial : {};\nEND_VAR\n    {}partial := {};\n    {}partial{}",
+                &program[..first],
+                own.name(),
+                &program[first..start],
+                &program[from..until],
+                &program[start..from],
+                &program[until..],
+            ));
+        }
+    }
+    None
+}
+
+/// Returns the place of the first token of the statement that a token stands in.
+fn statement(all: &[Token<'_>], at: usize) -> usize {
+    let ends = |token: &Token<'_>| {
+        let words = ["THEN", "ELSE", "DO", "REPEAT", "OF", "END_VAR"];
+        matches!(token.text, ";" | ":") || words.iter().any(|word| token.is(word))
+    };
+    all[..at].iter().rposition(ends).map_or(0, |end| end + 1)
+}
+
+/// Returns where each body of a program organization unit stands, in tokens; bodies without a statement are left out.
+pub(crate) fn bodies(all: &[Token<'_>]) -> Vec<Range<usize>> {
+    let mut found = Vec::new();
+    let mut start = 0;
+    for (at, token) in all.iter().enumerate() {
+        if token.is("END_VAR") {
+            start = at + 1;
+        } else if token.is("FUNCTION") {
+            // A function may have no variables: its body begins behind `FUNCTION name : type`.
+            start = at + 4;
+        } else if token.is("PROGRAM") || token.is("FUNCTION_BLOCK") {
+            start = at + 2;
+        } else if ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
+            .iter()
+            .any(|end| token.is(end))
+            && start < at
+        {
+            found.push(start..at);
+        }
+    }
+    found
+}
+
+/// Returns the end of the variable that begins at a token, with its fields and subscripts and without a bit; `None` where none
+/// begins there.
+pub(crate) fn path(all: &[Token<'_>], at: usize) -> Option<usize> {
+    let token = all.get(at)?;
+    let is_behind_point = at > 0 && all[at - 1].text == ".";
+    if token.kind != TokenKind::Word || is_fixed(token.text) || is_behind_point {
+        return None;
+    }
+    let mut end = at + 1;
+    loop {
+        match all.get(end).map(|token| token.text) {
+            Some("[") => end = closed(all, end)?,
+            Some(".") if all.get(end + 1).is_some_and(|next| next.kind == TokenKind::Word) => end += 2,
+            _ => return Some(end),
+        }
+    }
+}
+
+/// Returns the place behind the bracket that closes the one at a place.
+fn closed(all: &[Token<'_>], open: usize) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (at, token) in all.iter().enumerate().skip(open) {
+        match token.text {
+            "[" => depth += 1,
+            "]" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(at + 1);
+        }
+    }
+    None
+}
+
+/// Returns whether a program declares a function block with this name.
+pub(crate) fn is_block(all: &[Token<'_>], name: &str) -> bool {
+    let mut pairs = all.windows(2);
+    pairs.any(|pair| pair[0].is("FUNCTION_BLOCK") && pair[1].is(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_becomes_a_statement_that_only_names_a_variable() {
+        let block = "FUNCTION_BLOCK b VAR_INPUT v : WORD; END_VAR v := v; END_FUNCTION_BLOCK ";
+        let main = |body: &str| {
+            format!("{block}PROGRAM p VAR fb : b; a : ARRAY[0..1] OF R; i : INT; END_VAR {body} END_PROGRAM")
+        };
+        let found = with_one_statement(&main("IF a[i].f.7 THEN fb.v.0 := TRUE; END_IF;"));
+        assert_eq!(
+            found,
+            [main("fb();"), main("a[i].f := a[i].f;"), main("fb.v := fb.v;")]
+        );
+        assert!(with_one_statement(&main("fb();")).is_empty());
+    }
+
+    #[test]
+    fn an_operation_and_a_conversion_become_two_statements() {
+        let of = |body: &str| {
+            let program =
+                format!("PROGRAM p VAR a : INT; into : DINT; same : INT; END_VAR {body} END_PROGRAM");
+            in_two_steps(&program)
+        };
+        assert_eq!(
+            of("same := a; into := a * INT#5;").as_deref(),
+            Some(
+                "PROGRAM p VAR a : INT; into : DINT; same : INT; END_VAR VAR\n    partial : INT;\nEND_VAR\n    same := a; partial := a * INT#5;\n    \
+                 into := partial; END_PROGRAM"
+            )
+        );
+        assert_eq!(of("same := a + a;"), None);
+        assert_eq!(of("into := a;"), None);
+        assert_eq!(of("into := a + into;"), None);
+    }
+}
