@@ -1,6 +1,7 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
-use crate::essence::{Essence, keeps_claim};
+use crate::claim::keeps_claim;
+use crate::essence::Essence;
 use crate::failed::{FailedCases, Group};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;

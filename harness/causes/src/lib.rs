@@ -5,7 +5,8 @@
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `constructs`, `question` |
 //! | the normal form of each is found by asking for operands alone, plainer literals, other types and other statements | `normal`, `operands`, `statements`, `names`, `twins` |
-//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, [`find()`] |
+//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, [`find()`] |
+//! | the claim of a case is shown with a program of which it still speaks | `claim` |
 //!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
 //! program what must happen; where values are compared, only those count that the case itself asserts and that stay what
@@ -15,9 +16,11 @@
 //! where a limit of time ends the search.
 #![forbid(unsafe_code)]
 
+mod claim;
 mod constructs;
 mod essence;
 mod failed;
+mod features;
 mod find;
 mod names;
 mod normal;

@@ -240,6 +240,36 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
 }
 
 #[cfg(test)]
+impl Smallest {
+    /// Returns what an engine made of a program that it rejects on this line with this code.
+    pub(crate) fn rejected(program: &str, line: u32, code: &str) -> Smallest {
+        let told = stickler_types::Diagnostic {
+            line: Some(line),
+            code: Some(code.to_owned()),
+            message: "no".to_owned(),
+            ..stickler_types::Diagnostic::default()
+        };
+        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(told)]);
+        Smallest {
+            program: program.to_owned(),
+            deviation: Deviation {
+                sign: Sign::of(
+                    program,
+                    stickler_run::Verdict::Fail,
+                    (&expected, &got),
+                    stickler_run::Grade::Line,
+                ),
+                expected,
+                got,
+            },
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::{moved, without_marks};
     use stickler_run::Fact;

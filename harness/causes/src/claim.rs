@@ -1,0 +1,126 @@
+//! Whether the claim of a case still speaks of the program that became of the case's.
+
+use crate::features::is_unread;
+use crate::operations::{operations, operations_of};
+use crate::reduction::Smallest;
+use crate::shape::{own_functions, types_of};
+use crate::title::assignment;
+use crate::tokens::{Token, TokenKind, tokens};
+use std::collections::BTreeSet;
+use stickler_run::{CaseEvent, Fact, Symptom};
+use stickler_types::Diagnostic;
+
+/// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
+/// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
+/// says nothing of a program without an operation that the engine cannot read.
+pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
+    let program = case.program.as_deref().unwrap_or_default();
+    let all = tokens(program);
+    let wanted = case
+        .expected
+        .iter()
+        .zip(case.got.iter().map(Some).chain(std::iter::repeat(None)));
+    let mut differing = wanted
+        .filter(|(wanted, told)| Some(*wanted) != *told)
+        .map(|(wanted, _)| wanted);
+    let line = match differing.next() {
+        Some(Fact::Value { name, .. }) => assignment(program, name).map(|line| {
+            let number = line.as_ptr() as usize - program.as_ptr() as usize;
+            let number = program[..number].lines().count() as u32 + 1;
+            all.iter().filter(|token| token.line == number).copied().collect()
+        }),
+        Some(Fact::Diagnostic(Diagnostic { line, .. }) | Fact::Fault { line, .. }) => {
+            let on_line = |token: &&Token<'_>| Some(token.line) == *line;
+            Some(all.iter().filter(on_line).copied().collect())
+        }
+        _ => None,
+    };
+    let line: Option<Vec<Token<'_>>> = line;
+    let told = case.got.iter().find_map(|fact| fact.diagnostic()?.line);
+    let focus = line
+        .as_ref()
+        .and_then(|line| line.first())
+        .map(|token| token.line);
+    let is_elsewhere = told.is_some_and(|told| told > 1) && focus.is_some() && told != focus;
+    if is_elsewhere && matches!(smallest.deviation.sign.symptom, Symptom::Rejected(_)) {
+        return false;
+    }
+    let own = own_functions(&all);
+    let claimed = line
+        .as_ref()
+        .map(|line| operations(line, &own))
+        .unwrap_or_default();
+    let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
+    if is_value && claimed.is_empty() && is_unread(&smallest.deviation.got) {
+        return false;
+    }
+    let kept = operations_of(&smallest.program);
+    claimed.is_subset(&kept)
+        && has_signed_literal(&line.unwrap_or_default()) <= has_signed_literal(&tokens(&smallest.program))
+        && (!smallest.deviation.sign.rejects_valid() || keeps_work(program, &smallest.program, &kept))
+}
+
+/// Returns whether a program that an engine does not take still does what the whole one did with its values: conversions by name
+/// and accesses of bits, or else the conversion between two types.
+fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
+    let is_work = |operation: &&String| operation.contains("_TO_") || *operation == "bit access";
+    let operations = operations_of(whole);
+    let work: Vec<&String> = operations.iter().filter(is_work).collect();
+    let types = |program: &str| {
+        let types = types_of(program).into_iter();
+        types.filter(|ty| *ty != "BOOL").count()
+    };
+    match work.is_empty() {
+        true => types(whole) < 2 || types(program) > 1,
+        false => work.into_iter().all(|operation| kept.contains(operation)),
+    }
+}
+
+/// Returns whether a minus stands before a literal with a type.
+fn has_signed_literal(tokens: &[Token<'_>]) -> bool {
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[0].text == "-" && pair[1].kind == TokenKind::Typed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_run::Verdict;
+    use stickler_types::ElementaryType;
+
+    #[test]
+    fn a_claim_about_a_value_says_nothing_of_a_program_that_cannot_be_read() {
+        let program = "PROGRAM p\nVAR\nx : INT := INT#-5;\nEND_VAR\nx := x;\nEND_PROGRAM\n";
+        let keeps = |expected: Fact, code: &str| {
+            let smallest = Smallest::rejected(program, 5, code);
+            let case = CaseEvent {
+                id: "a".to_owned(),
+                dialect: "matiec".to_owned(),
+                engine: "e".to_owned(),
+                verdict: Verdict::Fail,
+                open: false,
+                grade: None,
+                basis: "document: a".to_owned(),
+                file: "a.toml".to_owned(),
+                line: None,
+                area: "a".to_owned(),
+                title: "t".to_owned(),
+                expectation: 0,
+                expected: vec![expected],
+                got: smallest.deviation.got.clone(),
+                duration_us: 0,
+                observations: Vec::new(),
+                program: Some(program.to_owned()),
+                baseline: None,
+            };
+            keeps_claim(&case, &smallest)
+        };
+        let value = || Fact::Value {
+            name: "x".to_owned(),
+            value: stickler_types::Value::plain(ElementaryType::Int, 65531),
+        };
+        assert!(!keeps(value(), "P0002"));
+        assert!(keeps(value(), "P4035"));
+        assert!(keeps(Fact::Accepted, "P0002"));
+    }
+}
