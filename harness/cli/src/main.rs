@@ -13,6 +13,7 @@ mod caches;
 mod case_folder;
 mod cause_stage;
 mod commands;
+mod documented;
 mod engines;
 mod exit;
 mod interrupt;

@@ -1,16 +1,21 @@
 //! The overview of a conversion function: its results for a few values, engines and dialects side by side, compared with documents.
 //!
 //! [`calls`] chooses the values, [`gather`] asks the engines, and [`OverviewPage`] and [`write_json`] show the [`SignatureResults`].
+//! [`Statements`] are what documents say of many functions and of implicit conversion, without asking an engine.
 
 mod choices;
 mod inputs;
 mod json;
 mod page;
+mod program_call;
 mod results;
+mod statements;
 mod table;
 mod values;
 
 pub use json::write as write_json;
 pub use page::OverviewPage;
+pub use program_call::{PartAccess, part_of_program};
 pub use results::{ComparedResult, DialectResults, SignatureResults, gather};
+pub use statements::{QuestionNumber, Statement, Statements, StatementsBuilder};
 pub use values::{Call, ValueError, calls};

@@ -11,6 +11,7 @@ use crate::results::Results;
 use crate::summary::Summary;
 use std::fs;
 use std::path::Path;
+use stickler_conversions::overview::Statements;
 use stickler_run::Event;
 
 /// The reports of a run while it goes on.
@@ -26,11 +27,12 @@ pub struct Reports {
 
 impl Reports {
     /// Creates the folder where it is missing, and opens every file in it. The files of an earlier run are removed, so that
-    /// all files of a folder belong to one run.
+    /// all files of a folder belong to one run. `statements` are what documents state about the conversions that the cases are about;
+    /// the page shows them beside what the engines do.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
-    pub fn create(folder: &Path) -> Result<Reports, ReportError> {
+    pub fn create(folder: &Path, statements: Statements) -> Result<Reports, ReportError> {
         fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
         Ok(Reports {
             events: EventLog::create(folder.join(events::NAME))?,
@@ -39,7 +41,7 @@ impl Reports {
             summary: Summary::create(folder.join("summary.md"))?,
             badge: Badge::create(folder.join("badge.json"))?,
             discrepancies: Discrepancies::create(folder)?,
-            page: Page::create(folder.join("index.html"))?,
+            page: Page::create(folder.join("index.html"), statements)?,
         })
     }
 
@@ -79,10 +81,11 @@ mod tests {
     use crate::{ReportError, sample};
     use std::fs;
     use std::path::Path;
+    use stickler_conversions::overview::Statements;
     use stickler_run::{CaseEvent, Event, Fact};
 
     fn write(folder: &Path, events: &[Event]) {
-        let mut reports = Reports::create(folder).expect("a folder");
+        let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
         let mut overview = Overview::default();
         for event in events {
             reports.take(event).expect("taken");
@@ -120,7 +123,9 @@ mod tests {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let blocked = folder.path().join("file");
         fs::write(&blocked, "").expect("a file in the way");
-        let Err(ReportError::Write { path, .. }) = Reports::create(&blocked.join("latest")) else {
+        let Err(ReportError::Write { path, .. }) =
+            Reports::create(&blocked.join("latest"), Statements::default())
+        else {
             panic!("a file is no folder");
         };
         assert!(path.starts_with(&blocked));

@@ -15,7 +15,8 @@
 //! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
 //! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`].
 //!
-//! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report. [`claims`] is the
+//! *Architecture invariants.* No format has facts of its own: what is not in an event is in no report, except that the page shows
+//! what documents state of conversions, which the caller hands over. [`claims`] is the
 //! one place that counts claims, and [`observations`] the one that compares observations. Nothing here runs, schedules or
 //! judges a case, or knows how an event came about.
 #![forbid(unsafe_code)]

@@ -7,8 +7,10 @@
 //! | element | data |
 //! |---|---|
 //! | `run` | header, totals, claims, causes, observations on which engines disagree: small, read at once |
+//! | `conversions` | what documents state about conversions, which the caller hands over, and what engines answered: read when it is shown |
 //! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases |
 
+mod answers;
 mod assets;
 mod cases;
 mod run;
@@ -19,10 +21,12 @@ use crate::ReportError;
 use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
+use answers::{Answers, AnswersData};
 use cases::FailedCases;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
+use stickler_conversions::overview::Statements;
 use stickler_run::{Event, Totals, Verdict};
 
 /// The page of a run, gathered until it is written.
@@ -31,18 +35,29 @@ pub(crate) struct Page {
     /// The verdict counts of each group of cases, by the number of the group.
     totals: Vec<Totals>,
     cases: FailedCases,
+    statements: Statements,
+    answers: Answers,
+}
+
+/// What the page knows of conversions.
+#[derive(Serialize)]
+struct ConversionsData<'p> {
+    statements: &'p Statements,
+    answers: AnswersData,
 }
 
 impl Page {
-    /// Creates the file.
+    /// Creates the file. `statements` are what documents state about the conversions of the run.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the file cannot be created.
-    pub(crate) fn create(path: PathBuf) -> Result<Page, ReportError> {
+    pub(crate) fn create(path: PathBuf, statements: Statements) -> Result<Page, ReportError> {
         Ok(Page {
             file: PendingFile::create(path)?,
             totals: Vec::new(),
             cases: FailedCases::default(),
+            statements,
+            answers: Answers::default(),
         })
     }
 
@@ -54,8 +69,11 @@ impl Page {
                     self.totals.resize_with(group + 1, Totals::default);
                 }
                 self.totals[group].count(case.verdict);
-                if case.verdict != Verdict::Pass {
-                    self.cases.take(case, group);
+                let number = (case.verdict != Verdict::Pass)
+                    .then(|| self.cases.take(case, group))
+                    .flatten();
+                if let Some(question) = self.statements.question(&case.id) {
+                    self.answers.take(case, question, number);
                 }
             }
             // All else is taken from the overview, when the page is written.
@@ -73,16 +91,26 @@ impl Page {
         };
         let path = self.file.path().to_owned();
         let cases = self.cases.into_data(groups, &self.totals);
-        write(&mut self.file, &run, &cases).map_err(ReportError::writing(&path))?;
+        let conversions = ConversionsData {
+            statements: &self.statements,
+            answers: self.answers.into_data(),
+        };
+        write(&mut self.file, &run, &conversions, &cases).map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
 }
 
 /// Writes the skeleton with its style, data and scripts.
-fn write(out: &mut impl Write, run: &impl Serialize, cases: &impl Serialize) -> io::Result<()> {
+fn write(
+    out: &mut impl Write,
+    run: &impl Serialize,
+    conversions: &impl Serialize,
+    cases: &impl Serialize,
+) -> io::Result<()> {
     let (before_style, before_data, before_script, end) = assets::skeleton();
     write!(out, "{before_style}{}{before_data}", assets::STYLE)?;
     data(out, "run", run)?;
+    data(out, "conversions", conversions)?;
     data(out, "cases", cases)?;
     out.write_all(before_script.as_bytes())?;
     for script in assets::SCRIPTS {
@@ -98,5 +126,7 @@ fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()
     out.write_all(b"</script>\n")
 }
 
+#[cfg(test)]
+mod browser_tests;
 #[cfg(test)]
 mod tests;

@@ -137,7 +137,7 @@ fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surrounding
             Some(_) => {
                 writeln!(
                     out,
-                    "Reports: {folder}/summary.md; every case is in results.json beside it."
+                    "Reports: {folder}/index.html; summary.md and results.json are beside it."
                 )?;
                 write_discrepancies(out, overview, folder)
             }
@@ -310,7 +310,7 @@ Cases          widening  all
 
 1 observation recorded where no document says what must be.
 Engine: reference 0.1.0.
-Reports: reports/latest/summary.md; every case is in results.json beside it.
+Reports: reports/latest/index.html; summary.md and results.json are beside it.
 1 case is otherwise than documents say, with a page for each cause:
 reports/latest/discrepancies
 1 of 4 cases not as expected (1 fail), in 34 ms.

@@ -10,6 +10,7 @@ use jiff::{Timestamp, Unit};
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use stickler_conversions::overview::Statements;
 use stickler_engines::{Ability, Grade, Identity, Reference};
 use stickler_export::{CopiedText, Export, Imported, MANIFEST};
 use stickler_report::events;
@@ -177,7 +178,9 @@ fn judged(
     judge: &CaseJudge<'_>,
     report: Option<&Path>,
 ) -> Result<(Imported, Overview), ReportError> {
-    let mut reports = report.map(Reports::create).transpose()?;
+    // One program asks many cases at once, so no table of conversions belongs to it.
+    let reports = report.map(|folder| Reports::create(folder, Statements::default()));
+    let mut reports = reports.transpose()?;
     let mut overview = Overview::default();
     let mut broken = None;
     let imported = export.import(texts, judge, &mut |event| {

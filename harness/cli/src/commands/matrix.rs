@@ -5,6 +5,7 @@ mod table;
 
 use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
+use crate::documented::IMPLICIT_PROBE as PROBE;
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
 use crate::progress::Progress;
@@ -13,9 +14,6 @@ use std::io::{self, Write};
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
 use table::{DialectMatrix, Documents, EngineAnswers};
-
-/// The probe whose cells form the matrix.
-const PROBE: &str = "assignment";
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
 const TYPES: [ElementaryType; 20] = [

@@ -4,6 +4,7 @@ use crate::arguments::RunArguments;
 use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::cause_stage::CauseStage;
+use crate::documented::statements;
 use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
@@ -50,7 +51,10 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let caches = caches(arguments, &folder, &engines);
     let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
     let cancel = interrupt::cancellation_ending_engines()?;
-    let mut sink = EventSink::new(report_folder.as_deref().map(Reports::create).transpose()?, cancel);
+    let reports = report_folder
+        .as_deref()
+        .map(|folder| Reports::create(folder, statements(&selected)));
+    let mut sink = EventSink::new(reports.transpose()?, cancel);
     let mut causes = CauseStage::new(arguments, &plan, &engines);
     let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));
     let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);

@@ -96,8 +96,8 @@ impl GroupColumns {
 }
 
 impl FailedCases {
-    /// Adds a case.
-    pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) {
+    /// Adds a case, and returns its number; `None` where the list has no room for it.
+    pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) -> Option<usize> {
         let FailedCases {
             texts,
             columns,
@@ -105,7 +105,7 @@ impl FailedCases {
         } = self;
         if columns.group.len() >= MAX_CASES {
             *left_out += 1;
-            return;
+            return None;
         }
         let mut facts = |facts: &[Fact]| {
             let clipped = clip_facts(facts, MAX_LINES, MAX_CHARACTERS);
@@ -126,6 +126,7 @@ impl FailedCases {
         columns.line.push(case.line.unwrap_or_default());
         let note = case.baseline.as_ref().map(noted);
         columns.baseline.push(note.map(|note| texts.words.number(&note)));
+        Some(columns.baseline.len() - 1)
     }
 
     /// Returns the data for the page, with the groups of the run and their verdict counts.

@@ -2,10 +2,14 @@
 
 /** The parts of the page, in their order, each with the function that shows it. A part without a label has no entry of its own. */
 const VIEWS = [
+  { name: "explorer", label: "Conversions", show: showExplorer },
+  { name: "convert", label: null, current: "explorer", show: showExplorer },
+  { name: "matrix", label: "Matrices", show: showMatrices },
+  { name: "bits", label: "Bits", show: showBits },
   { name: "claims", label: "Claims", show: showClaims },
   { name: "causes", label: "Causes", show: showCauses },
   { name: "cases", label: "Cases", show: showCases },
-  { name: "case", label: null, show: showCase },
+  { name: "case", label: null, current: "cases", show: showCase },
   { name: "observations", label: "Observations", show: showObservations },
 ];
 
@@ -46,14 +50,14 @@ function showViews(current) {
     el("li", {}, el("a", { href: `#${view.name}`, "aria-current": view.name === current ? "page" : null }, view.label)))));
 }
 
-/** Shows the part that the address names, or the first one. */
+/** Shows the part that the address names; the first one shows functions, and says so where there is none of that name. */
 function showAddress() {
   const { view, query } = parseAddress(location.hash);
   if (view === "main") return;
   const found = VIEWS.find((one) => one.name === view) || VIEWS[0];
   const main = document.getElementById("main");
   main.replaceChildren();
-  showViews(found.name);
+  showViews(found.current || found.name);
   found.show(main, query, view);
   main.dataset.view = found.name;
 }

@@ -5,13 +5,15 @@ use super::assets::{SCRIPTS, STYLE, skeleton};
 use crate::groups::Groups;
 use crate::{Overview, Reports, sample};
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
+use stickler_conversions::overview::Statements;
 use stickler_run::{CaseEvent, Event, Verdict};
 
 /// Returns the page of a run.
 fn page(events: &[Event]) -> String {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut reports = Reports::create(folder.path()).expect("a folder");
+    let mut reports = Reports::create(folder.path(), Statements::default()).expect("a folder");
     let mut overview = Overview::default();
     for event in events {
         reports.take(event).expect("taken");
@@ -25,7 +27,7 @@ fn page(events: &[Event]) -> String {
 fn page_alone(events: &[Event]) -> String {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("index.html");
-    let mut page = Page::create(path.clone()).expect("a file");
+    let mut page = Page::create(path.clone(), Statements::default()).expect("a file");
     let (mut groups, mut overview) = (Groups::default(), Overview::default());
     for event in events {
         let group = match event {
@@ -175,4 +177,65 @@ fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
     assert!(page.len() < 10 << 20, "{}", page.len());
     assert_eq!(listed(&page).len(), 200);
     assert!(data(&page, "cases")["texts_left_out"].as_u64() > Some(0));
+}
+
+/// Returns the colours of a theme of the style sheet, by name.
+fn colours(theme: &str) -> BTreeMap<&str, [f64; 3]> {
+    let channel = |digits: &str| f64::from(u8::from_str_radix(digits, 16).expect("two digits")) / 255.0;
+    let named = theme.split("--").filter_map(|entry| {
+        let (name, rest) = entry.split_once(": #")?;
+        Some((
+            name,
+            [channel(&rest[0..2]), channel(&rest[2..4]), channel(&rest[4..6])],
+        ))
+    });
+    named.collect()
+}
+
+/// Returns the contrast of two colours. Basis: WCAG 2.1, relative luminance and contrast ratio.
+fn contrast(one: [f64; 3], other: [f64; 3]) -> f64 {
+    let luminance = |[red, green, blue]: [f64; 3]| {
+        let linear = |channel: f64| match channel <= 0.03928 {
+            true => channel / 12.92,
+            false => ((channel + 0.055) / 1.055).powf(2.4),
+        };
+        0.2126 * linear(red) + 0.7152 * linear(green) + 0.0722 * linear(blue)
+    };
+    let (one, other) = (luminance(one), luminance(other));
+    (one.max(other) + 0.05) / (one.min(other) + 0.05)
+}
+
+#[test]
+fn every_text_stands_out_from_its_ground_in_both_themes() {
+    let (light, dark) = STYLE
+        .split_once("@media (prefers-color-scheme: dark)")
+        .expect("a dark theme");
+    let (dark, _) = dark.split_once("}\n}").expect("its end");
+    for theme in [colours(light), colours(dark)] {
+        for (text, grounds) in [
+            (
+                "text",
+                &[
+                    "ground",
+                    "raised",
+                    "good-ground",
+                    "bad-ground",
+                    "odd-ground",
+                    "open-ground",
+                ][..],
+            ),
+            ("dim", &["ground", "raised"]),
+            ("link", &["ground", "raised"]),
+            ("mark", &["raised"]),
+            ("good", &["good-ground", "raised"]),
+            ("bad", &["bad-ground", "raised"]),
+            ("odd", &["odd-ground"]),
+            ("open", &["open-ground"]),
+        ] {
+            for ground in grounds {
+                let ratio = contrast(theme[text], theme[ground]);
+                assert!(ratio >= 4.5, "{text} on {ground}: {ratio:.2}");
+            }
+        }
+    }
 }

@@ -1,12 +1,15 @@
 //! Merges the reports of the parts of a run into those of the whole run.
 
 use crate::arguments::MergeArguments;
+use crate::case_folder::CaseFolder;
+use crate::documented::statements;
 use crate::exit::{self, Exit};
 use crate::{output, shell};
 use anyhow::bail;
 use std::fs::{self, File};
 use std::io::{BufReader, Write};
 use std::path::Path;
+use stickler_conversions::overview::Statements;
 use stickler_report::events::{self, Reader};
 use stickler_report::parts::{self, Part};
 use stickler_report::terminal::{self, Surroundings};
@@ -20,7 +23,7 @@ use stickler_report::{Overview, ReportError, Reports};
 pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     refuse_to_overwrite(arguments)?;
     let parts = arguments.folders.iter().map(|folder| part(folder)).collect();
-    let mut reports = Reports::create(&arguments.output)?;
+    let mut reports = Reports::create(&arguments.output, of_all_cases())?;
     let mut overview = Overview::default();
     let mut broken: Option<ReportError> = None;
     let missing = parts::merge(parts, &shell::command_line(), &mut |event| {
@@ -63,6 +66,15 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     Ok(exit::of_totals(&overview.sum(), outdated)
         .worst(whole)
         .worst(suite))
+}
+
+/// Returns what documents state about the conversions of the cases that there are; nothing where no folder of cases is found.
+fn of_all_cases() -> Statements {
+    let Ok(folder) = CaseFolder::locate(None) else {
+        return Statements::default();
+    };
+    let suite = folder.load_with([]);
+    statements(&suite.cases.iter().collect::<Vec<_>>())
 }
 
 /// Opens the event log of one part; returns it with its name.

@@ -1,0 +1,429 @@
+//! What documents state about conversions: which types convert implicitly, which bits and parts of a type have a name, and what the
+//! functions give for boundary values and for the values of the cases of a run.
+//!
+//! It is a table for programs that show it, such as the page of a run. Texts stand in it once, and everything else is a number.
+
+use super::inputs;
+use super::program_call::{PartAccess, call_of_program};
+use serde::Serialize;
+use std::collections::HashMap;
+use std::sync::Arc;
+use stickler_exact::{Signature, expected, signatures};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
+
+/// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
+/// type has a part, or what one call of a function gives. Pairs come first, then parts, then calls.
+pub type QuestionNumber = u32;
+
+/// The statements of documents about conversions, and which case of a run asks which question.
+#[derive(Default, Serialize)]
+pub struct Statements {
+    dialects: Vec<&'static str>,
+    words: Vec<String>,
+    /// The pairs of types.
+    pairs: Vec<Accepted>,
+    /// The types with the bits and parts that programs take out of them.
+    parts: Vec<Accepted>,
+    functions: Vec<FunctionStatements>,
+    /// The calls of all functions, one function after the other.
+    calls: Calls,
+    /// The bases of calls, which most have in common: by the dialects of the function, the number of a word; `null` where no
+    /// document states the result.
+    bases: Vec<Vec<Option<u32>>>,
+    /// The number of the question of each case that asks one, by the id of the case.
+    #[serde(skip)]
+    questions: HashMap<Arc<str>, QuestionNumber>,
+}
+
+/// What documents state about two words, such as a pair of types: whether a program with them is accepted.
+#[derive(Serialize)]
+struct Accepted {
+    from: u32,
+    to: u32,
+    /// By dialect, the word of the documents and the basis; `null` where none speaks of it.
+    stated: Vec<Option<(&'static str, u32)>>,
+}
+
+/// A function with the types of one of its signatures.
+#[derive(Serialize)]
+struct FunctionStatements {
+    name: u32,
+    operands: Vec<u32>,
+    result: u32,
+    /// The indices of the dialects that have the function with these types.
+    dialects: Vec<usize>,
+    /// The number of its calls, boundary values first.
+    calls: usize,
+    /// The number of its boundary values.
+    boundaries: usize,
+}
+
+/// The calls, each property a list with an element for each call.
+#[derive(Default, Serialize)]
+struct Calls {
+    /// The words of the operands.
+    operands: Vec<Vec<u32>>,
+    /// The index of the bases.
+    bases: Vec<usize>,
+    /// The words of the stated values: one where all dialects with a basis state the same, otherwise one for each of them.
+    values: Vec<Vec<u32>>,
+}
+
+/// A statement of a document, of which a case asks whether an engine does so.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Statement<'c> {
+    /// The dialect.
+    pub dialect: DialectName,
+    /// Whether the program must be accepted.
+    pub word: MatrixWord,
+    /// The source and section that say so.
+    pub basis: &'c str,
+    /// The id of the case.
+    pub case: &'c Arc<str>,
+}
+
+impl Statements {
+    /// Returns the number of the question that a case asks, by its id; `None` for a case that asks another.
+    #[must_use]
+    pub fn question(&self, case: &str) -> Option<QuestionNumber> {
+        self.questions.get(case).copied()
+    }
+
+    /// Returns whether there is no question.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty() && self.parts.is_empty() && self.functions.is_empty()
+    }
+}
+
+/// Gathers statements.
+pub struct StatementsBuilder {
+    dialects: Vec<DialectName>,
+    words: WordTable,
+    pairs: AcceptedTable,
+    parts: AcceptedTable,
+    functions: Vec<Function>,
+    function_numbers: HashMap<(String, ElementaryType, ElementaryType), Option<usize>>,
+    call_cases: Vec<(Arc<str>, usize, usize)>,
+}
+
+/// A function with the types of one of its signatures, and its calls.
+struct Function {
+    signature: Signature,
+    dialects: Vec<usize>,
+    calls: Vec<Vec<Value>>,
+    boundaries: usize,
+    call_numbers: HashMap<String, usize>,
+}
+
+/// Statements about pairs of words, and the cases that ask about them.
+#[derive(Default)]
+struct AcceptedTable {
+    all: Vec<Accepted>,
+    numbers: HashMap<(u32, u32), usize>,
+    cases: Vec<(Arc<str>, usize)>,
+}
+
+impl AcceptedTable {
+    fn add(
+        &mut self,
+        (from, to): (u32, u32),
+        statement: &Statement<'_>,
+        dialects: &[DialectName],
+        basis: u32,
+    ) {
+        let Some(dialect) = dialects.iter().position(|dialect| *dialect == statement.dialect) else {
+            return;
+        };
+        let next = self.all.len();
+        let number = *self.numbers.entry((from, to)).or_insert(next);
+        if number == next {
+            let stated = vec![None; dialects.len()];
+            self.all.push(Accepted { from, to, stated });
+        }
+        let stated = &mut self.all[number].stated[dialect];
+        if stated.is_none() {
+            *stated = Some((statement.word.as_str(), basis));
+        }
+        self.cases.push((Arc::clone(statement.case), number));
+    }
+}
+
+#[derive(Default)]
+struct WordTable {
+    numbers: HashMap<String, u32>,
+    words: Vec<String>,
+}
+
+impl WordTable {
+    fn number(&mut self, word: &str) -> u32 {
+        if let Some(number) = self.numbers.get(word) {
+            return *number;
+        }
+        let number = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
+        self.words.push(word.to_owned());
+        self.numbers.insert(word.to_owned(), number);
+        number
+    }
+}
+
+impl StatementsBuilder {
+    /// Begins a table whose columns are these dialects.
+    #[must_use]
+    pub fn new(dialects: Vec<DialectName>) -> StatementsBuilder {
+        StatementsBuilder {
+            dialects,
+            words: WordTable::default(),
+            pairs: AcceptedTable::default(),
+            parts: AcceptedTable::default(),
+            functions: Vec::new(),
+            function_numbers: HashMap::new(),
+            call_cases: Vec::new(),
+        }
+    }
+
+    /// Adds a statement about the implicit conversion of a pair of types.
+    pub fn add_implicit(&mut self, from: ElementaryType, to: ElementaryType, statement: &Statement<'_>) {
+        let pair = (self.words.number(from.name()), self.words.number(to.name()));
+        let basis = self.words.number(statement.basis);
+        self.pairs.add(pair, statement, &self.dialects, basis);
+    }
+
+    /// Adds a statement about a bit or a part of a type, such as `7` or `%B1`.
+    pub fn add_part(&mut self, access: &PartAccess<'_>, statement: &Statement<'_>) {
+        let pair = (
+            self.words.number(access.ty.name()),
+            self.words.number(access.part),
+        );
+        let basis = self.words.number(statement.basis);
+        self.parts.add(pair, statement, &self.dialects, basis);
+    }
+
+    /// Adds the call that a case makes, if its program makes one call of a conversion function; and with the first call of a
+    /// function the boundary values of its types.
+    pub fn add_program(&mut self, case: &Arc<str>, source: &str) {
+        let Some(call) = call_of_program(source) else {
+            return;
+        };
+        let Some(from) = ElementaryType::from_name(call.operand.type_name()) else {
+            return;
+        };
+        let function = call.function.to_ascii_uppercase();
+        let key = (function, from, call.result);
+        let number = match self.function_numbers.get(&key) {
+            Some(number) => *number,
+            None => {
+                let function = Function::find(&key, &self.dialects);
+                let number = function.is_some().then_some(self.functions.len());
+                self.functions.extend(function);
+                self.function_numbers.insert(key, number);
+                number
+            }
+        };
+        if let Some(number) = number {
+            let call = self.functions[number].call(vec![call.operand]);
+            self.call_cases.push((Arc::clone(case), number, call));
+        }
+    }
+
+    /// Returns the table, with what documents state of each call.
+    #[must_use]
+    pub fn finish(mut self) -> Statements {
+        let mut all = Statements {
+            dialects: self.dialects.iter().map(|dialect| dialect.as_str()).collect(),
+            pairs: self.pairs.all,
+            parts: self.parts.all,
+            ..Statements::default()
+        };
+        let mut first_calls = Vec::with_capacity(self.functions.len());
+        let mut known_bases = HashMap::new();
+        for function in &self.functions {
+            first_calls.push(all.calls.operands.len());
+            let signature = &function.signature;
+            let types = signature.operands.iter().map(|ty| self.words.number(ty.name()));
+            let operands = types.collect();
+            all.functions.push(FunctionStatements {
+                name: self.words.number(&signature.function),
+                operands,
+                result: self.words.number(signature.result.name()),
+                dialects: function.dialects.clone(),
+                calls: function.calls.len(),
+                boundaries: function.boundaries,
+            });
+            for call in &function.calls {
+                let texts = call.iter().map(|value| self.words.number(&value.to_string()));
+                all.calls.operands.push(texts.collect());
+                let (bases, values) = function.stated(call, &self.dialects, &mut self.words);
+                let next = all.bases.len();
+                let number = *known_bases.entry(bases.clone()).or_insert(next);
+                if number == next {
+                    all.bases.push(bases);
+                }
+                all.calls.bases.push(number);
+                all.calls.values.push(values);
+            }
+        }
+        let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
+        let first_part = all.pairs.len();
+        let first_call = first_part + all.parts.len();
+        let pairs = self.pairs.cases.into_iter();
+        all.questions = pairs.map(|(case, pair)| (case, number(pair))).collect();
+        let parts = self.parts.cases.into_iter();
+        all.questions
+            .extend(parts.map(|(case, part)| (case, number(first_part + part))));
+        let calls = self.call_cases.into_iter();
+        all.questions.extend(
+            calls.map(|(case, function, call)| (case, number(first_call + first_calls[function] + call))),
+        );
+        all.words = self.words.words;
+        all
+    }
+}
+
+impl Function {
+    /// Returns a function with its boundary values, if one of the dialects has it with these types.
+    fn find(
+        (name, from, result): &(String, ElementaryType, ElementaryType),
+        dialects: &[DialectName],
+    ) -> Option<Function> {
+        let mut found: Option<Function> = None;
+        for (index, dialect) in dialects.iter().enumerate() {
+            let mut all = signatures(name, *dialect).into_iter();
+            let signature = all.find(|one| one.operands == [*from] && one.result == *result);
+            match (&mut found, signature) {
+                (_, None) => {}
+                (Some(function), Some(_)) => function.dialects.push(index),
+                (None, Some(signature)) => {
+                    let boundaries = inputs::boundaries(&signature);
+                    let mut function = Function {
+                        signature,
+                        dialects: vec![index],
+                        calls: Vec::new(),
+                        boundaries: boundaries.len(),
+                        call_numbers: HashMap::new(),
+                    };
+                    boundaries.into_iter().for_each(|call| {
+                        function.call(call);
+                    });
+                    found = Some(function);
+                }
+            }
+        }
+        found
+    }
+
+    /// Returns the number of a call, which is added where it is new.
+    fn call(&mut self, operands: Vec<Value>) -> usize {
+        let text: String = operands.iter().map(ToString::to_string).collect();
+        let next = self.calls.len();
+        let number = *self.call_numbers.entry(text).or_insert(next);
+        if number == next {
+            self.calls.push(operands);
+        }
+        number
+    }
+
+    /// Returns the basis of a call by dialect, and the stated values: one where all are equal.
+    fn stated(
+        &self,
+        call: &[Value],
+        dialects: &[DialectName],
+        words: &mut WordTable,
+    ) -> (Vec<Option<u32>>, Vec<u32>) {
+        let mut values = Vec::new();
+        let mut bases = Vec::with_capacity(self.dialects.len());
+        for dialect in &self.dialects {
+            let stated = expected(&self.signature, call, dialects[*dialect]);
+            bases.push(stated.basis.map(|basis| words.number(basis)));
+            if stated.basis.is_some() {
+                values.push(words.number(&stated.value.to_string()));
+            }
+        }
+        if let [first, rest @ ..] = &values[..]
+            && rest.iter().all(|value| value == first)
+        {
+            values.truncate(1);
+        }
+        (bases, values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Statement, Statements, StatementsBuilder};
+    use crate::overview::part_of_program;
+    use serde_json::{Value, json};
+    use std::sync::Arc;
+    use stickler_types::{DialectName, ElementaryType, MatrixWord};
+
+    const PROGRAM: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+
+    fn statements() -> Statements {
+        let dialects = vec![DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext];
+        let mut builder = StatementsBuilder::new(dialects);
+        let case = Arc::from("w::assignment(INT,DINT,1)");
+        let statement = Statement {
+            dialect: DialectName::Matiec,
+            word: MatrixWord::No,
+            basis: "measured: here",
+            case: &case,
+        };
+        builder.add_implicit(ElementaryType::Int, ElementaryType::Dint, &statement);
+        let part = Statement {
+            case: &Arc::from("b::p(BYTE,8)"),
+            ..statement
+        };
+        let access =
+            part_of_program("PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM")
+                .unwrap();
+        builder.add_part(&access, &part);
+        builder.add_program(&Arc::from("c::p(REAL,INT,2.25)"), PROGRAM);
+        builder.add_program(&Arc::from("c::none"), "PROGRAM main END_PROGRAM");
+        builder.finish()
+    }
+
+    #[test]
+    fn a_call_has_what_documents_state_and_is_open_where_they_are_silent() {
+        let statements = statements();
+        let data = serde_json::to_value(&statements).unwrap();
+        let word = |number: &Value| data["words"][usize::try_from(number.as_u64().unwrap()).unwrap()].clone();
+        let question = statements.question("c::p(REAL,INT,2.25)").unwrap() as usize;
+        let before = ["pairs", "parts"].map(|key| data[key].as_array().unwrap().len());
+        let call = question - before[0] - before[1];
+        assert_eq!(word(&data["calls"]["operands"][call][0]), json!("REAL#2.25"));
+        assert_eq!(word(&data["calls"]["values"][call][0]), json!("INT#2"));
+        let bases = usize::try_from(data["calls"]["bases"][call].as_u64().unwrap()).unwrap();
+        let bases = &data["bases"][bases];
+        assert_eq!(
+            word(&bases[0]),
+            json!("ironplc-conversion-functions: Real to Integer")
+        );
+        assert_eq!(
+            word(&bases[1]),
+            json!("forgeiec-conversion-functions: Range and precision")
+        );
+        assert!(bases[2].is_null(), "no document of PLCnext says how it rounds");
+    }
+
+    #[test]
+    fn the_boundary_values_of_a_function_are_there_without_a_case() {
+        let data = serde_json::to_value(statements()).unwrap();
+        let words = data["words"].as_array().unwrap();
+        for value in ["REAL#NaN", "REAL#2.5", "REAL#32768.0"] {
+            assert!(words.contains(&json!(value)), "{value}");
+        }
+        assert_eq!(data["functions"].as_array().unwrap().len(), 1);
+    }
+
+    #[test]
+    fn a_pair_of_types_is_a_question_of_its_own() {
+        let statements = statements();
+        assert_eq!(statements.question("w::assignment(INT,DINT,1)"), Some(0));
+        assert_eq!(statements.question("b::p(BYTE,8)"), Some(1));
+        assert_eq!(statements.question("c::none"), None);
+        let data = serde_json::to_value(&statements).unwrap();
+        assert_eq!(data["pairs"][0]["stated"][1][0], json!("no"));
+        assert!(data["pairs"][0]["stated"][0].is_null());
+        assert_eq!(data["parts"][0]["stated"][1][0], json!("no"));
+    }
+}

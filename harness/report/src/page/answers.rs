@@ -1,0 +1,195 @@
+//! The answers of engines to the questions about conversions that the cases of a run ask.
+
+use crate::words::Words;
+use serde::Serialize;
+use std::collections::HashMap;
+use stickler_conversions::overview::QuestionNumber;
+use stickler_run::{CaseEvent, Fact, Observed, Verdict};
+use stickler_types::Value;
+
+/// The maximum number of characters of an answer.
+const MAX_CHARACTERS: usize = 80;
+
+/// The answers of a run, by engine and dialect.
+#[derive(Default)]
+pub(super) struct Answers {
+    words: Words,
+    columns: Vec<Column>,
+    /// The index of the column of an engine and a dialect, by the numbers of their words.
+    numbers: HashMap<(u32, u32), usize>,
+}
+
+/// The answers of an engine in a dialect.
+struct Column {
+    engine: u32,
+    dialect: u32,
+    answers: HashMap<QuestionNumber, Answer>,
+}
+
+/// An answer. Several cases may ask the same; the greatest answer counts, so that what deviates is seen.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Answer {
+    /// It is as the source of the case says.
+    Met,
+    /// No source says what it must be; holds the word of what was recorded.
+    Recorded(u32),
+    /// It is something else, of which a word is held, and the number of the case among those that did not pass.
+    Other(u32, Option<usize>),
+}
+
+/// The data of the answers.
+#[derive(Serialize)]
+pub(super) struct AnswersData {
+    words: Vec<String>,
+    columns: Vec<ColumnData>,
+}
+
+/// The answers of an engine in a dialect, in the order of the questions.
+#[derive(Serialize)]
+struct ColumnData {
+    engine: u32,
+    dialect: u32,
+    /// The questions that were answered as a source says; each number is the distance from the one before.
+    met: Vec<QuestionNumber>,
+    /// The questions with recorded answers, in the same way, and the words of the answers.
+    recorded: (Vec<QuestionNumber>, Vec<u32>),
+    /// The questions with other answers, the words of the answers, and the numbers of the cases.
+    other: (Vec<QuestionNumber>, Vec<u32>, Vec<Option<usize>>),
+}
+
+impl Answers {
+    /// Adds the answer of a case to a question. `number` is that of the case among those that did not pass.
+    pub(super) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
+        let answer = match case.verdict {
+            Verdict::Pass | Verdict::Xpass if case.open => match recorded(case) {
+                Some(recorded) => Answer::Recorded(self.words.number(recorded)),
+                None => return,
+            },
+            Verdict::Pass | Verdict::Xpass => Answer::Met,
+            _ => Answer::Other(self.words.number(&other(&case.got)), number),
+        };
+        let key = (self.words.number(&case.engine), self.words.number(&case.dialect));
+        let next = self.columns.len();
+        let column = *self.numbers.entry(key).or_insert(next);
+        if column == next {
+            self.columns.push(Column {
+                engine: key.0,
+                dialect: key.1,
+                answers: HashMap::new(),
+            });
+        }
+        let known = self.columns[column].answers.entry(question).or_insert(answer);
+        *known = answer.max(*known);
+    }
+
+    /// Returns the data for the page.
+    pub(super) fn into_data(self) -> AnswersData {
+        AnswersData {
+            columns: self.columns.into_iter().map(Column::into_data).collect(),
+            words: self.words.all().to_vec(),
+        }
+    }
+}
+
+impl Column {
+    fn into_data(self) -> ColumnData {
+        let mut answers: Vec<(QuestionNumber, Answer)> = self.answers.into_iter().collect();
+        answers.sort_unstable();
+        let mut data = ColumnData {
+            engine: self.engine,
+            dialect: self.dialect,
+            met: Vec::new(),
+            recorded: (Vec::new(), Vec::new()),
+            other: (Vec::new(), Vec::new(), Vec::new()),
+        };
+        let mut last = [0; 3];
+        let mut distance = |list: usize, question: QuestionNumber| {
+            let distance = question - last[list];
+            last[list] = question;
+            distance
+        };
+        for (question, answer) in answers {
+            match answer {
+                Answer::Met => data.met.push(distance(0, question)),
+                Answer::Recorded(word) => {
+                    data.recorded.0.push(distance(1, question));
+                    data.recorded.1.push(word);
+                }
+                Answer::Other(word, case) => {
+                    data.other.0.push(distance(2, question));
+                    data.other.1.push(word);
+                    data.other.2.push(case);
+                }
+            }
+        }
+        data
+    }
+}
+
+/// Returns what was recorded of a case: the value of a variable, or else whether it was accepted, or the fault.
+fn recorded(case: &CaseEvent) -> Option<&str> {
+    let is_value = |observed: &&Observed| Value::parse(&observed.value).is_ok();
+    let value = case.observations.iter().find(is_value);
+    let observed = value.or_else(|| case.observations.first())?;
+    Some(shortened(&observed.value))
+}
+
+/// Returns what an engine did, in a word or a value.
+fn other(got: &[Fact]) -> String {
+    let diagnostic = got.iter().find_map(Fact::diagnostic);
+    if let Some(diagnostic) = diagnostic {
+        let code = diagnostic.code.as_deref().unwrap_or_default();
+        return format!("rejected {code}").trim_end().to_owned();
+    }
+    match got.first() {
+        Some(Fact::Value { value, .. }) => shortened(&value.to_string()).to_owned(),
+        Some(Fact::Unsupported { .. }) => "unsupported".to_owned(),
+        Some(Fact::Crashed { .. }) => "crashed".to_owned(),
+        Some(fact) => {
+            let text = fact.to_string();
+            let (first, _) = text.split_once([':', '\n']).unwrap_or((&text, ""));
+            shortened(first).to_owned()
+        }
+        None => "nothing".to_owned(),
+    }
+}
+
+fn shortened(text: &str) -> &str {
+    let end = text
+        .char_indices()
+        .nth(MAX_CHARACTERS)
+        .map_or(text.len(), |(end, _)| end);
+    &text[..end]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Answers;
+    use crate::sample;
+    use serde_json::json;
+    use stickler_run::Verdict;
+
+    #[test]
+    fn what_deviates_is_seen_whichever_case_comes_first() {
+        for order in [[Verdict::Pass, Verdict::Fail], [Verdict::Fail, Verdict::Pass]] {
+            let mut answers = Answers::default();
+            for verdict in order {
+                answers.take(&sample::case("a::p(1)", verdict), 7, Some(3));
+            }
+            answers.take(&sample::case("a::p(2)", Verdict::Pass), 9, None);
+            answers.take(&sample::open_case("a::p(3)"), 12, None);
+            let data = serde_json::to_value(answers.into_data()).expect("JSON");
+            let column = &data["columns"][0];
+            let word = |text: &str| {
+                data["words"]
+                    .as_array()
+                    .expect("words")
+                    .iter()
+                    .position(|word| word == text)
+            };
+            assert_eq!(column["met"], json!([9]));
+            assert_eq!(column["other"], json!([[7], [word("INT#128")], [3]]));
+            assert_eq!(column["recorded"], json!([[12], [word("INT#3")]]));
+        }
+    }
+}

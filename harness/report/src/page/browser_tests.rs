@@ -1,0 +1,264 @@
+//! Tests of the page in a browser: its parts are opened by their addresses, and what the scripts built is read.
+//!
+//! They need a Chromium: the one that `STICKLER_CHROMIUM` names, or `chromium`, `chromium-browser` or `google-chrome` on the path. Where there is
+//! none, they say so and check nothing. The browser prints the document and ends, so no driver is needed: every part of the page has
+//! an address, which is what a click leads to.
+
+use super::Page;
+use crate::groups::Groups;
+use crate::{Overview, sample};
+use std::env;
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::Arc;
+use stickler_conversions::overview::{Statement, Statements, StatementsBuilder, part_of_program};
+use stickler_run::{CaseEvent, Event, Verdict};
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
+
+/// The variable that names a browser.
+const VARIABLE: &str = "STICKLER_CHROMIUM";
+
+/// The names under which the browser is installed.
+const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// Options with which it needs neither a screen nor the network, and prints what a script complains about.
+const OPTIONS: [&str; 12] = [
+    "--headless",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--disable-quic",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--host-resolver-rules=MAP * ~NOTFOUND",
+    "--enable-logging=stderr",
+    "--timeout=60000",
+    "--virtual-time-budget=5000",
+];
+
+/// Returns a browser; prints why the tests are skipped where there is none.
+fn browser() -> Option<PathBuf> {
+    let named = env::var_os(VARIABLE).map(PathBuf::from);
+    let paths = env::var_os("PATH").unwrap_or_default();
+    let installed = || {
+        let files = env::split_paths(&paths).flat_map(|folder| NAMES.map(|name| folder.join(name)));
+        files.into_iter().find(|file| file.is_file())
+    };
+    let found = named.or_else(installed);
+    if found.is_none() {
+        // Not `eprintln`, which nobody sees when the test passes.
+        let _ = writeln!(
+            std::io::stderr(),
+            "skipped: no Chromium is installed to open index.html with; {VARIABLE} names one"
+        );
+    }
+    found
+}
+
+/// Runs the browser on an address of the page; returns what it prints. Fails where a script complains.
+fn open(browser: &Path, page: &Path, address: &str, option: &str) -> String {
+    let profile = tempfile::tempdir().expect("a temporary folder");
+    let output = Command::new(browser)
+        .args(OPTIONS)
+        .arg(format!("--user-data-dir={}", profile.path().display()))
+        .arg(option)
+        .arg(format!("file://{}{address}", page.display()))
+        .output()
+        .expect("a browser that starts");
+    let complaints = String::from_utf8_lossy(&output.stderr);
+    let complaints: Vec<&str> = complaints
+        .lines()
+        .filter(|line| line.contains("CONSOLE"))
+        .collect();
+    assert!(complaints.is_empty(), "{address}: {complaints:?}");
+    assert!(output.status.success(), "{address}: {}", output.status);
+    String::from_utf8(output.stdout).expect("a document in UTF-8")
+}
+
+const CALL: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+
+const BIT: &str = "PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM\n";
+
+fn statements() -> Statements {
+    let mut builder = StatementsBuilder::new(vec![DialectName::IronplcEd2, DialectName::Plcnext]);
+    let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
+    let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
+    let implicit = Statement {
+        dialect: DialectName::IronplcEd2,
+        word,
+        basis: "ironplc-type-conversions: Integer widening",
+        case: &pair,
+    };
+    builder.add_implicit(ElementaryType::Int, ElementaryType::Sint, &implicit);
+    let (bit, word) = statement("widening/b::write(BYTE,8)");
+    let part = part_of_program(BIT).expect("an access");
+    builder.add_part(
+        &part,
+        &Statement {
+            word,
+            case: &bit,
+            ..implicit
+        },
+    );
+    builder.add_program(&Arc::from("widening/c::variable(REAL,INT,2.25)"), CALL);
+    builder.finish()
+}
+
+/// Writes the page of a run with an engine that fails in each part.
+fn write(folder: &Path) -> PathBuf {
+    let path = folder.join("index.html");
+    let failed = |id: &str, program: &str, got| CaseEvent {
+        got: vec![got],
+        program: Some(program.to_owned()),
+        ..sample::case(id, Verdict::Fail)
+    };
+    let evil = "PROGRAM evil (* </script><img src=x> *) END_PROGRAM";
+    let mut events = sample::with_sources(sample::run_of(vec![
+        failed(
+            "w::assignment(INT,SINT,1)",
+            "PROGRAM w END_PROGRAM",
+            stickler_run::Fact::Accepted,
+        ),
+        failed("c::variable(REAL,INT,2.25)", CALL, sample::value("into", "INT#3")),
+        failed(
+            "evil::p(1)",
+            evil,
+            sample::told(3, "P4035", "no <b>bold</b> value"),
+        ),
+        sample::case("b::write(BYTE,8)", Verdict::Pass),
+    ]));
+    let footer = events.pop().expect("a footer");
+    events.push(Event::Cause(sample::cause(
+        "`into := data` gives 3",
+        7,
+        Verdict::Fail,
+    )));
+    events.push(footer);
+    let mut page = Page::create(path.clone(), statements()).expect("a file");
+    let (mut groups, mut overview) = (Groups::default(), Overview::default());
+    for event in &events {
+        let group = match event {
+            Event::Case(case) => Some(groups.number(case).0),
+            _ => None,
+        };
+        page.take(event, group);
+        overview.take(event);
+    }
+    page.finish(&overview, &groups).expect("finished");
+    path
+}
+
+/// Asserts that every field of a document has a label, which a screen reader reads.
+fn assert_labelled(document: &str) {
+    for field in ["<select", "<input"] {
+        for (at, _) in document.match_indices(field) {
+            let before = &document[..at];
+            assert!(
+                before.rfind("<label") > before.rfind("</label>"),
+                "{}",
+                &document[at..at + 60]
+            );
+        }
+    }
+}
+
+#[test]
+fn every_part_of_the_page_opens_by_its_address() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let page = write(folder.path());
+    let dom = |address: &str| {
+        let document = open(&browser, &page, address, "--dump-dom");
+        // The data and the scripts are no part of what is seen.
+        let (seen, _) = document.split_once("<script type").expect("a document");
+        assert_labelled(seen);
+        seen.to_owned()
+    };
+
+    let first = dom("");
+    assert!(first.contains("What does a conversion do?"), "{first}");
+    assert!(
+        first.contains("REAL_TO_INT(REAL) : INT") && first.contains("3 fail"),
+        "{first}"
+    );
+
+    let found = dom("#REAL_TO_INT?value=2.25");
+    let (_, row) = found
+        .split_once("class=\"wanted\"")
+        .expect("the row of the value");
+    let (row, _) = row.split_once("</tr>").expect("its end");
+    assert!(
+        row.contains("2.25") && row.contains("✗ 3") && row.contains("#case?"),
+        "{row}"
+    );
+
+    let matrix = dom("#matrix");
+    let cell = "#convert?from=INT&amp;to=SINT";
+    assert!(
+        matrix.contains(cell) && matrix.contains("reference: yes"),
+        "{matrix}"
+    );
+    let pair = dom(&cell.replace("&amp;", "&"));
+    assert!(
+        pair.contains("Does INT become SINT without a function?") && pair.contains("✗ yes"),
+        "{pair}"
+    );
+
+    let bits = dom("#bits?type=BYTE");
+    assert!(
+        bits.contains("BYTE has bits 0 to 7") && bits.contains("BYTE: variable.8 in ironplc-ed2: no"),
+        "{bits}"
+    );
+
+    let claims = dom("#claims?source=ironplc-type-conversions");
+    assert!(
+        claims.contains("href=\"https://example.org/Integer widening#integer-widening\""),
+        "{claims}"
+    );
+
+    let cases = dom("#cases?verdict=fail&code=P4035&q=evil");
+    assert!(
+        cases.contains("1 of 3 cases") && cases.contains("widening/evil::p(1)@ironplc-ed2"),
+        "{cases}"
+    );
+    let case = dom("#case?engine=reference&dialect=ironplc-ed2&id=widening%2Fevil%3A%3Ap(1)");
+    assert!(
+        case.contains("&lt;/script&gt;&lt;img src=x&gt;")
+            && case.contains("no &lt;b&gt;bold&lt;/b&gt; value"),
+        "{case}"
+    );
+    assert!(
+        case.contains("--filter 'widening/evil::p(1)@ironplc-ed2'"),
+        "{case}"
+    );
+
+    let causes = dom("#causes?number=1");
+    assert!(
+        causes.contains("Copy text of a report") && causes.contains("PROGRAM m END_PROGRAM"),
+        "{causes}"
+    );
+
+    let unknown = dom("#REAL_TO_NOTHING");
+    assert!(
+        unknown.contains("No case of this run calls a function REAL_TO_NOTHING"),
+        "{unknown}"
+    );
+}
+
+#[test]
+fn the_page_can_be_printed() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let page = write(folder.path());
+    let printed = folder.path().join("printed.pdf");
+    open(
+        &browser,
+        &page,
+        "#claims",
+        &format!("--print-to-pdf={}", printed.display()),
+    );
+    assert!(fs::read(&printed).expect("a printed page").starts_with(b"%PDF"));
+}

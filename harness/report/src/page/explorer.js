@@ -1,0 +1,234 @@
+// The explorer: what becomes of a value when its type changes, by documents and on engines.
+
+/** Shows the conversions of a pair of types, or one function by its name. */
+function showExplorer(main, query, view) {
+  const data = conversions();
+  add(main, el("h2", {}, "What does a conversion do?"));
+  if (data === null || data.types.length === 0) {
+    add(main, el("p.notice", {}, "The page has no conversion to show: no case of this run makes one by itself, or the cases were not at hand. A whole run has all: ",
+      el("code", {}, "stickler run"), "."));
+    return;
+  }
+  const named = data.byName.get(view.toUpperCase());
+  const value = query.get("value") || "";
+  const from = named ? query.get("from") || named[0].operands[0] : query.get("from") || startPair(data)[0];
+  const to = named ? (named.find((one) => one.operands[0] === from) || named[0]).result : query.get("to") || startPair(data)[1];
+  add(main, explorerForm(data, { from, to, value, name: named ? named[0].name : "" }));
+  if (named) {
+    showFunction(main, named, from, value);
+  } else if (view !== "" && view !== "convert" && view !== "explorer") {
+    add(main, el("p.notice", {}, `No case of this run calls a function ${view}.`));
+  }
+  if (!named) showPair(main, data, from, to, value);
+  main.querySelector("tr.wanted")?.scrollIntoView({ block: "center" });
+}
+
+/** Returns the pair of types that is shown first. */
+function startPair(data) {
+  return data.byName.has("REAL_TO_INT") ? ["REAL", "INT"]
+    : data.functions.length > 0 ? [data.functions[0].operands[0], data.functions[0].result]
+      : [...data.pairs.keys()][0].split(" ");
+}
+
+/** Returns the choice of types and the search field. */
+function explorerForm(data, { from, to, value, name }) {
+  const go = (choices) => { location.hash = addressOf("convert", { from, to, value, ...choices }); };
+  const types = (label, chosen, change) => el("label", {}, label, el("select", { change: (event) => change(event.target.value) },
+    data.types.map((type) => el("option", { selected: type === chosen }, type))));
+  const search = el("input", { type: "search", list: "functions", size: 34, placeholder: "REAL_TO_INT 2.5", "aria-describedby": "search-help",
+    value: [name, value].filter((part) => part !== "").join(" ") });
+  return el("form.filters", { role: "search", submit: (event) => {
+    event.preventDefault();
+    location.hash = wantedAddress(data, search.value, from, to);
+  } },
+  types("from", from, (chosen) => go({ from: chosen })), types("to", to, (chosen) => go({ to: chosen })),
+  el("button", { type: "button", "aria-label": "exchange the types", click: () => go({ from: to, to: from }) }, "⇄"),
+  el("label", {}, "function, types or value", search),
+  el("datalist", { id: "functions" }, [...data.byName.keys()].sort().map((word) => el("option", { value: word }))),
+  el("button", { type: "submit" }, "Show"),
+  el("span.dim", { id: "search-help" }, "such as ", el("code", {}, "REAL_TO_INT 2.5"), ", ", el("code", {}, "UDINT TIME"), " or ", el("code", {}, "3E9")));
+}
+
+/** Returns the address for what was typed: a function, two types, a value, or several of these. */
+function wantedAddress(data, text, from, to) {
+  const words = text.trim().split(/[\s(),]+/).filter((word) => word !== "" && word.toLowerCase() !== "to");
+  const name = words.find((word) => data.byName.has(word.toUpperCase()));
+  const types = words.filter((word) => data.types.includes(word.toUpperCase())).map((word) => word.toUpperCase());
+  const value = words.filter((word) => word !== name && !data.types.includes(word.toUpperCase())).join(" ");
+  if (name !== undefined) return addressOf(name.toUpperCase(), { from: types[0] || "", value });
+  if (types.length > 1) return addressOf("convert", { from: types[0], to: types[1], value });
+  if (/^[A-Za-z]+_/.test(value)) return addressOf(value, {});
+  return addressOf("convert", { from: types[0] || from, to, value });
+}
+
+/** Shows whether a type becomes another implicitly, and the functions that convert it. */
+function showPair(main, data, from, to, value) {
+  add(main, el("h3", {}, `Does ${from} become ${to} without a function?`), implicitTable(data, from, to));
+  const functions = data.functions.filter((one) => one.operands.length === 1 && one.operands[0] === from && one.result === to);
+  functions.sort((one, other) => Number(other.name === `${from}_TO_${to}`) - Number(one.name === `${from}_TO_${to}`) || one.calls < other.calls);
+  if (functions.length === 0) {
+    add(main, el("p", {}, `No function of this run's cases makes ${to} of ${from}.`));
+  }
+  functions.forEach((one, index) => {
+    if (index === 0) add(main, functionView(one, value));
+    else add(main, opening(`${one.name}(${from}) : ${to}`, () => functionView(one, value), false));
+  });
+}
+
+/** Shows a function, and a choice among the types that it takes. */
+function showFunction(main, named, from, value) {
+  const shown = named.find((one) => one.operands[0] === from) || named[0];
+  if (named.length > 1) {
+    add(main, el("p", {}, `${shown.name} takes several types: `, named.map((one) => [
+      el("a", { href: addressOf(one.name, { from: one.operands[0], value }), "aria-current": one === shown ? "true" : null }, one.operands.join(", ")), " "])));
+  }
+  add(main, functionView(shown, value), el("p", {}, link(addressOf("convert", { from: shown.operands[0], to: shown.result }),
+    `Does ${shown.operands[0]} become ${shown.result} without a function?`)));
+}
+
+/** The words of the documents' matrix, with a mark that does not depend on colours. */
+const IMPLICIT = {
+  yes: { mark: "✓", text: "yes", tag: "pass" }, "=": { mark: "=", text: "same type", tag: "pass" },
+  no: { mark: "✕", text: "no", tag: "no" }, open: { mark: "?", text: "open", tag: "open" },
+};
+
+/**
+ * Returns what an engine does with a pair of types, where it departs from the documents or these are silent.
+ * @returns {{text: string, contradicts: boolean}|null} null where it does as they say
+ */
+function implicitAnswer(answer, word) {
+  if (answer === undefined || answer.state === "met") return null;
+  if (answer.state === "recorded") {
+    // Where a value is open, the program is accepted all the same.
+    const text = answer.text === "rejected" ? "no" : "yes";
+    return text === word || word === "=" ? null : { text, contradicts: false };
+  }
+  if (["unsupported", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, contradicts: answer.text === "crashed" };
+  if (answer.text.startsWith("rejected")) return { text: word === "no" ? `no, ${answer.text}` : "no", contradicts: true };
+  return { text: word === "no" ? "yes" : `yes, but ${bare(answer.text)}`, contradicts: true };
+}
+
+/** Returns the table of a pair: a row for each dialect, a column for the documents and one for each engine. */
+function implicitTable(data, from, to) {
+  const pair = data.pairs.get(`${from} ${to}`);
+  if (pair === undefined) return el("p", {}, from === to ? "It is the same type." : "No case of this run asks.");
+  const rows = data.statements.dialects.map((dialect, index) => {
+    const stated = pair.stated[index];
+    const word = stated === null ? null : stated[0];
+    const basis = stated === null ? "" : data.statements.words[stated[1]];
+    return [el("code", {}, dialect),
+      stated === null ? el("span.dim", {}, "no case asks") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
+      ...engineNames().map((engine) => {
+        const column = data.columns.find((one) => one.engine === engine && one.dialect === dialect);
+        const answer = column === undefined ? undefined : answerOf(column, pair.number);
+        if (answer === undefined) return el("span.dim", {}, "–");
+        const departs = implicitAnswer(answer, word);
+        if (departs === null) return el("span.tag.pass", {}, "✓ as said");
+        return answerTag(departs.text, departs.contradicts, answer.number);
+      })];
+  });
+  return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, ["dialect", "documents", ...engineNames()], rows),
+    el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")));
+}
+
+/** Returns the tag of an engine's answer, which leads to its case where it contradicts a source. */
+function answerTag(text, contradicts, number) {
+  const tag = el(`span.tag.${contradicts ? "fail" : "open"}`, {}, contradicts ? `✗ ${text}` : text);
+  if (number === null || number === undefined) return tag;
+  const of = caseAt(number);
+  if (of.verdict === "differs" || of.verdict === "unsupported") tag.className = `tag ${of.verdict}`;
+  return link(addressOf("case", { engine: of.engine, dialect: of.dialect, id: of.id }), tag);
+}
+
+/** Returns everything about a function: its plot and the table of its values. */
+function functionView(one, value) {
+  const rows = Array.from({ length: one.calls }, (_, index) => ({ ...statedOf(one, index), question: one.first + index, isBoundary: index < one.boundaries }));
+  rows.sort((left, right) => compareLiterals(left.operands[0], right.operands[0]));
+  const columns = columnsOf(one, rows);
+  const wanted = value === "" ? null : rows.find((row) => row.operands.length === 1 && isSame(row.operands[0], value));
+  const command = `stickler conversions ${one.name} ${value === "" ? "" : `'${value}'`}`.trim();
+  const title = `${one.name}(${one.operands.join(", ")}) : ${one.result}`;
+  return el("section", { "aria-label": title },
+    el("h3", {}, link(addressOf(one.name, { from: one.operands[0] }), title)),
+    value !== "" && wanted === undefined ? el("p.notice", {}, `The page does not hold ${value} for it. `, el("code", {}, command), " ", copyButton("command", command)) : null,
+    plotOf(one, rows, columns),
+    valueTable(title, one, rows, columns, wanted));
+}
+
+/** Returns whether a row is shown without being asked for: a boundary value, what was looked for, or where an engine contradicts a source. */
+function isShownFirst(row, index, columns, wanted) {
+  return row.isBoundary || row === wanted || columns.some((column) => column.cells[index].state === "other");
+}
+
+/** Returns whether a literal has this value. */
+function isSame(literal, value) {
+  if (literal === value || bare(literal) === value) return true;
+  const [left, right] = [numberOf(literal), numberOf(value)];
+  return left === right && Object.is(left, right);
+}
+
+/**
+ * Returns the columns of a function: the documents by dialect, and each engine by dialect. Columns of one origin with the same cells are
+ * one. A recording of a product is a column like the others.
+ * @returns {Array<{origin: string, dialects: string[], cells: Array}>}
+ */
+function columnsOf(one, rows) {
+  const data = conversions();
+  const columns = one.dialects.map((dialect, index) => ({ origin: "documents", dialects: [data.statements.dialects[dialect]],
+    cells: rows.map((row) => (row.stated[index] === null ? { state: "open", text: "" } : { state: "stated", text: row.stated[index].value, basis: row.stated[index].basis })) }));
+  for (const engine of engineNames()) {
+    for (const [index, dialect] of one.dialects.entries()) {
+      const name = data.statements.dialects[dialect];
+      const column = data.columns.find((known) => known.engine === engine && known.dialect === name);
+      if (column === undefined) continue;
+      columns.push({ origin: engine, dialects: [name], cells: rows.map((row) => {
+        const answer = answerOf(column, row.question);
+        if (answer === undefined) return { state: "none", text: "" };
+        const stated = row.stated[index];
+        return { ...answer, text: answer.state === "met" && stated !== null ? stated.value : answer.text };
+      }) });
+    }
+  }
+  const joined = [];
+  for (const column of columns) {
+    if (column.origin !== "documents" && column.cells.every((cell) => cell.state === "none")) continue;
+    const key = JSON.stringify([column.origin, column.cells.map((cell) => [cell.state, cell.text, cell.basis])]);
+    const alike = joined.find((known) => known.key === key);
+    if (alike === undefined) joined.push({ ...column, key });
+    else alike.dialects.push(...column.dialects);
+  }
+  return joined;
+}
+
+/** Returns the table of a function's values. */
+function valueTable(title, one, rows, columns, wanted) {
+  const notes = new Map();
+  const note = (basis) => {
+    if (!notes.has(basis)) notes.set(basis, String.fromCharCode(97 + notes.size % 26).repeat(1 + Math.floor(notes.size / 26)));
+    return notes.get(basis);
+  };
+  const cell = (known) => {
+    if (known.state === "stated") return el("td.number", { title: known.basis }, bare(known.text), " ", el("sup", {}, note(known.basis)));
+    if (known.state === "open") return el("td.number.dim", { title: "no document says what must come" }, "open");
+    if (known.state === "none") return el("td.number.dim", { title: "no case of this run asks" }, "·");
+    if (known.state === "met") return el("td.number", { title: "as its source says" }, known.text === "" ? "" : `${bare(known.text)} `, el("span.tag.pass", {}, "✓"));
+    if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
+    return el("td.number", {}, answerTag(bare(known.text), true, known.number));
+  };
+  const head = columns.map((column) => el("th.number", { scope: "col" }, column.origin, column.dialects.map((dialect) => el("div.dim", {}, dialect))));
+  const line = (row) => el(`tr${row === wanted ? ".wanted" : ""}`, {},
+    el("th.number", { scope: "row" }, row.operands.map(bare).join(", ")), columns.map((column) => cell(column.cells[rows.indexOf(row)])));
+  const first = rows.filter((row, index) => isShownFirst(row, index, columns, wanted));
+  const body = el("tbody", {}, first.map(line));
+  const all = el("button", { type: "button", click: () => {
+    body.replaceChildren(...rows.map(line));
+    all.remove();
+  } }, `Show all ${grouped(rows.length)} values`);
+  return el("div", {},
+    el("div.scroll", { tabindex: "0", role: "region", "aria-label": title },
+      el("table.values", {}, el("caption", {}, "What comes of these values"),
+        el("thead", {}, el("tr", {}, el("th.number", { scope: "col" }, one.operands.join(", ")), head)), body)),
+    first.length < rows.length ? all : null,
+    el("ul.notes", {}, [...notes].map(([basis, letter]) => el("li", {}, el("sup", {}, letter), " ", basisLink(basis)))),
+    el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; open: no document says what must come; ·: no case of this run asks."));
+}

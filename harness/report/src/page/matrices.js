@@ -1,0 +1,68 @@
+// Matrices: which types become which without a function, by documents, with what engines do otherwise.
+
+/** Shows the matrix of each dialect, or of one. */
+function showMatrices(main, query) {
+  const data = conversions();
+  add(main, el("h2", {}, "Implicit conversion"));
+  if (data === null || data.pairs.size === 0) {
+    add(main, el("p.notice", {}, "No case of this run asks whether a type becomes another without a function."));
+    return;
+  }
+  const dialect = query.get("dialect") || "";
+  add(main, el("div.filters", {}, choice("dialect", data.statements.dialects, dialect, (chosen) => { location.hash = addressOf("matrix", { dialect: chosen }); })),
+    el("p.dim", {}, "A row is the type of the value, a column the type of the target: ✓ yes, ✕ no, = the same type, ? no document decides, blank: no case of this run asks. ",
+      "After it the engines that do otherwise, or what they do where it is open. A cell leads to its values and cases."));
+  const types = typesInOrder(new Set([...data.pairs.keys()].flatMap((key) => key.split(" "))));
+  data.statements.dialects.forEach((name, index) => {
+    if (dialect === "" || dialect === name) add(main, matrixOf(data, types, name, index));
+  });
+}
+
+/** Returns the grid of a dialect. */
+function matrixOf(data, types, dialect, index) {
+  const columns = data.columns.filter((column) => column.dialect === dialect);
+  const said = types.filter((type) => types.some((other) => [`${type} ${other}`, `${other} ${type}`].some((key) => data.pairs.get(key)?.stated[index])));
+  const letters = engineLetters();
+  const cell = (from, to) => {
+    const pair = data.pairs.get(`${from} ${to}`);
+    return pair === undefined ? el("td", {})
+      : statedCell(data, columns, pair.stated[index], pair.number, `${from} to ${to}`, addressOf("convert", { from, to }));
+  };
+  return el("section", { "aria-label": dialect }, el("h3", {}, dialect),
+    el("div.scroll", { tabindex: "0", role: "region", "aria-label": `Matrix of ${dialect}` }, el("table.matrix", {},
+      el("caption", {}, columns.length > 1 ? `Engines: ${columns.map((column) => `${letters.get(column.engine)} ${column.engine}`).join(", ")}`
+        : columns.length === 1 ? `Engine: ${columns[0].engine}` : "No engine of the run has this dialect"),
+      el("thead", {}, el("tr", {}, el("td", {}), said.map((type) => el("th", { scope: "col" }, el("span", {}, type))))),
+      el("tbody", {}, said.map((from) => el("tr", {}, el("th", { scope: "row" }, from), said.map((to) => cell(from, to))))))));
+}
+
+/**
+ * Returns the cell of a statement: the word of the documents, and the engines that do otherwise.
+ * @param {Array} columns the answers of the engines that speak the dialect
+ * @param {[string, number]|null} stated the word and its basis
+ * @param {number} question of which the engines' answers are
+ * @param {string} about what the cell is about
+ * @param {string} address where the cell leads
+ */
+function statedCell(data, columns, stated, question, about, address) {
+  if (stated === null) return el("td", {});
+  const letters = engineLetters();
+  const departing = columns.map((column) => [column, implicitAnswer(answerOf(column, question), stated[0])]).filter(([, answer]) => answer !== null);
+  const contradicts = departing.some(([, answer]) => answer.contradicts);
+  const words = departing.map(([column, answer]) => `${column.engine}: ${answer.text}`);
+  const label = `${about}: ${[IMPLICIT[stated[0]].text, ...words].join("; ")} (${data.statements.words[stated[1]]})`;
+  return el(`td.${IMPLICIT[stated[0]].tag}${contradicts ? ".contradicts" : ""}`, {}, el("a", { href: address, title: label, "aria-label": label },
+    IMPLICIT[stated[0]].mark, departing.map(([column, answer]) => el(answer.contradicts ? "b" : "span", {},
+      `${columns.length > 1 ? letters.get(column.engine) : ""}${answer.contradicts ? "✗" : answer.text.startsWith("yes") ? "✓" : "✕"}`))));
+}
+
+/** Returns a letter or two for each engine, by which a cell names it. */
+function engineLetters() {
+  const letters = new Map();
+  for (const name of engineNames()) {
+    let length = 1;
+    while ([...letters.values()].includes(name.slice(0, length).toUpperCase()) && length < name.length) length++;
+    letters.set(name, name.slice(0, length).toUpperCase());
+  }
+  return letters;
+}
