@@ -15,7 +15,8 @@ const MAX_KIND_LEN: usize = 40;
 pub struct Finding {
     /// [`FORMAT`]. Keys may be added under the same number.
     pub format: u32,
-    /// The name of the finding and of its folder: the subject, the symptom, and a fingerprint of [`Finding::rule`].
+    /// The name of the finding and of its folder: the subject, the symptom, and a fingerprint of [`Finding::cause`], or of
+    /// [`Finding::rule`] where that is unknown.
     pub id: String,
     /// The version of Stickler that found it.
     pub stickler: String,
@@ -27,6 +28,9 @@ pub struct Finding {
     pub symptom: String,
     /// The parts of the language that the reduced program uses: functions, operators, kinds of statements. Sorted.
     pub rule: Vec<String>,
+    /// The cause, as far as the reduced program tells it; `None` where the input is no program, or the finding is flaky.
+    #[serde(default)]
+    pub cause: Option<FindingCause>,
     /// The dialect of the program, where the input is one.
     pub dialect: Option<String>,
     /// Whether the disagreement was seen again.
@@ -52,6 +56,29 @@ pub struct Finding {
     /// The bytes that the target judges, as small as they could be made; in a file of its own.
     #[serde(skip)]
     pub input: Vec<u8>,
+}
+
+/// The cause of a finding. Two findings of an engine with the same symptom and the same constructs are one.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+pub struct FindingCause {
+    /// The cause in one line.
+    pub title: String,
+    /// The behaviour of the engine, as the causes of a run have it: `rejected P4017`, `value`.
+    pub symptom: String,
+    /// The constructs that the program needs to show it. Sorted.
+    pub constructs: Vec<String>,
+    /// The properties of the values and types of the program, of which the cause may need some. Sorted.
+    pub labels: Vec<String>,
+}
+
+impl FindingCause {
+    /// Returns whether a cause that a run of the suite found, by its symptom and its constructs, explains this one: it is of the
+    /// same symptom, and all that it needs is there.
+    #[must_use]
+    pub fn is_explained_by(&self, symptom: &str, construct: &str) -> bool {
+        let has = |need: &str| self.constructs.iter().chain(&self.labels).any(|own| own == need);
+        self.symptom == symptom && construct.split(", ").all(|need| need.is_empty() || has(need))
+    }
 }
 
 /// An engine that was asked.
@@ -151,8 +178,16 @@ impl Finding {
         let who = self.subject().to_owned();
         let mut print = Fnv1a::default();
         print.write_part(&self.target);
-        self.rule.iter().for_each(|part| print.write_part(part));
-        print.write_part(self.kind());
+        match &self.cause {
+            Some(cause) => {
+                cause.constructs.iter().for_each(|part| print.write_part(part));
+                print.write_part(&cause.symptom);
+            }
+            None => {
+                self.rule.iter().for_each(|part| print.write_part(part));
+                print.write_part(self.kind());
+            }
+        }
         let kind: String = self.kind().chars().take(MAX_KIND_LEN).collect();
         self.id = format!("{}-{:08x}", file_name(&format!("{who}-{kind}")), print.folded());
         self.fingerprint = fingerprint(self.program.as_deref(), &self.input);
@@ -168,13 +203,20 @@ impl Finding {
     /// Returns whether this finding is probably the same as another: the same is wrong with more of the language around it.
     #[must_use]
     pub fn is_like(&self, simpler: &Finding) -> bool {
+        let is_contained = |simpler: &[String], own: &[String]| {
+            !simpler.is_empty() && simpler.len() < own.len() && simpler.iter().all(|part| own.contains(part))
+        };
+        let needs_more = match (&self.cause, &simpler.cause) {
+            (Some(own), Some(simpler)) => {
+                own.symptom == simpler.symptom && is_contained(&simpler.constructs, &own.constructs)
+            }
+            _ => false,
+        };
         self.id != simpler.id
             && self.subject() == simpler.subject()
             && self.target == simpler.target
             && self.kind() == simpler.kind()
-            && !simpler.rule.is_empty()
-            && simpler.rule.len() < self.rule.len()
-            && simpler.rule.iter().all(|part| self.rule.contains(part))
+            && (needs_more || is_contained(&simpler.rule, &self.rule))
     }
 
     /// Returns the name of the engine that disagrees, or of the target where that asks the reference alone.
@@ -288,6 +330,30 @@ mod tests {
         assert_eq!(one.id, other.id);
         assert_ne!(one.id, sample::finding("a", "crash", &["FOR"], 9).id);
         assert_ne!(one.id, sample::finding("b", "crash", &["FOR", "MOD"], 9).id);
+    }
+
+    #[test]
+    fn a_finding_is_named_by_its_cause_where_that_is_known() {
+        let with = |rule: &[&str], constructs: &[&str]| {
+            let cause = FindingCause {
+                title: "CONSTANT".to_owned(),
+                symptom: "rejected".to_owned(),
+                constructs: constructs.iter().map(|&part| part.to_owned()).collect(),
+                labels: vec!["LREAL".to_owned()],
+            };
+            let finding = sample::finding("a", "rejected", rule, 9);
+            let cause = Some(cause);
+            Finding { cause, ..finding }.named()
+        };
+        let (one, other) = (with(&["FOR"], &["call"]), with(&["MOD"], &["call"]));
+        assert_eq!(one.id, other.id);
+        let more = with(&["FOR"], &["call", "result"]);
+        assert_ne!(one.id, more.id);
+        assert!(more.is_like(&one) && !one.is_like(&more));
+        let cause = one.cause.unwrap();
+        assert!(cause.is_explained_by("rejected", "call, LREAL") && cause.is_explained_by("rejected", ""));
+        assert!(!cause.is_explained_by("rejected", "call, result"));
+        assert!(!cause.is_explained_by("value", "call"));
     }
 
     #[test]

@@ -161,8 +161,8 @@ impl<'c> Clock<'c> {
         !self.before(self.reserve)
     }
 
-    /// Returns whether mismatches are reduced that are probably known.
-    fn reduces_known(&self) -> bool {
+    /// Returns whether the time of the campaign is not up.
+    fn has_time(&self) -> bool {
         self.before(self.end)
     }
 
@@ -258,20 +258,26 @@ impl<B: Iterator<Item = (usize, Vec<u64>)>> Campaign<'_, '_, B> {
         Some(batch)
     }
 
-    /// Returns the next mismatch to reduce: one that no finding explains before one that is probably known, and small inputs
-    /// before large ones. Once the time is up, what is probably known is left.
+    /// Returns the next mismatch to reduce: one that no finding explains before one that is probably known, a symptom of which
+    /// few were reduced before others, and small inputs before large ones. Once the time is up, only the first of each symptom is
+    /// still made a finding, as it is; the others are left.
     fn next_reduction(&mut self) -> Option<Mismatch> {
         let ledger = &self.ledger;
-        let is_known = |mismatch: &Mismatch| ledger.explains(mismatch);
+        let rank = |mismatch: &Mismatch| {
+            let reduced = ledger.reduced(mismatch);
+            (ledger.explains(mismatch), reduced, mismatch.size, mismatch.place)
+        };
         let waiting = self.reductions.iter().enumerate();
-        let next = waiting.min_by_key(|(_, mismatch)| (is_known(mismatch), mismatch.size, mismatch.place));
-        let (place, mismatch) = next?;
-        if is_known(mismatch) && !self.clock.reduces_known() {
-            // All others are known too.
+        let (place, mismatch) = waiting.min_by_key(|(_, mismatch)| rank(mismatch))?;
+        let is_first = !ledger.explains(mismatch) && ledger.reduced(mismatch) == 0;
+        if !is_first && !self.clock.has_time() {
+            // So are all others.
             self.ledger.leave(self.reductions.drain(..).count());
             return None;
         }
-        Some(self.reductions.swap_remove(place))
+        let mismatch = self.reductions.swap_remove(place);
+        self.ledger.reduces(&mismatch);
+        Some(mismatch)
     }
 
     /// Ends the campaign where an engine can no longer be used.

@@ -18,6 +18,7 @@ pub(crate) fn finding(engine: &str, symptom: &str, rule: &[&str], lines: u64) ->
         }),
         symptom: symptom.to_owned(),
         rule: rule.iter().map(|&part| part.to_owned()).collect(),
+        cause: None,
         dialect: Some("ironplc-ed3".to_owned()),
         standing: Confirmation::Confirmed,
         origin: FindingOrigin {

@@ -8,6 +8,9 @@
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, [`find()`] |
 //! | the claim of a case is shown with a program of which it still speaks | `claim` |
 //!
+//! [`CauseKey`] says of one small program which cause it shows, without asking the engine: a fuzz campaign tells its findings
+//! apart by it, and from what a run has shown.
+//!
 //! A *shape* is a program in which names, types and literals of one kind are equal. The reference says of each smaller
 //! program what must happen; where values are compared, only those count that the case itself asserts and that stay what
 //! its document says.
@@ -22,6 +25,7 @@ mod essence;
 mod failed;
 mod features;
 mod find;
+mod key;
 mod names;
 mod normal;
 mod operands;
@@ -37,3 +41,4 @@ mod twins;
 
 pub use failed::FailedCases;
 pub use find::{CauseProgress, Limits, Search, find};
+pub use key::CauseKey;

@@ -7,9 +7,11 @@ use super::evaluated::EvaluatedProgram;
 use super::worker::DifferentialWorker;
 use crate::basis::basis;
 use crate::finding::{
-    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingOrigin, ObservedValue,
+    Confirmation, EngineReport, ExpectedBehavior, FORMAT, Finding, FindingCause, FindingOrigin, ObservedValue,
 };
 use crate::oracle::Mismatch;
+use stickler_causes::CauseKey;
+use stickler_engines::Outcome;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::reduce::{self, CandidateJudge, Interestingness, ReductionBudget, StopReason};
@@ -53,6 +55,7 @@ impl DifferentialWorker<'_> {
             index,
             symptom: &mismatch.symptom,
             opened,
+            going,
         };
         let reduced = reduce::program_in_packs(&start, &mut judge, &budget);
         let again = judge.shows(std::slice::from_ref(&reduced.value));
@@ -104,10 +107,10 @@ impl DifferentialWorker<'_> {
         let rule = stickler_generate::features::distinctive(&program);
         let basis = basis(&program);
         let dialect = program.dialect;
-        let (text, expected, outcomes, message) = match EvaluatedProgram::new(program) {
+        let (text, expected, seen) = match EvaluatedProgram::new(program) {
             Ok(subject) => {
-                let (outcomes, message) = self.outcomes(index, mismatch, &subject);
-                (subject.text.clone(), expected(&subject, basis), outcomes, message)
+                let seen = self.outcomes(index, mismatch, &subject);
+                (subject.text.clone(), expected(&subject, basis), seen)
             }
             // What was evaluated before can be evaluated again; if not, the original says all that is known.
             Err(word) => (
@@ -115,10 +118,15 @@ impl DifferentialWorker<'_> {
                 ExpectedBehavior::Property {
                     claim: word.to_owned(),
                 },
-                Vec::new(),
-                None,
+                SeenAgain::default(),
             ),
         };
+        let SeenAgain {
+            outcomes,
+            message,
+            cause,
+        } = seen;
+        let is_small = standing == Confirmation::Confirmed && origin.smallest;
         let finding = Finding {
             format: FORMAT,
             id: String::new(),
@@ -127,6 +135,7 @@ impl DifferentialWorker<'_> {
             engine: Some(self.oracle.engines[index].info()),
             symptom: mismatch.symptom.clone(),
             rule,
+            cause: cause.filter(|_| is_small),
             dialect: Some(dialect.as_str().to_owned()),
             standing,
             origin: FindingOrigin {
@@ -150,16 +159,9 @@ impl DifferentialWorker<'_> {
         }
     }
 
-    /// Returns what every engine that lives does with the program, and the message of the engine in question if it shows the
-    /// symptom.
-    fn outcomes(
-        &mut self,
-        index: usize,
-        mismatch: &Mismatch,
-        subject: &EvaluatedProgram,
-    ) -> (Vec<EngineReport>, Option<String>) {
-        let mut said = Vec::new();
-        let mut message = None;
+    /// Asks every engine that lives about the program.
+    fn outcomes(&mut self, index: usize, mismatch: &Mismatch, subject: &EvaluatedProgram) -> SeenAgain {
+        let mut seen = SeenAgain::default();
         for other in 0..self.oracle.engines.len() {
             let engine = &self.oracle.engines[other];
             if self.gone(other).is_some() || !engine.identity().speaks(subject.program.dialect) {
@@ -167,18 +169,18 @@ impl DifferentialWorker<'_> {
             }
             let asked = engine.info();
             let (outcome, agreement) = self.hold(other, subject);
-            said.push(describe(asked, &outcome));
             match agreement {
-                Agreement::Disagrees(EngineDisagreement {
-                    symptom,
-                    message: text,
-                }) if other == index && symptom == mismatch.symptom => {
-                    message = Some(text);
+                Agreement::Disagrees(EngineDisagreement { symptom, message })
+                    if other == index && symptom == mismatch.symptom =>
+                {
+                    seen.message = Some(message);
+                    seen.cause = cause(subject, &outcome);
                 }
                 _ => {}
             }
+            seen.outcomes.push(describe(asked, &outcome));
         }
-        (said, message)
+        seen
     }
 
     /// Returns the message of a symptom that was seen once and not again.
@@ -191,6 +193,30 @@ impl DifferentialWorker<'_> {
     }
 }
 
+/// The outcomes of the engines on a reduced program.
+#[derive(Default)]
+struct SeenAgain {
+    outcomes: Vec<EngineReport>,
+    /// The message and the cause, where the engine in question shows the symptom.
+    message: Option<String>,
+    cause: Option<FindingCause>,
+}
+
+/// Returns the cause that a program shows; `None` where a document leaves something of it open.
+fn cause(subject: &EvaluatedProgram, outcome: &Outcome) -> Option<FindingCause> {
+    if !subject.opened.is_empty() {
+        return None;
+    }
+    let dialect = subject.program.dialect;
+    let key = CauseKey::of_program(&subject.text, dialect, &subject.values, outcome)?;
+    Some(FindingCause {
+        title: key.title,
+        symptom: key.symptom,
+        constructs: key.constructs.into_iter().collect(),
+        labels: key.labels.into_iter().collect(),
+    })
+}
+
 /// Judges smaller programs by whether an engine shows a symptom on them.
 struct MismatchJudge<'j, 'b> {
     worker: &'j mut DifferentialWorker<'b>,
@@ -198,6 +224,8 @@ struct MismatchJudge<'j, 'b> {
     symptom: &'j str,
     /// Whether no document settled all of the program that was found.
     opened: bool,
+    /// Returns whether a pack that was begun is gone on with; the rest of it is then not judged.
+    going: &'j dyn Fn() -> bool,
 }
 
 impl MismatchJudge<'_, '_> {
@@ -211,7 +239,12 @@ impl MismatchJudge<'_, '_> {
             .map(|candidate| EvaluatedProgram::new(candidate.clone()).ok())
             .collect();
         let evaluated: Vec<&EvaluatedProgram> = subjects.iter().flatten().collect();
-        let mut outcomes = self.worker.hold_all(self.index, &evaluated, &|| true).into_iter();
+        // One program alone is asked about whatever the time is: without an answer a finding could not be confirmed.
+        let going = match candidates {
+            [_] => &|| true,
+            _ => self.going,
+        };
+        let mut outcomes = self.worker.hold_all(self.index, &evaluated, going).into_iter();
         let mut shows = Vec::with_capacity(candidates.len());
         for subject in &subjects {
             let outcome = subject.as_ref().and_then(|_| outcomes.next().flatten());

@@ -16,6 +16,8 @@ pub(super) struct Ledger {
     deaths: u64,
     findings: BTreeMap<String, Finding>,
     times: BTreeMap<String, u64>,
+    /// The number of mismatches that were given out to be reduced, by subject and symptom.
+    reduced: BTreeMap<(String, String), u64>,
     left: u64,
     lost: Option<String>,
 }
@@ -30,8 +32,7 @@ impl Ledger {
         }
         let mut reduced = Vec::new();
         for mismatch in verdict.mismatches {
-            let key = (mismatch.subject.clone(), mismatch.symptom.clone());
-            let number = self.disagreements.entry(key).or_default();
+            let number = self.disagreements.entry(key(&mismatch)).or_default();
             *number += 1;
             if is_reduced(*number) {
                 reduced.push(mismatch);
@@ -62,6 +63,16 @@ impl Ledger {
         let mut findings = self.findings.values();
         findings
             .any(|finding| finding.standing == Confirmation::Confirmed && mismatch.is_explained_by(finding))
+    }
+
+    /// Notes that a mismatch is given out to be reduced.
+    pub(super) fn reduces(&mut self, mismatch: &Mismatch) {
+        *self.reduced.entry(key(mismatch)).or_default() += 1;
+    }
+
+    /// Returns the number of mismatches with the same symptom that were given out to be reduced.
+    pub(super) fn reduced(&self, mismatch: &Mismatch) -> u64 {
+        self.reduced.get(&key(mismatch)).copied().unwrap_or(0)
     }
 
     /// Counts disagreements that are not reduced.
@@ -102,4 +113,8 @@ impl Ledger {
             elapsed,
         }
     }
+}
+
+fn key(mismatch: &Mismatch) -> (String, String) {
+    (mismatch.subject.clone(), mismatch.symptom.clone())
 }

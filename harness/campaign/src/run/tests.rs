@@ -1,6 +1,6 @@
 //! The campaign on a oracle that knows beforehand what it will say.
 
-use super::{CampaignEnd, CampaignEvent, CampaignSummary, run};
+use super::{Campaign, CampaignEnd, CampaignEvent, CampaignSummary, Clock, Ledger, Reorder, Spent, run};
 use crate::finding::Finding;
 use crate::oracle::{InputVerdict, Mismatch, Oracle, Worker};
 use crate::{CampaignPlan, Until, sample};
@@ -162,6 +162,40 @@ fn a_campaign_ends_when_its_time_is_up() {
     assert_eq!(summary.ended, CampaignEnd::Done);
     assert!(summary.programs > 0);
     assert!(summary.elapsed < Duration::from_secs(5), "{:?}", summary.elapsed);
+}
+
+#[test]
+fn when_the_time_is_up_each_symptom_has_a_finding_and_the_rest_is_counted() {
+    let none = plan(1, Shard::WHOLE, Until::Time(Duration::ZERO));
+    let cancel = Cancellation::new();
+    let clock = Clock::new(none.until, &cancel);
+    let waiting = |place: u64, symptom: &str, size: usize| Mismatch {
+        place,
+        subject: "engine".to_owned(),
+        symptom: symptom.to_owned(),
+        rule: Vec::new(),
+        size,
+    };
+    let mut campaign = Campaign {
+        clock: &clock,
+        batches: none.batches().enumerate(),
+        batches_ahead: 1,
+        begun: 0,
+        verdicts: Reorder::default(),
+        reductions: vec![
+            waiting(1, "crash", 9),
+            waiting(2, "crash", 5),
+            waiting(3, "value:INT", 7),
+        ],
+        spent: Spent::default(),
+        ledger: Ledger::default(),
+        tell: &mut |_| (),
+    };
+    let next: Vec<u64> = std::iter::from_fn(|| campaign.next_reduction())
+        .map(|next| next.place)
+        .collect();
+    assert_eq!(next, [2, 3]);
+    assert_eq!(campaign.ledger.summary(Duration::ZERO, false).left, 1);
 }
 
 #[test]

@@ -42,6 +42,7 @@ impl TargetWorker<'_> {
             engine: None,
             symptom: mismatch.symptom.clone(),
             rule: small.rule,
+            cause: None,
             dialect: small.dialect.map(|dialect| dialect.as_str().to_owned()),
             standing,
             origin,

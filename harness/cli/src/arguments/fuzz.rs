@@ -59,11 +59,15 @@ pub struct FuzzArguments {
     /// for a slow engine without --count]
     #[arg(long, value_name = "N", requires = "engine", value_parser = whole::<u16>(32, 2048), allow_negative_numbers = true)]
     pub max_input: Option<u16>,
+    /// With --engine: what the run of the suite in DIR found is known, and shown apart [default: reports/latest, where it
+    /// has causes of the engine]
+    #[arg(long, value_name = "DIR", requires = "engine")]
+    pub known: Option<PathBuf>,
     /// Keep findings in DIR [default: reports/findings beside the folder of the cases]
     #[arg(long, value_name = "DIR")]
     pub findings: Option<PathBuf>,
     /// Judge a finding again, its folder or its name in the folder of findings, or, with --target, the bytes of any file
-    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without", "no_survey", "max_input"])]
+    #[arg(long, value_name = "PATH", conflicts_with_all = ["seed", "first", "time", "count", "shard", "open", "dialect", "without", "no_survey", "max_input", "known"])]
     pub replay: Option<PathBuf>,
 }
 

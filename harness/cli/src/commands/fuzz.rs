@@ -2,6 +2,7 @@
 
 mod bar;
 mod keeper;
+mod known;
 mod page;
 mod replay;
 mod survey;
@@ -14,6 +15,7 @@ use crate::{interrupt, shell};
 use anyhow::bail;
 use bar::FuzzBar;
 use keeper::Keeper;
+use known::KnownCauses;
 use page::FuzzPage;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -73,7 +75,13 @@ fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Wr
         },
     };
     let plan = plan(arguments, Duration::ZERO, 64);
-    Campaign { plan, request, store }.run(&oracle, &Surveyed::default(), out)
+    let campaign = Campaign {
+        plan,
+        request,
+        store,
+        known: KnownCauses::default(),
+    };
+    campaign.run(&oracle, &Surveyed::default(), out)
 }
 
 /// Runs a campaign that gives random programs to engines.
@@ -83,6 +91,7 @@ fn campaign_on_engines(
     store: Store,
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
+    let known = KnownCauses::read(arguments)?;
     let begun = Instant::now();
     let dialects = dialects_of(arguments, engines)?;
     let under_test: Vec<EngineUnderTest<'_>> = engines.iter().map(under_test).collect();
@@ -100,7 +109,7 @@ fn campaign_on_engines(
         ..request(arguments, &surveyed)
     };
     let largest_pack = engines.iter().map(|named| named.engine.pack_size()).max();
-    let batch = largest_pack.unwrap_or(1).clamp(16, 64);
+    let batch = largest_pack.unwrap_or(1).clamp(16, 32);
     let oracle = DifferentialOracle {
         engines: under_test,
         inputs: Inputs::new(arguments.seed).up_to(surveyed.max_input),
@@ -111,7 +120,13 @@ fn campaign_on_engines(
         commands: commands(arguments, &surveyed, &store),
     };
     let plan = plan(arguments, begun.elapsed(), batch);
-    Campaign { plan, request, store }.run(&oracle, &surveyed, out)
+    let campaign = Campaign {
+        plan,
+        request,
+        store,
+        known,
+    };
+    campaign.run(&oracle, &surveyed, out)
 }
 
 /// Returns the plan of a campaign, of whose time some was spent already.
@@ -134,12 +149,18 @@ struct Campaign {
     plan: CampaignPlan,
     request: CampaignRequest,
     store: Store,
+    known: KnownCauses,
 }
 
 impl Campaign {
     /// Runs the campaign on an oracle.
     fn run(self, oracle: &dyn Oracle, surveyed: &Surveyed, out: &mut dyn Write) -> anyhow::Result<Exit> {
-        let Campaign { plan, request, store } = self;
+        let Campaign {
+            plan,
+            request,
+            store,
+            known,
+        } = self;
         let mut page = FuzzPage::new(out);
         page.begin(&request, plan.shard)?;
         page.surveyed(&surveyed.survey)?;
@@ -154,7 +175,7 @@ impl Campaign {
         bar.finish();
         let summary = summary?;
         let unsaved = keeper.end(&summary);
-        page.end(&summary, &unsaved)?;
+        page.end(&summary, &known, &unsaved)?;
         Ok(exit(&summary).worst(unsaved.exit()))
     }
 }
@@ -233,16 +254,19 @@ pub fn finding_place(given: &Path, folder: Option<&PathBuf>) -> PathBuf {
     given.to_owned()
 }
 
-/// Returns the folder of findings: the named one, or `reports/findings` beside the folder of cases, or in the current folder where
-/// there is none.
+/// Returns the folder of findings: the named one, or `reports/findings`.
 fn findings_folder(named: Option<&PathBuf>) -> PathBuf {
-    let default = || {
-        let root = CaseFolder::locate(None)
-            .map(|folder| folder.root)
-            .unwrap_or_default();
-        root.join("reports").join("findings")
-    };
-    named.cloned().unwrap_or_else(default)
+    named
+        .cloned()
+        .unwrap_or_else(|| reports_folder().join("findings"))
+}
+
+/// Returns the folder of reports beside the folder of cases, or in the current folder where there is none.
+fn reports_folder() -> PathBuf {
+    let root = CaseFolder::locate(None)
+        .map(|folder| folder.root)
+        .unwrap_or_default();
+    root.join("reports")
 }
 
 fn commands(arguments: &FuzzArguments, surveyed: &Surveyed, store: &Store) -> ReproductionCommands {

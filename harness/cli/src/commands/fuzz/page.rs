@@ -2,6 +2,7 @@
 
 use super::bar::rate;
 use super::keeper::Unsaved;
+use super::known::KnownCauses;
 use anstyle::{AnsiColor, Style};
 use indicatif::HumanCount;
 use std::collections::{BTreeMap, BTreeSet};
@@ -94,26 +95,43 @@ impl<'o> FuzzPage<'o> {
         self.out.flush()
     }
 
-    /// Writes the findings and the summary.
+    /// Writes the findings and the summary: what is new, what probably repeats it, and what a run of the suite found too.
     ///
     /// # Errors
     /// Errors of writing to the stream.
-    pub fn end(&mut self, summary: &CampaignSummary, unsaved: &Unsaved) -> io::Result<()> {
+    pub fn end(
+        &mut self,
+        summary: &CampaignSummary,
+        known: &KnownCauses,
+        unsaved: &Unsaved,
+    ) -> io::Result<()> {
         self.totals(summary)?;
-        let (different, alike) = distinct_and_alike(summary);
-        for finding in different.iter().take(MAX_FINDINGS) {
+        let Sorted { new, alike, shown } = Sorted::of(summary, known);
+        for finding in new.iter().take(MAX_FINDINGS) {
             self.finding(finding, summary.times.get(&finding.id).copied().unwrap_or(0))?;
         }
-        if let Some((first, rest)) = alike.split_first() {
+        if !alike.is_empty() {
             writeln!(
                 self.out,
                 "\nprobably the same, with more of the language around it:"
             )?;
-            for finding in std::iter::once(first).chain(rest).take(MAX_FINDINGS) {
-                writeln!(self.out, "  {}  {DIM}{}{DIM:#}", finding.id, rule(finding))?;
-            }
         }
-        let more = different.len().saturating_sub(MAX_FINDINGS) + alike.len().saturating_sub(MAX_FINDINGS);
+        for finding in alike.iter().take(MAX_FINDINGS) {
+            writeln!(self.out, "  {}  {DIM}{}{DIM:#}", finding.id, rule(finding))?;
+        }
+        if let (Some(folder), false) = (known.folder(), shown.is_empty()) {
+            writeln!(self.out, "\nshown by the run of the suite in {folder} too:")?;
+        }
+        for (finding, title) in shown.iter().take(MAX_FINDINGS) {
+            writeln!(
+                self.out,
+                "  {}  {DIM}{}{DIM:#}",
+                finding.id,
+                without_controls(title)
+            )?;
+        }
+        let hidden = |number: usize| number.saturating_sub(MAX_FINDINGS);
+        let more = hidden(new.len()) + hidden(alike.len()) + hidden(shown.len());
         if more > 0 {
             writeln!(self.out, "\n{more} more in {}", unsaved.folder)?;
         }
@@ -136,10 +154,24 @@ impl<'o> FuzzPage<'o> {
                 "\n{number} of the findings could not be saved; they stand above"
             )?;
         }
+        let causes = match known.folder() {
+            Some(_) => format!(
+                ": {} new, {} like these, {} known",
+                new.len(),
+                alike.len(),
+                shown.len()
+            ),
+            None if alike.is_empty() => String::new(),
+            None => format!(": {} new, {} like these", new.len(), alike.len()),
+        };
         match summary.findings.len() {
             0 => writeln!(self.out, "\n{GREEN}nothing found{GREEN:#}"),
-            1 => writeln!(self.out, "\n{RED}1 finding{RED:#} in {}", unsaved.folder),
-            number => writeln!(self.out, "\n{RED}{number} findings{RED:#} in {}", unsaved.folder),
+            1 => writeln!(self.out, "\n{RED}1 finding{RED:#} in {}{causes}", unsaved.folder),
+            number => writeln!(
+                self.out,
+                "\n{RED}{number} findings{RED:#} in {}{causes}",
+                unsaved.folder
+            ),
         }
     }
 
@@ -213,6 +245,9 @@ impl<'o> FuzzPage<'o> {
             finding.unit(),
             finding.origin.size_found
         )?;
+        if let Some(cause) = &finding.cause {
+            writeln!(self.out, "  {}", without_controls(&cause.title))?;
+        }
         if !finding.rule.is_empty() {
             writeln!(self.out, "  {DIM}{}{DIM:#}", rule(finding))?;
         }
@@ -267,13 +302,36 @@ impl<'o> FuzzPage<'o> {
     }
 }
 
-/// Returns the distinct findings, and those that probably have the same cause as one of them; in each, confirmed findings come
-/// before flaky ones, and small before large.
-fn distinct_and_alike(summary: &CampaignSummary) -> (Vec<&Finding>, Vec<&Finding>) {
-    let mut findings: Vec<&Finding> = summary.findings.values().collect();
-    findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
-    let alike = |finding: &&Finding| summary.findings.values().any(|simpler| finding.is_like(simpler));
-    findings.into_iter().partition(|finding| !alike(finding))
+/// The findings of a campaign by what is known of them; in each list confirmed findings come before flaky ones, and small
+/// before large.
+struct Sorted<'s> {
+    /// Each shows a cause of its own.
+    new: Vec<&'s Finding>,
+    /// Each probably has the cause of a simpler one.
+    alike: Vec<&'s Finding>,
+    /// A run of the suite found the cause, whose title stands beside each.
+    shown: Vec<(&'s Finding, &'s str)>,
+}
+
+impl<'s> Sorted<'s> {
+    fn of(summary: &'s CampaignSummary, known: &'s KnownCauses) -> Sorted<'s> {
+        let mut findings: Vec<&Finding> = summary.findings.values().collect();
+        findings.sort_by_key(|finding| (finding.standing, finding.origin.size, finding.id.as_str()));
+        let mut sorted = Sorted {
+            new: Vec::new(),
+            alike: Vec::new(),
+            shown: Vec::new(),
+        };
+        for finding in findings {
+            let mut others = summary.findings.values();
+            match known.of(finding) {
+                Some(title) => sorted.shown.push((finding, title)),
+                None if others.any(|simpler| finding.is_like(simpler)) => sorted.alike.push(finding),
+                None => sorted.new.push(finding),
+            }
+        }
+        sorted
+    }
 }
 
 /// Returns the rule of a finding in a line: the features that its program uses.

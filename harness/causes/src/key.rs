@@ -1,0 +1,150 @@
+//! The key of a cause by one small program alone, without asking the engine.
+
+use crate::essence::Essence;
+use crate::normal::Normal;
+use crate::question::Deviation;
+use crate::reduction::Smallest;
+use crate::sign::Sign;
+use crate::title::title;
+use crate::twins::value_features;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use stickler_run::{Answers, Grade, Reduced, Symptom, judge};
+use stickler_suite::{Case, Expectation, ExpectedValue};
+use stickler_types::{DialectName, NamedValue, Outcome};
+
+/// The key of a cause, and its title, by a program that shows it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct CauseKey {
+    /// The behaviour of the engine, as [`stickler_run::Cause::symptom`].
+    pub symptom: String,
+    /// The constructs that the program needs to show the cause.
+    pub constructs: BTreeSet<String>,
+    /// The properties of the values and types of the program, of which the cause may need some.
+    pub labels: BTreeSet<String>,
+    /// The cause in one line.
+    pub title: String,
+}
+
+impl CauseKey {
+    /// Returns the key for a program without marks that must be accepted and give these values, by what an engine did with it;
+    /// `None` where it did what it must, or does not support the program.
+    #[must_use]
+    pub fn of_program(
+        program: &str,
+        dialect: DialectName,
+        values: &[NamedValue],
+        outcome: &Outcome,
+    ) -> Option<CauseKey> {
+        let case = case(program, dialect, values);
+        // A program that must be accepted is rejected rightly at no grade.
+        let strict = Grade::Rejected;
+        let judged = judge(&case, &Answers::of_run(outcome.clone()), strict);
+        if !judged.verdict.is_discrepancy() {
+            return None;
+        }
+        let facts = (&judged.expected[..], &judged.got[..]);
+        let smallest = Smallest {
+            program: program.to_owned(),
+            deviation: Deviation {
+                sign: Sign::of(program, judged.verdict, facts, strict),
+                expected: judged.expected.clone(),
+                got: judged.got.clone(),
+            },
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        };
+        let essence = Essence::of(&smallest, &Normal::unasked(&smallest));
+        let labels = match smallest.deviation.sign.symptom {
+            Symptom::Value | Symptom::Missing => value_features(program),
+            _ => BTreeSet::new(),
+        };
+        Some(CauseKey {
+            // The symptom has the code.
+            title: title(&smallest, false),
+            symptom: essence.class,
+            constructs: essence.features,
+            labels,
+        })
+    }
+}
+
+fn case(program: &str, dialect: DialectName, values: &[NamedValue]) -> Case {
+    let expected = |(name, value): &NamedValue| ExpectedValue {
+        name: name.as_str().into(),
+        after: None,
+        value: value.clone(),
+        line: 1,
+    };
+    Case {
+        id: "found".into(),
+        dialect,
+        title: "".into(),
+        basis: "".into(),
+        summary: None,
+        file: "".into(),
+        area: "found".into(),
+        line: 1,
+        source: program.into(),
+        scans: 1,
+        tags: Arc::default(),
+        clock: Arc::default(),
+        set: Arc::default(),
+        expectation: Arc::new(Expectation {
+            values: values.iter().map(expected).collect(),
+            ..Expectation::default()
+        }),
+        observe: Arc::default(),
+        cell: None,
+        placement: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::{Diagnostic, ElementaryType, Value};
+
+    const ED3: DialectName = DialectName::IronplcEd3;
+
+    fn rejected(program: &str, line: u32) -> CauseKey {
+        let diagnostics = vec![Diagnostic {
+            code: Some("P4017".to_owned()),
+            line: Some(line),
+            ..Diagnostic::default()
+        }];
+        CauseKey::of_program(program, ED3, &[], &Outcome::Rejected { diagnostics }).expect("a rejection")
+    }
+
+    fn program(declarations: &str, statement: &str) -> String {
+        format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n{statement}\nEND_PROGRAM\n")
+    }
+
+    #[test]
+    fn programs_that_need_the_same_construct_have_the_same_key() {
+        let one = rejected(&program("a : BOOL;", "a := REAL_TO_BOOL(0.0);"), 5);
+        let other = rejected(&program("b : BOOL; c : REAL;", "b := REAL_TO_BOOL(c);"), 5);
+        assert_eq!(
+            (&one.symptom, &one.constructs),
+            (&other.symptom, &other.constructs)
+        );
+        let another = rejected(&program("b : BOOL;", "b := SEL(TRUE, b, b);"), 5);
+        assert_ne!(one.constructs, another.constructs);
+        assert!(one.title.contains("is rejected"), "{}", one.title);
+    }
+
+    #[test]
+    fn what_an_engine_gets_right_has_no_key() {
+        let int = |raw| Value::plain(ElementaryType::Int, raw);
+        let values = [("a".to_owned(), int(5))];
+        let of = |raw| {
+            let outcome = Outcome::Executed {
+                values: vec![("a".to_owned(), int(raw))],
+            };
+            CauseKey::of_program(&program("a : INT;", "a := 3 + 2;"), ED3, &values, &outcome)
+        };
+        assert_eq!(of(5), None);
+        assert_eq!(of(6).map(|key| key.symptom), Some("value".to_owned()));
+    }
+}
