@@ -157,6 +157,12 @@ mod tests {
         let essence = |smallest: &Smallest| Essence::of(smallest, &Normal::unasked(smallest));
         assert!(essence(&initial).explains(&essence(&assigned)));
         assert_eq!(essence(&initial).construct(), "typed literal with a sign");
+        let own = Smallest::rejected(
+            "PROGRAM p\nVAR\nx : INT := 1;\nEND_VAR\nx := x;\nEND_PROGRAM\n",
+            3,
+            "E048",
+        );
+        assert!(title(&own, false).ends_with("is rejected: E048 no"));
         assert!(title(&initial, true).ends_with("is rejected: P0002 no"));
         assert!(
             title(&initial, false).ends_with("is rejected: no"),
@@ -189,6 +195,8 @@ mod tests {
         let of_initial = said(initial, 3, "initial value has another type");
         assert!(said(assigned, 5, "types do not fit").explains(&of_initial));
         assert!(!said(&assigned.replace("E308", ""), 5, "types do not fit").explains(&of_initial));
+        let called = assigned.replace("1.0E308", "REAL_TO_LREAL(1.0E308)");
+        assert!(!said(assigned, 5, "types do not fit").explains(&said(&called, 5, "no such function")));
     }
 
     #[test]

@@ -233,9 +233,11 @@ impl<'p> Program<'p> {
         suspects.filter_map(special_literal).collect()
     }
 
-    /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know.
+    /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
+    /// and no function.
     pub(crate) fn has_special_literal(&self) -> bool {
-        !self.is_unread && !self.special_literals(&self.of_line()).is_empty()
+        let line = self.of_line();
+        !self.is_unread && !self.calls_library(&line) && !self.special_literals(&line).is_empty()
     }
 
     fn has_initial_value(&self) -> bool {

@@ -11,8 +11,8 @@ const MAX_LENGTH: usize = 90;
 /// The maximum number of variables whose types are named.
 const MAX_TYPES: usize = 3;
 
-/// Returns the title of a cause, by the smallest program that shows it. The codes of an engine that has none of its own, which
-/// its adapter gave to its diagnostics, are left out.
+/// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
+/// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
 pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     let Smallest {
         program, deviation, ..
@@ -31,7 +31,9 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             .unwrap_or_default()
     };
     let (wanted, mut told) = (first(expected), first(got));
-    told.code = told.code.filter(|_| has_codes);
+    if !has_codes && told.registered_code().is_some() {
+        told.code = None;
+    }
     // A compiler that has lost the place says line 1.
     told.line = told.line.filter(|line| *line > 1);
     match &deviation.sign.symptom {
