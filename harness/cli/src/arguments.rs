@@ -138,7 +138,7 @@ pub struct RunArguments {
     /// wire protocol; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
-    /// How exact a rejection or a fault must be to pass: `code` (the right codes on the right lines), `line`, or
+    /// Demand this exactness of a rejection or a fault: `code` (the right codes on the right lines), `line`, or
     /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
     #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
     pub strict: Option<Grade>,

@@ -240,7 +240,8 @@ impl Call<'_> {
             Rules::Matiec => Some(NAMING),
             Rules::Plcnext => Some(MILLISECONDS_RULE),
             Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
-            Rules::Strucpp | Rules::Rusty => Some(MILLISECONDS_RULE),
+            Rules::Strucpp => Some(MILLISECONDS_RULE),
+            Rules::Rusty => None,
         }
     }
 

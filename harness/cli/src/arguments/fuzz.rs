@@ -80,7 +80,7 @@ pub struct PromoteArguments {
     /// The document and section that say what must happen, `source: section` [default: as the finding proposes]
     #[arg(long, value_name = "BASIS")]
     pub basis: Option<String>,
-    /// What holds, in a line, for whoever meets the case [default: what the program uses, and the symptom]
+    /// Give the case this title, a line that says what holds [default: what the program uses, and the symptom]
     #[arg(long, value_name = "TITLE", value_parser = NonEmptyStringValueParser::new())]
     pub title: Option<String>,
     /// The name of the case, found/NAME [default: the finding's]

@@ -21,7 +21,7 @@ pub struct ReduceArguments {
     /// The dialect to read it in [default: the first one of the engine in which the file shows the symptom]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Option<DialectName>,
-    /// What to keep: crash, hang, error, rejected:CODE, not-rejected:CODE, value:TYPE, missing:TYPE, fault:FAULT or
+    /// Keep this symptom: crash, hang, error, rejected:CODE, not-rejected:CODE, value:TYPE, missing:TYPE, fault:FAULT or
     /// no-fault:FAULT [default: the first that shows]
     #[arg(long, value_name = "SYMPTOM")]
     pub symptom: Option<OutcomeSymptom>,
