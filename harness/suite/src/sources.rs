@@ -128,6 +128,12 @@ impl Sources {
             return Err(format!("`{basis}` is not written `source: section`"));
         };
         let Some(source) = self.get(key) else {
+            if self.sources.iter().all(|source| source.kind == SourceKind::Rule) {
+                return Err(format!(
+                    "no source `{key}`; {} has none that can be read",
+                    self.file
+                ));
+            }
             let known = self.sources.iter().map(|source| source.key.as_str());
             return Err(format!("no source `{key}`; {}", suggestion(key, known)));
         };
@@ -302,6 +308,11 @@ mod tests {
             ),
             ("title", "titel", "sources.toml:2: `page`: unknown field `titel`"),
             ("[page]", "[rule]", "sources.toml:1: `rule`: a source's key"),
+            (
+                "read",
+                "read = ' ' #",
+                "sources.toml:1: `page`: `read` is empty; write the edition",
+            ),
             ("[page]", "[page", "sources.toml:1: "),
         ] {
             let (_, errors) = read_texts(&SOURCE.replacen(from, to, 1));
@@ -310,6 +321,40 @@ mod tests {
                 "{said}: {errors:?}"
             );
         }
+    }
+
+    #[test]
+    fn a_rule_that_stands_twice_and_one_without_a_name_are_found() {
+        let folder = tempfile::tempdir().unwrap();
+        let write = |path: &str, text: &str| std::fs::write(folder.path().join(path), text).unwrap();
+        write("sources.toml", SOURCE);
+        write(
+            "rules.md",
+            "# Rules\n\n## one-rule\n\n## one-rule\n\n## Another Rule\n",
+        );
+        let errors = read(&files::Root::new(folder.path()), &Dialects::default()).errors;
+        let said: Vec<String> = errors.iter().map(ToString::to_string).collect();
+        assert_eq!(said.len(), 2, "{said:?}");
+        assert!(
+            said[0].contains("rules.md:5: the rule `one-rule` stands in line 3 too"),
+            "{}",
+            said[0]
+        );
+        assert!(
+            said[1].contains("rules.md:7: `Another Rule` is no name of a rule"),
+            "{}",
+            said[1]
+        );
+    }
+
+    #[test]
+    fn a_text_without_sources_does_not_suggest_a_rule_in_place_of_a_source() {
+        let (sources, _) = read_texts("[page");
+        let message = sources.check("page: A heading").unwrap_err();
+        assert!(
+            message.ends_with("sources.toml has none that can be read"),
+            "{message}"
+        );
     }
 
     #[test]

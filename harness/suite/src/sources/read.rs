@@ -72,9 +72,9 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
         mistakes.map(|mistake| mistake.in_file(&shown)).collect()
     };
     let (mut errors, remarks) = (in_file(reader.mistakes), in_file(reader.remarks));
-    let (rules, mistake) = rules(root);
+    let (rules, mistakes) = rules(root);
     sources.push(rules);
-    errors.extend(mistake);
+    errors.extend(mistakes);
     SourcesRead {
         sources: Sources {
             sources,
@@ -87,16 +87,18 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
 }
 
 /// Returns Stickler's own rules as a source, whose sections are the rules.
-fn rules(root: &files::Root) -> (Source, Option<CaseFileError>) {
+fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
     let path = root.path().join(RULES);
     let read = match path.exists() {
         true => files::read(&path),
         false => Ok(String::new()),
     };
-    let (text, mistake) = match read {
-        Ok(text) => (text, None),
-        Err(mistake) => (String::new(), Some(mistake.in_file(&root.shown(RULES)))),
+    let (text, mut mistakes) = match read {
+        Ok(text) => (text, Vec::new()),
+        Err(mistake) => (String::new(), vec![mistake]),
     };
+    let headings = headings(&text);
+    mistakes.extend(unfit_rules(&headings));
     let source = Source {
         key: RULE.to_owned(),
         title: "Rules".to_owned(),
@@ -107,13 +109,46 @@ fn rules(root: &files::Root) -> (Source, Option<CaseFileError>) {
         engines: Vec::new(),
         dialects: Vec::new(),
         sections: Sections {
-            headings: headings(&text),
+            headings,
             forms: Vec::new(),
         },
         limitations: BTreeMap::new(),
         line: 1,
     };
-    (source, mistake)
+    let shown = root.shown(RULES);
+    let mistakes = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
+    (source, mistakes.collect())
+}
+
+/// Returns what is wrong with the names of rules: one that stands twice, and one that is no name.
+fn unfit_rules(headings: &[(String, u32)]) -> Vec<Mistake> {
+    let is_name = |name: &str| {
+        let is_fit = |letter: char| letter.is_ascii_lowercase() || letter.is_ascii_digit() || letter == '-';
+        name.chars().all(is_fit)
+    };
+    let mut mistakes = Vec::new();
+    for (at, (name, line)) in headings.iter().enumerate() {
+        if let Some((_, first)) = headings[..at].iter().find(|(known, _)| known == name) {
+            let message =
+                format!("the rule `{name}` stands in line {first} too; give one of them another name");
+            mistakes.push(Mistake::new(*line, message));
+        }
+        if !is_name(name) {
+            let message =
+                format!("`{name}` is no name of a rule: write small letters, digits and hyphens, `one-rule`");
+            mistakes.push(Mistake::new(*line, message));
+        }
+    }
+    mistakes
+}
+
+/// Returns what a key of a source says.
+fn meaning(key: &str) -> &'static str {
+    match key {
+        "title" => "what the source is called",
+        "publisher" => "who answers for it",
+        _ => "the edition, version, commit or date at which it was read",
+    }
 }
 
 struct Reader<'a> {
@@ -133,6 +168,15 @@ impl Reader<'_> {
             let message = "a source's key has neither a colon nor a space, and is not `rule`";
             self.wrong(at, name, message.to_owned());
             return None;
+        }
+        for (key, text) in [
+            ("title", &entry.title),
+            ("publisher", &entry.publisher),
+            ("read", &entry.read),
+        ] {
+            if text.trim().is_empty() {
+                self.wrong(at, name, format!("`{key}` is empty; write {}", meaning(key)));
+            }
         }
         let kind = self.kind(name, &entry.kind)?;
         let (address, file) = self.address(name, at, kind, entry.address.as_ref())?;
