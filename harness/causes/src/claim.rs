@@ -1,14 +1,14 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
-use crate::features::is_unread;
+use crate::features::{is_unread, type_of_token};
 use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
-use crate::shape::{own_functions, types_of};
+use crate::shape::own_functions;
 use crate::title::assignment;
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};
-use stickler_types::Diagnostic;
+use stickler_types::{Diagnostic, ElementaryType};
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
 /// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
@@ -67,8 +67,9 @@ fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
     let operations = operations_of(whole);
     let work: Vec<&String> = operations.iter().filter(is_work).collect();
     let types = |program: &str| {
-        let types = types_of(program).into_iter();
-        types.filter(|ty| *ty != "BOOL").count()
+        let tokens = tokens(program);
+        let types: BTreeSet<ElementaryType> = tokens.iter().filter_map(type_of_token).collect();
+        types.iter().filter(|ty| **ty != ElementaryType::Bool).count()
     };
     match work.is_empty() {
         true => types(whole) < 2 || types(program) > 1,
@@ -86,7 +87,19 @@ fn has_signed_literal(tokens: &[Token<'_>]) -> bool {
 mod tests {
     use super::*;
     use stickler_run::Verdict;
-    use stickler_types::ElementaryType;
+
+    #[test]
+    fn a_program_that_is_not_taken_still_does_the_work_of_the_whole_one() {
+        let keeps = |whole: &str, program: &str| keeps_work(whole, program, &operations_of(program));
+        let converting = "x : DINT; b : BOOL; x := INT#5;";
+        assert!(!keeps(converting, "x : DINT; b : BOOL; x := x;"));
+        assert!(keeps(converting, "x : REAL; x := INT#5;"));
+        assert!(!keeps(
+            "x : DINT; x := x.3; y : INT;",
+            "x : DINT; y : INT; x := y;"
+        ));
+        assert!(keeps("x : DINT; x := x.3; y : INT;", "x : DINT; x := x.3;"));
+    }
 
     #[test]
     fn a_claim_about_a_value_says_nothing_of_a_program_that_cannot_be_read() {

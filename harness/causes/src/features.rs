@@ -276,7 +276,7 @@ impl<'p> Program<'p> {
 }
 
 /// Returns the type that a token names, as a word or as the prefix of a literal.
-fn type_of_token(token: &Token<'_>) -> Option<ElementaryType> {
+pub(crate) fn type_of_token(token: &Token<'_>) -> Option<ElementaryType> {
     let upper = token.text.to_ascii_uppercase();
     match token.kind {
         TokenKind::Word => ElementaryType::from_name(&upper),

@@ -44,7 +44,17 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
                 .unwrap_or_default();
             format!("{} is accepted, not rejected{code}", line(wanted.line))
         }
-        Symptom::Rejected(_) => format!("{} is rejected: {}", line(told.line), said(&told)),
+        Symptom::Rejected(_) => {
+            let line = match told
+                .line
+                .is_none()
+                .then(|| with_number_of(program, &told.message))
+            {
+                Some(Some(line)) => described(program, line),
+                _ => line(told.line),
+            };
+            format!("{line} is rejected: {}", said(&told))
+        }
         Symptom::NotImplemented(_) => {
             let line = described(program, unimplemented(program, got));
             format!("{line} is {}", clipped(&Fact::text(got)))
@@ -323,6 +333,15 @@ pub(crate) fn shows_initial_value(smallest: &Smallest) -> bool {
     assignment(program, name).is_none() && declaration(program, name).contains(":=")
 }
 
+/// Returns the line of a program with a number that a message names; a number of one digit stands in too many messages.
+fn with_number_of<'p>(program: &'p str, message: &str) -> Option<&'p str> {
+    let mut words = message.split(|character: char| !character.is_ascii_digit());
+    words.find_map(|number| {
+        let has_number = |line: &&str| tokens(line).iter().any(|token| token.text == number);
+        program.lines().find(|line| number.len() > 1 && has_number(line))
+    })
+}
+
 /// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
 /// them, since a plain assignment may be there only because a program needs a statement.
 fn culprit(program: &str) -> &str {
@@ -366,8 +385,15 @@ pub(crate) fn unimplemented<'p>(program: &'p str, got: &[Fact]) -> &'p str {
             return line;
         }
     }
-    let most = statements().map(weight).max();
-    let first = statements().find(|line| Some(weight(line)) == most);
+    // A part of a variable or a call may be missing rather than a condition.
+    let named = |line: &str| {
+        let has_more = tokens(line)
+            .iter()
+            .any(|token| matches!(token.text, "[" | "(" | "."));
+        (has_more, weight(line))
+    };
+    let most = statements().map(named).max();
+    let first = statements().find(|line| Some(named(line)) == most);
     first.unwrap_or_else(|| culprit(program))
 }
 
@@ -447,7 +473,15 @@ mod tests {
         };
         assert_eq!(of("Variable 'list' is not a structure"), "list[0] := 0;");
         assert_eq!(of("Variable 'fb' is not a structure"), "x := fb.v;");
-        assert_eq!(of("Not implemented at a.rs#L7"), "IF FALSE THEN");
+        assert_eq!(of("Not implemented at a.rs#L7"), "list[0] := 0;");
+    }
+
+    #[test]
+    fn a_line_with_a_number_of_the_message_is_the_one_that_it_is_about() {
+        let program = "VAR\n    row : ARRAY[-127..-127] OF SINT;\nEND_VAR\n    f();\n";
+        let of = |message: &str| with_number_of(program, message).map(str::trim);
+        assert_eq!(of("minimum=-127"), Some("row : ARRAY[-127..-127] OF SINT;"));
+        assert_eq!(of("P2002 and 7"), None);
     }
 
     #[test]
