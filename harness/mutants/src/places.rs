@@ -70,7 +70,7 @@ pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
     let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
     let judged = table::judge(tallies, &explained);
     let whole = arguments.rule.is_empty() && arguments.place.is_empty();
-    let listed = judged.iter().filter(|one| one.kind.is_some());
+    let listed = judged.iter().filter(|one| one.kind.is_some() && !one.is_recorded());
     let stale = match whole {
         true => explained.stale(listed.map(|one| &one.saboteur)),
         false => Vec::new(),
@@ -90,7 +90,7 @@ fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
         }
     }
     println!("{}\n{}", table::by_place(judged), table::by_rule(judged));
-    let unexplained: Vec<&Judged> = judged.iter().filter(|one| one.is_open()).collect();
+    let unexplained: Vec<&Judged> = judged.iter().filter(|one| one.is_unexplained()).collect();
     for one in &unexplained {
         println!("{}", one.complaint());
     }
@@ -98,10 +98,11 @@ fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
         println!("stale: unnoticed.toml explains {entry}, which is noticed or does not exist");
     }
     let noticed = judged.iter().filter(|one| one.is_noticed()).count();
+    let recorded = judged.iter().filter(|one| one.is_recorded()).count();
     println!(
-        "{} saboteurs: {noticed} noticed, {} explained, {} neither",
+        "{} saboteurs: {noticed} noticed, {recorded} break no claim (o), {} explained (e), {} none of these",
         judged.len(),
-        judged.len() - noticed - unexplained.len(),
+        judged.len() - noticed - recorded - unexplained.len(),
         unexplained.len()
     );
     u8::from(!unexplained.is_empty() || !stale.is_empty())

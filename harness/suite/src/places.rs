@@ -217,6 +217,12 @@ impl Place {
         self.literal
     }
 
+    /// Returns whether a target takes its value from a parameter of the value's own type, so that a variable stands there whatever goes to
+    /// the parameter.
+    pub fn is_behind_a_parameter(&self) -> bool {
+        self.is_behind_a_parameter
+    }
+
     /// Returns whether the place is in a group of this name.
     pub fn is_in(&self, group: &str) -> bool {
         self.groups.iter().any(|name| name == group)

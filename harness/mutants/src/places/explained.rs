@@ -1,7 +1,6 @@
 //! `unnoticed.toml`: the saboteurs that no case notices, each with the reason.
 
 use super::saboteur::{BrokenPlace, Saboteur};
-use crate::explained::ExplanationKind;
 use anyhow::Context as _;
 use serde::Deserialize;
 
@@ -27,9 +26,21 @@ struct Entry {
     /// pair in it.
     #[serde(default)]
     pairs: Vec<String>,
-    kind: ExplanationKind,
+    kind: Explanation,
     /// The reason for which no case can notice.
     reason: String,
+}
+
+/// The kind of reason for which no case notices a saboteur.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Explanation {
+    /// No program can have the rule in the place.
+    Impossible,
+    /// No document says what must happen there.
+    Open,
+    /// A program could ask, and the suite does not: the reason says what it asks instead.
+    Unasked,
 }
 
 impl ExplainedSaboteurs {
@@ -65,7 +76,7 @@ impl ExplainedSaboteurs {
     }
 
     /// Returns why nothing notices a saboteur.
-    pub fn kind(&self, saboteur: &Saboteur) -> Option<ExplanationKind> {
+    pub fn kind(&self, saboteur: &Saboteur) -> Option<Explanation> {
         let entry = self.0.iter().find(|entry| entry.explains(saboteur))?;
         Some(entry.kind)
     }

@@ -77,7 +77,10 @@ fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: Elementary
             let has_bits = base.is_integer() || base.is_bit_string();
             let form_exists = match form {
                 Form::Short => dialect.bit_access,
-                Form::PartialAccess => dialect.partial_access == PartialAccess::BitsOnly,
+                Form::PartialAccess => matches!(
+                    dialect.partial_access,
+                    PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords
+                ),
                 Form::Wider => false,
             };
             match claim {
@@ -113,19 +116,23 @@ fn meets(pair: LiteralPair, to: ElementaryType) -> bool {
     }
 }
 
-/// Returns whether a rule can apply in a place at all. What selects a bit, calls or computes is no literal, and only a variable has
-/// bits.
+/// Returns whether a rule can apply in a place at all. What selects a bit, calls or computes is no literal; behind a parameter it is
+/// a variable again; and only a variable has bits.
 fn fits(rule: Rule, role: Role, place: &Place) -> bool {
     match (rule.claim, role) {
         (_, Role::Surrounding) => true,
-        (Claim::Implicit(_), _) => true,
-        (Claim::Literal(_), Role::Target) => true,
+        (Claim::Implicit(_), Role::Source) => true,
+        (Claim::Implicit(_) | Claim::Literal(_), Role::Target) => !place.is_in("operand"),
         // It is a source of its own.
         (Claim::Literal(_), Role::Source) => false,
         (Claim::Operand(_) | Claim::Function(_), Role::Source) => true,
-        (Claim::Operand(_) | Claim::Function(_), Role::Target) => !place.is_literal(),
+        // An operand meets the other one and no target.
+        (Claim::Operand(_), Role::Target) => place.is_in("operand"),
+        (Claim::Function(_), Role::Target) => !place.is_literal() && !place.is_behind_a_parameter(),
         (Claim::Bit(_, Direction::Read, _), Role::Source) => place.is_in("variable"),
-        (Claim::Bit(_, Direction::Read, _), Role::Target) => !place.is_literal(),
+        (Claim::Bit(_, Direction::Read, _), Role::Target) => {
+            !place.is_literal() && !place.is_behind_a_parameter()
+        }
         (Claim::Bit(_, Direction::Written, _), Role::Source) => true,
         (Claim::Bit(_, Direction::Written, _), Role::Target) => place.is_in("variable"),
     }

@@ -20,6 +20,8 @@ pub struct Tally {
     pub changed: usize,
     /// The number of those that fail.
     pub noticed: usize,
+    /// The number of those that are changed and only record what happens, because no document says what must.
+    pub recorded: usize,
     /// The key of the first case that is changed.
     pub example: Option<String>,
 }
@@ -55,6 +57,7 @@ pub fn measure(
             sum.met += tally.met;
             sum.changed += tally.changed;
             sum.noticed += tally.noticed;
+            sum.recorded += tally.recorded;
             sum.example = sum.example.take().or(tally.example);
         }
     }
@@ -95,6 +98,7 @@ fn try_case(
         tally.met += 1;
         if answers != right {
             tally.changed += 1;
+            tally.recorded += usize::from(case.is_open());
             tally.example.get_or_insert_with(|| case.key());
             tally.noticed += usize::from(judge(case, &answers, Grade::Code).verdict != Verdict::Pass);
         }

@@ -3,9 +3,9 @@
 use super::names::{Names, Variables};
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::tree::{
-    Argument, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou,
-    PouKind, SourceUnit, Statement, StatementKind, TypeSpecification, TypeSpecificationKind, UnaryOperator,
-    VariableGroup, VariableKind,
+    Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
+    InitializerKind, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeSpecification,
+    TypeSpecificationKind, UnaryOperator, VariableGroup, VariableKind,
 };
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
@@ -229,8 +229,10 @@ impl<'u> Walk<'_, 'u> {
             StatementKind::For {
                 from, to, by, body, ..
             } => {
-                for bound in [Some(*from), Some(*to), *by].into_iter().flatten() {
-                    self.value(bound, "for-bound");
+                self.value(*from, "for-start");
+                self.value(*to, "for-end");
+                if let Some(by) = by {
+                    self.value(*by, "for-step");
                 }
                 self.inside("for", body);
             }
@@ -300,7 +302,7 @@ impl<'u> Walk<'_, 'u> {
         }
     }
 
-    /// Visits the parts of an expression later. The operands of an operator go where its result goes.
+    /// Visits the parts of an expression later.
     fn parts(&mut self, id: ExpressionId, standing: Standing) {
         let elsewhere = |target| Standing {
             target: Some(target),
@@ -312,8 +314,14 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary { operand: inner, .. } => {
                 self.waiting.push((*inner, standing));
             }
-            ExpressionKind::Binary { left, right, .. } => {
-                self.waiting.extend([(*right, standing), (*left, standing)]);
+            ExpressionKind::Binary {
+                operator,
+                left,
+                right,
+            } => {
+                let [left_place, right_place] = operands(*operator);
+                let operands = [(*right, elsewhere(right_place)), (*left, elsewhere(left_place))];
+                self.waiting.extend(operands);
             }
             ExpressionKind::Field { base, .. }
             | ExpressionKind::Bit { base, .. }
@@ -346,10 +354,11 @@ impl<'u> Walk<'_, 'u> {
         argument: &Argument<'_>,
         standing: Standing,
     ) -> (ExpressionId, Standing) {
-        let called = match &self.unit.expressions[callee.0 as usize].kind {
-            ExpressionKind::Name(name) => self.names.pou(name.text),
-            _ => None,
+        let name = match &self.unit.expressions[callee.0 as usize].kind {
+            ExpressionKind::Name(name) => name.text,
+            _ => "",
         };
+        let called = self.names.pou(name);
         let function = called == Some(PouKind::Function);
         let block = self.is_instance(callee);
         let within = standing
@@ -362,7 +371,7 @@ impl<'u> Walk<'_, 'u> {
             Argument::Named { value: id, .. } | Argument::Positional(id) if block => (*id, "block-input"),
             Argument::Output { target, .. } if function => (*target, "function-output"),
             Argument::Output { target, .. } => (*target, "block-output"),
-            Argument::Named { value: id, .. } | Argument::Positional(id) => (*id, "standard-argument"),
+            Argument::Named { value: id, .. } | Argument::Positional(id) => (*id, standard_argument(name)),
         };
         let standing = Standing {
             target: Some(target),
@@ -476,6 +485,39 @@ impl<'u> Walk<'_, 'u> {
             _ => Some("path"),
         }
     }
+}
+
+/// Returns the places of the two operands of an operator.
+const fn operands(operator: BinaryOperator) -> [&'static str; 2] {
+    match operator {
+        BinaryOperator::Or | BinaryOperator::Xor | BinaryOperator::And => ["bit-operand", "bit-operand"],
+        BinaryOperator::Add
+        | BinaryOperator::Subtract
+        | BinaryOperator::Multiply
+        | BinaryOperator::Divide
+        | BinaryOperator::Modulo
+        | BinaryOperator::Power => ["left-operand", "right-operand"],
+        BinaryOperator::Equal
+        | BinaryOperator::NotEqual
+        | BinaryOperator::Less
+        | BinaryOperator::Greater
+        | BinaryOperator::LessOrEqual
+        | BinaryOperator::GreaterOrEqual => ["compared-operand", "compared-operand"],
+    }
+}
+
+/// Returns the place of the arguments of a function that the text does not declare.
+fn standard_argument(name: &str) -> &'static str {
+    const PLACES: [(&str, &str); 4] = [
+        ("SEL", "sel-argument"),
+        ("MUX", "mux-argument"),
+        ("MAX", "max-argument"),
+        ("LIMIT", "limit-argument"),
+    ];
+    let place = PLACES
+        .iter()
+        .find(|(function, _)| function.eq_ignore_ascii_case(name));
+    place.map_or("standard-argument", |(_, place)| place)
 }
 
 /// Returns what a form of partial access was applied to that the dialect does not have.

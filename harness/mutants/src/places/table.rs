@@ -1,10 +1,9 @@
 //! The table of saboteurs, by rule and by place.
 
 use super::claim::Rule;
-use super::explained::ExplainedSaboteurs;
+use super::explained::{ExplainedSaboteurs, Explanation};
 use super::measure::Tally;
 use super::saboteur::{BrokenPlace, Saboteur};
-use crate::explained::ExplanationKind;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
@@ -15,7 +14,7 @@ pub struct Judged {
     /// The cases that were run against it; none where no program has its rule in its place.
     pub tally: Tally,
     /// Why no case notices, where that is listed.
-    pub kind: Option<ExplanationKind>,
+    pub kind: Option<Explanation>,
 }
 
 impl Judged {
@@ -24,9 +23,14 @@ impl Judged {
         self.tally.noticed > 0
     }
 
-    /// Returns whether no case notices and nobody has said why.
-    pub fn is_open(&self) -> bool {
-        !self.is_noticed() && self.kind.is_none()
+    /// Returns whether every case that sees the saboteur only records: then it breaks no claim.
+    pub fn is_recorded(&self) -> bool {
+        self.tally.changed > 0 && self.tally.recorded == self.tally.changed
+    }
+
+    /// Returns whether no case notices, although some asserts something or none sees it, and nobody has said why.
+    pub fn is_unexplained(&self) -> bool {
+        !self.is_noticed() && !self.is_recorded() && self.kind.is_none()
     }
 
     /// Returns the line that says what is wrong with a saboteur that no case notices.
@@ -53,7 +57,10 @@ impl Judged {
 pub fn judge(tallies: BTreeMap<Saboteur, Tally>, explained: &ExplainedSaboteurs) -> Vec<Judged> {
     let judged = |(saboteur, tally): (Saboteur, Tally)| {
         let noticed = tally.noticed > 0;
-        let kind = (!noticed).then(|| explained.kind(&saboteur)).flatten();
+        let kind = match noticed {
+            true => None,
+            false => explained.kind(&saboteur),
+        };
         Judged {
             saboteur,
             tally,
@@ -80,6 +87,7 @@ const fn column(place: BrokenPlace) -> usize {
 #[derive(Clone, Copy, Default)]
 struct Field {
     noticed: usize,
+    recorded: usize,
     explained: usize,
     all: usize,
 }
@@ -88,15 +96,23 @@ impl Field {
     fn add(&mut self, judged: &Judged) {
         self.all += 1;
         self.noticed += usize::from(judged.is_noticed());
-        self.explained += usize::from(judged.kind.is_some());
+        self.recorded += usize::from(judged.is_recorded());
+        self.explained += usize::from(judged.kind.is_some() && !judged.is_recorded());
     }
 
+    /// Returns how many are noticed, how many break no claim (`o`) or are explained (`e`), and how many there are.
     fn text(self) -> String {
-        match (self.all, self.explained) {
-            (0, _) => "-".to_owned(),
-            (all, 0) => format!("{}/{all}", self.noticed),
-            (all, explained) => format!("{}+{explained}/{all}", self.noticed),
+        if self.all == 0 {
+            return "-".to_owned();
         }
+        let mut text = self.noticed.to_string();
+        for (number, mark) in [(self.recorded, 'o'), (self.explained, 'e')] {
+            if number > 0 {
+                let _ = write!(text, "+{number}{mark}");
+            }
+        }
+        let _ = write!(text, "/{}", self.all);
+        text
     }
 }
 
@@ -131,7 +147,7 @@ pub fn by_rule(judged: &[Judged]) -> String {
 
 fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
     let _ = write!(table, "{name:<48}");
-    for (field, width) in fields.iter().zip([10, 10, 13, 16, 11]) {
+    for (field, width) in fields.iter().zip([13, 13, 13, 20, 11]) {
         let _ = write!(table, "{field:>width$}");
     }
     let _ = writeln!(table, "{fewest:>14}");
@@ -150,13 +166,13 @@ pub fn by_place(judged: &[Judged]) -> String {
             *fewest = (*fewest).min(one.tally.noticed);
         }
     }
-    let mut table = format!("{:<48}{:>10}{:>14}\n", "place", "rules", "fewest cases");
+    let mut table = format!("{:<48}{:>16}{:>14}\n", "place", "rules", "fewest cases");
     for (place, (field, fewest)) in rows {
         let fewest = match fewest {
             usize::MAX => "-".to_owned(),
             fewest => fewest.to_string(),
         };
-        let _ = writeln!(table, "{place:<48}{:>10}{fewest:>14}", field.text());
+        let _ = writeln!(table, "{place:<48}{:>16}{fewest:>14}", field.text());
     }
     table
 }

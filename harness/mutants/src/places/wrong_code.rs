@@ -44,9 +44,10 @@ pub fn wrong_code(
         PairKind::RealToInteger | PairKind::RealToBitString => rounded_otherwise(performed?),
         PairKind::BoolToNumber => negative(to),
         PairKind::NumberToBool => lowest_bit(performed?),
-        PairKind::ToText => behind([Instruction::DropText, Instruction::PushText(nothing)]),
-        PairKind::FromText if to.is_text() => behind([Instruction::DropText, Instruction::PushText(nothing)]),
-        PairKind::FromText | PairKind::FromTime | PairKind::ToTime => {
+        PairKind::ToText | PairKind::FromText if to.is_text() => {
+            behind([Instruction::DropText, Instruction::PushText(nothing)])
+        }
+        PairKind::ToText | PairKind::FromText | PairKind::FromTime | PairKind::ToTime => {
             behind([Instruction::Drop, Instruction::Push(0)])
         }
     }
