@@ -341,7 +341,8 @@ fn grades() -> impl TypedValueParser<Value = Grade> {
 /// The dialects that there are now: those of stickler.toml once that file was read.
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
     let shown = |dialect: DialectName| {
-        let value = PossibleValue::new(dialect.as_str());
+        // The help of each command would be about little else.
+        let value = PossibleValue::new(dialect.as_str()).hide(dialect.is_variant());
         match dialect
             .definition()
             .and_then(|definition| definition.about.as_deref())

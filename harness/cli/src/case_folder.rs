@@ -8,14 +8,18 @@ use crate::shell;
 use anyhow::{Context, bail};
 use std::collections::BTreeSet;
 use std::env;
+use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
-use stickler_suite::{Case, FileKind, Suite};
+use stickler_suite::{Case, Dialects, FileKind, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
+
+/// The file of the dialects in a folder of cases.
+const DIALECTS: &str = "dialects.toml";
 
 /// A folder of cases, found by a search or named on the command line.
 pub struct CaseFolder {
@@ -140,6 +144,16 @@ impl CaseFolder {
     }
 }
 
+/// Defines the variants of dialects that the suite has, so that the command line may name them. Does nothing where there is no folder of
+/// cases; mistakes in its file are reported where its cases are loaded.
+pub fn define_variants(named: Option<&Path>) {
+    if let Ok(folder) = CaseFolder::locate(named)
+        && let Ok(text) = fs::read_to_string(folder.path.join(DIALECTS))
+    {
+        let _ = Dialects::of_file(DIALECTS, &text);
+    }
+}
+
 /// Reports the mistakes in the files that were read on stderr.
 fn report_mistakes(suite: &Suite) {
     for error in &suite.errors {
@@ -166,9 +180,7 @@ pub struct Loaded {
 
 /// Returns those of the dialects that stickler.toml defines, each once.
 fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> {
-    let defined = dialects
-        .into_iter()
-        .filter(|dialect| dialect.definition().is_some());
+    let defined = dialects.into_iter().filter(|dialect| dialect.is_custom());
     defined.collect::<BTreeSet<_>>().into_iter().collect()
 }
 
@@ -202,7 +214,9 @@ pub fn exit_of(suite: &Suite) -> Exit {
 
 /// Reports on stderr that the filters select no case, and returns the exit code for that.
 pub fn nothing_selected(suite: &Suite) -> Exit {
-    let is_beside = |dialect: &DialectName| suite.cases.iter().all(|case| case.dialect != *dialect);
+    let is_beside = |dialect: &DialectName| {
+        dialect.is_custom() && suite.cases.iter().all(|case| case.dialect != *dialect)
+    };
     let unless_named = match DialectName::defined().iter().any(is_beside) {
         true => "; a dialect of stickler.toml has cases where --dialect names it",
         false => "",

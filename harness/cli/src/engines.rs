@@ -51,6 +51,17 @@ pub fn configure() -> anyhow::Result<()> {
     }
 }
 
+/// Returns the argument of `--cases`, if the command has that option. Other mistakes of the command line are reported later.
+pub fn named_cases() -> Option<Option<PathBuf>> {
+    let command = with_any_dialect(Arguments::command()).ignore_errors(true);
+    let matches = command.try_get_matches().ok()?;
+    match matches.subcommand() {
+        // Without a command all cases are run.
+        None => Some(None),
+        Some((_, of_command)) => Some(of_command.try_get_one::<PathBuf>("cases").ok()?.cloned()),
+    }
+}
+
 /// Returns the argument of `--config`. Other mistakes of the command line are reported later.
 fn named_file() -> Option<PathBuf> {
     let mentions = |word: OsString| word.to_string_lossy().starts_with("--config");

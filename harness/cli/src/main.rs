@@ -45,8 +45,11 @@ fn ignore_file_size_signal() {}
 
 fn main() -> ExitCode {
     ignore_file_size_signal();
-    // The command line may name the dialects of stickler.toml.
+    // The command line may name the dialects of stickler.toml and the variants of the suite.
     let configured = engines::configure();
+    if let Some(cases) = engines::named_cases() {
+        case_folder::define_variants(cases.as_deref());
+    }
     let arguments = match (Arguments::try_parse(), configured) {
         (Ok(arguments), Ok(())) => arguments,
         (Err(usage), Ok(())) => usage.exit(),

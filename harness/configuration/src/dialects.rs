@@ -227,6 +227,7 @@ fn taken_over(
         name: name.to_owned(),
         base: other.base,
         about: None,
+        is_variant: false,
         place: written(&entry.span),
         implicit: implicit
             .map(|(pair, stated)| (*pair, said(stated, name)))

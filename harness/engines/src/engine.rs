@@ -117,8 +117,11 @@ impl Identity {
     #[must_use]
     pub fn asked_in(&self, dialect: DialectName) -> Option<DialectName> {
         let base = dialect.base().name();
-        [dialect, base]
+        // Of a variant, an engine that does not know its options would do something else.
+        let base = (!dialect.is_variant()).then_some(base);
+        [Some(dialect), base]
             .into_iter()
+            .flatten()
             .find(|dialect| self.dialects.contains(dialect))
     }
 }
@@ -195,6 +198,11 @@ mod tests {
         assert_eq!(identity.asked_in(known), Some(known));
         assert_eq!(identity.asked_in(unknown), Some(DialectName::Matiec));
         assert_eq!(identity.asked_in(DialectName::Matiec), Some(DialectName::Matiec));
+        let variant = DialectName::define(Definition {
+            is_variant: true,
+            ..Definition::new("matiec-with-an-option", BuiltIn::Matiec, "here")
+        });
+        assert_eq!(identity.asked_in(variant.unwrap()), None);
         assert!(!identity.speaks(DialectName::Plcnext));
     }
 }

@@ -5,6 +5,7 @@
 //! `<FROM>_TO_<TO>`.
 
 use crate::catalogue::has_third_edition;
+use stickler_types::definition::Flag;
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of the type `from` converts implicitly to `to` in a dialect.
@@ -28,6 +29,12 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         .and_then(|definition| definition.implicit(from, to))
     {
         return stated.value;
+    }
+    let widens_across = dialect
+        .definition()
+        .and_then(|definition| definition.flag(Flag::CrossFamilyWidening));
+    if let Some(on) = widens_across.filter(|_| is_cross_family(from, to)) {
+        return said(on);
     }
     match dialect.base() {
         BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 => ironplc(from, to),

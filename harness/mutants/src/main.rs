@@ -104,10 +104,12 @@ fn run(arguments: &Arguments) -> Result<u8, RunFailure> {
 
 /// Writes all cases down for the judge, and returns the file.
 fn prepared(arguments: &Arguments) -> anyhow::Result<PathBuf> {
-    let suite = stickler_suite::Suite::load(&arguments.cases);
+    let mut suite = stickler_suite::Suite::load(&arguments.cases);
     if let Some(error) = suite.errors.first() {
         anyhow::bail!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
     }
+    // The judge knows the dialects of documented systems only.
+    suite.cases.retain(|case| case.dialect.definition().is_none());
     let output = absolute(&arguments.output)?;
     std::fs::create_dir_all(&output).with_context(|| format!("cannot create {}", output.display()))?;
     let path = output.join("prepared.cases");

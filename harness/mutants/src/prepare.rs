@@ -117,7 +117,9 @@ mod tests {
 
     static SUITE: LazyLock<Suite> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
-        Suite::load(&folder)
+        let mut suite = Suite::load(&folder);
+        suite.cases.retain(|case| case.dialect.definition().is_none());
+        suite
     });
 
     #[test]

@@ -8,6 +8,7 @@ use crate::answers::{Answers, Rendering, ask};
 use serde::{Deserialize, Serialize};
 use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
 use stickler_suite::Case;
+use stickler_types::definition::Definition;
 use stickler_types::{Fault, Value};
 
 /// A store of one engine's answers from earlier runs. The implementation keeps the answers of engines apart that differ in
@@ -51,6 +52,9 @@ pub fn question(case: &Case) -> String {
     digest.text(case.dialect.as_str()).text(&case.source);
     // An engine that does not know a custom dialect is asked about its base, which the name does not contain.
     digest.text(&format!("{:?}", case.dialect.base()));
+    // The definition decides the options of an engine that knows them.
+    let overrides = case.dialect.definition().map(Definition::overrides);
+    digest.text(&overrides.unwrap_or_default().join("\n"));
     digest.number(case.scans.into());
     digest.number(case.observe.len() as u64);
     for asked in &*case.observe {

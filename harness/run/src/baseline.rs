@@ -87,7 +87,7 @@ impl Entry {
     /// are there only in a run that asks for it, so the entry cannot be checked.
     fn is_beside(&self, suite: &Suite) -> bool {
         let is_beside = |dialect: DialectName| {
-            dialect.definition().is_some() && !suite.cases.iter().any(|case| case.dialect == dialect)
+            dialect.is_custom() && !suite.cases.iter().any(|case| case.dialect == dialect)
         };
         self.case.dialect().is_some_and(is_beside)
     }

@@ -20,8 +20,7 @@ const BATCH_LEN: usize = 64;
 /// # Errors
 /// [`RunError::Workers`] where the system gives no threads; [`RunError::Engine`] where the reference has no session.
 pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case>, RunError> {
-    let taken_over =
-        |case: &&Case| case.dialect.definition().is_some() && !case.is_stated() && !case.is_open();
+    let taken_over = |case: &&Case| case.dialect.is_custom() && !case.is_stated() && !case.is_open();
     let selected: Vec<&Case> = select(plan, cases).into_iter().filter(taken_over).collect();
     if selected.is_empty() {
         return Ok(Vec::new());
@@ -54,7 +53,7 @@ pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case
 #[must_use]
 pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
     let header = |dialect: &DialectName| {
-        let definition = dialect.definition()?;
+        let definition = dialect.definition().filter(|definition| !definition.is_variant)?;
         Some(DefinedHeader {
             name: definition.name.clone(),
             extends: definition.base.name().as_str().to_owned(),

@@ -4,9 +4,11 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use stickler_types::DialectName;
+use stickler_types::definition::{Definition, Flag, Stated};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake};
+use crate::near::suggestion;
 use crate::place::Lines;
 use crate::toml_text;
 
@@ -37,6 +39,8 @@ struct DialectsFile {
     groups: BTreeMap<String, Vec<Spanned<String>>>,
     #[serde(default)]
     dialect: BTreeMap<Spanned<String>, EntryFile>,
+    #[serde(default)]
+    variant: BTreeMap<Spanned<String>, VariantFile>,
 }
 
 #[derive(Deserialize)]
@@ -45,6 +49,15 @@ struct EntryFile {
     title: String,
     description: String,
     extends: Option<Spanned<String>>,
+}
+
+/// A variant of a documented system: its documents say what compiler options do.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct VariantFile {
+    extends: Spanned<String>,
+    description: String,
+    flags: BTreeMap<Spanned<String>, bool>,
 }
 
 impl Default for Dialects {
@@ -62,7 +75,7 @@ impl Dialects {
     /// Adds user-defined dialects, which take over the cases of the dialects that they extend.
     pub(crate) fn with_defined(mut self, defined: &[DialectName]) -> Dialects {
         self.defined
-            .extend(defined.iter().filter(|dialect| dialect.definition().is_some()));
+            .extend(defined.iter().filter(|dialect| dialect.is_custom()));
         self
     }
 
@@ -153,6 +166,10 @@ struct Reader {
 impl Reader {
     fn read(mut self, file: DialectsFile) -> (Dialects, Vec<Mistake>) {
         let mut dialects = Dialects::default();
+        // Groups may name them.
+        for (name, variant) in file.variant {
+            self.define(&name, variant);
+        }
         for (group, members) in file.groups {
             let key = format!("groups.{group}");
             let members = members
@@ -170,6 +187,40 @@ impl Reader {
             dialects.entries.insert(dialect, entry);
         }
         (dialects, self.mistakes)
+    }
+
+    /// Defines a variant for the lifetime of the process, so that its name is one of a dialect.
+    fn define(&mut self, name: &Spanned<String>, variant: VariantFile) {
+        let key = format!("variant.{}", name.get_ref());
+        let Some(base) = self.dialect(&variant.extends, &key) else {
+            return;
+        };
+        let place = format!("dialects.toml:{}", self.lines.line(name.span().start));
+        let mut definition = Definition {
+            is_variant: true,
+            about: Some(variant.description),
+            ..Definition::new(name.get_ref(), base.base(), &place)
+        };
+        for (word, value) in variant.flags {
+            match Flag::from_word(word.get_ref()) {
+                Some(flag) => {
+                    let basis = format!("{}: {} ({place})", name.get_ref(), flag.as_str());
+                    definition.flags.insert(flag, Stated { value, basis });
+                }
+                None => {
+                    let known = Flag::ALL.iter().map(|flag| flag.as_str());
+                    let message = format!(
+                        "no flag `{}`; {}",
+                        word.get_ref(),
+                        suggestion(word.get_ref(), known)
+                    );
+                    self.mistake(&word, &key, message);
+                }
+            }
+        }
+        if let Err(taken) = DialectName::define(definition) {
+            self.mistake(name, &key, taken.to_string());
+        }
     }
 
     fn entry(&mut self, entry: EntryFile, key: &str) -> DialectEntry {
@@ -211,6 +262,34 @@ mod tests {
         assert_eq!(dialects.resolve("matiec"), Ok(vec![Matiec]));
         let unknown = dialects.resolve("neither").unwrap_err();
         assert!(unknown.contains("`neither`") && unknown.contains("both") && unknown.contains("plcnext"));
+    }
+
+    #[test]
+    fn a_variant_is_named_and_takes_over_no_cases() {
+        let dialects = read(
+            "[groups]\nwith = [\"matiec\", \"test+bits\"]\n[variant.\"test+bits\"]\nextends = 'ironplc-ed2'\n\
+             description = 'bits'\nflags = { allow-partial-access-syntax = true }",
+        );
+        let variant: DialectName = "test+bits".parse().expect("it is defined");
+        assert!(variant.is_variant() && !variant.is_custom());
+        let definition = variant.definition().expect("it is defined");
+        assert_eq!(definition.flag(Flag::PartialAccessSyntax), Some(true));
+        assert_eq!(dialects.resolve("with"), Ok(vec![Matiec, variant]));
+        assert_eq!(dialects.resolve("ironplc-ed2"), Ok(vec![IronplcEd2]));
+    }
+
+    #[test]
+    fn a_flag_of_a_variant_that_there_is_not_is_named_with_the_nearest() {
+        let (_, mistakes) = Dialects::read(
+            "[variant.test-flag]\nextends = 'matiec'\ndescription = ''\nflags = { bit-acces = true }",
+        );
+        let [mistake] = &mistakes[..] else {
+            panic!("{mistakes:?}")
+        };
+        assert!(
+            format!("{mistake:?}").contains("did you mean `bit-access`?"),
+            "{mistake:?}"
+        );
     }
 
     #[test]

@@ -93,7 +93,7 @@ impl Suite {
             let mut harvest = read_file(file, names);
             let cases = harvest.cases.iter_mut();
             cases
-                .filter(|case| case.dialect.definition().is_some())
+                .filter(|case| case.dialect.is_custom())
                 .for_each(|case| restate(case, &type_names));
             harvest
         };

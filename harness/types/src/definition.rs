@@ -17,6 +17,9 @@ pub struct Definition {
     pub base: BuiltIn,
     /// A description of the dialect, for people.
     pub about: Option<String>,
+    /// Whether the dialect is a variant of a documented system that the suite itself defines: its documents say what a compiler option
+    /// does, and case files name the variant. Otherwise the dialect takes over the cases of its base.
+    pub is_variant: bool,
     /// The file and line of the definition, such as `stickler.toml:3`.
     pub place: String,
     /// The pairs of types, of the value and of the target, for which the definition states whether they convert implicitly.
@@ -57,6 +60,7 @@ impl Definition {
             name: name.to_owned(),
             base,
             about: None,
+            is_variant: false,
             place: place.to_owned(),
             implicit: BTreeMap::new(),
             flags: BTreeMap::new(),

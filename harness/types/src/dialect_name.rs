@@ -110,6 +110,19 @@ impl DialectName {
         }
     }
 
+    /// Returns whether this is a [variant](Definition::is_variant) of a documented system.
+    pub const fn is_variant(self) -> bool {
+        match self {
+            DialectName::Defined(defined) => defined.definition.is_variant,
+            _ => false,
+        }
+    }
+
+    /// Returns whether this is a dialect of `stickler.toml`, which takes over the cases of its base.
+    pub const fn is_custom(self) -> bool {
+        matches!(self, DialectName::Defined(_)) && !self.is_variant()
+    }
+
     /// Defines a dialect for the lifetime of the process. Defining the same dialect again changes nothing.
     ///
     /// # Errors
@@ -135,7 +148,7 @@ impl DialectName {
         Ok(DialectName::Defined(dialect))
     }
 
-    /// Returns every user-defined dialect, in the order of the definitions.
+    /// Returns every defined dialect, variants of the suite among them, in the order of the definitions.
     pub fn defined() -> Vec<DialectName> {
         let defined = DEFINED.read().unwrap_or_else(PoisonError::into_inner);
         defined.iter().copied().map(DialectName::Defined).collect()

@@ -8,6 +8,7 @@ mod characters;
 mod codes;
 mod diagnostics;
 mod dump;
+mod options;
 mod readback;
 mod reproduction;
 mod texts;
@@ -23,10 +24,11 @@ use crate::{
     RunRequest, Session,
 };
 use dump::Dump;
+use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
 pub(super) use reproduction::reproduce;
 use std::path::{Path, PathBuf};
-use stickler_types::{BuiltIn, DialectName, Fault};
+use stickler_types::{DialectName, Fault};
 use texts::Texts;
 
 const COMPILER: Dependency = Dependency {
@@ -65,11 +67,7 @@ impl Ironplc {
         let identity = Identity {
             name: called.to_owned(),
             version,
-            dialects: vec![
-                DialectName::IronplcEd2,
-                DialectName::IronplcEd3,
-                DialectName::IronplcRusty,
-            ],
+            dialects: dialects(),
             abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
             // The registry's codes are those of this compiler.
             grade: Grade::Code,
@@ -133,16 +131,16 @@ impl Session for IronplcSession<'_> {
     }
 }
 
-/// Returns the compiler's name of a dialect.
-fn dialect_name(dialect: DialectName) -> Result<&'static str, Outcome> {
-    match dialect.base() {
-        BuiltIn::IronplcEd2 => Ok("iec61131-3-ed2"),
-        BuiltIn::IronplcEd3 => Ok("iec61131-3-ed3"),
-        BuiltIn::IronplcRusty => Ok("rusty"),
-        BuiltIn::Matiec | BuiltIn::Plcnext | BuiltIn::Strucpp | BuiltIn::Rusty => Err(Outcome::Unsupported {
-            reason: format!("it does not speak {dialect}"),
-        }),
-    }
+/// Returns the dialects that the compiler speaks: its presets, and the defined dialects that extend one.
+fn dialects() -> Vec<DialectName> {
+    let presets = [
+        DialectName::IronplcEd2,
+        DialectName::IronplcEd3,
+        DialectName::IronplcRusty,
+    ];
+    let defined = DialectName::defined().into_iter();
+    let defined = defined.filter(|dialect| presets.contains(&dialect.base().name()));
+    presets.into_iter().chain(defined).collect()
 }
 
 /// Checks that a request needs nothing between scans.
@@ -245,11 +243,11 @@ impl IronplcSession<'_> {
         }
     }
 
-    /// Runs the compiler on a program; the dialect's name is the last argument.
+    /// Runs the compiler on a program; the options of the dialect are the last arguments.
     fn on_program(&self, arguments: &[&str], dialect: DialectName, source: &str) -> Result<Ended, Outcome> {
-        let dialect = dialect_name(dialect)?;
+        let options = options(dialect)?;
         self.folder.write("program.st", source).map_err(failed)?;
-        let arguments: Vec<&str> = arguments.iter().copied().chain([dialect]).collect();
+        let arguments: Vec<&str> = arguments.iter().copied().chain(options).collect();
         call(&self.engine.compiler, &arguments, &self.folder)
     }
 }

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 use std::path::Path;
 use stickler_exact::implicit;
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_types::definition::{Definition, Flag, Stated};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
 const FILES: [&str; 13] = [
@@ -87,12 +88,28 @@ fn dialects(names: &toml::Value) -> Vec<DialectName> {
     let of = |name: &str| match name {
         "ironplc" => DialectName::ALL[..3].to_vec(),
         "all" => DialectName::ALL.to_vec(),
+        "cross-family-widening" => vec![DialectName::IronplcRusty, variant(BuiltIn::IronplcEd3, true)],
+        "no-cross-family-widening" => vec![
+            DialectName::IronplcEd2,
+            DialectName::IronplcEd3,
+            variant(BuiltIn::IronplcRusty, false),
+        ],
         name => vec![name.parse().expect("a dialect")],
     };
     names
         .iter()
         .flat_map(|name| of(name.as_str().expect("a name")))
         .collect()
+}
+
+/// Returns a dialect with cross-family widening on or off.
+fn variant(base: BuiltIn, on: bool) -> DialectName {
+    let mut definition = Definition::new(&format!("{base:?}-widens-{on}"), base, "here");
+    let basis = "a page".to_owned();
+    definition
+        .flags
+        .insert(Flag::CrossFamilyWidening, Stated { value: on, basis });
+    DialectName::define(definition).expect("a name of its own")
 }
 
 #[test]

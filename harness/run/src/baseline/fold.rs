@@ -78,7 +78,7 @@ impl Folding<'_> {
         }
         let dialects: BTreeSet<DialectName> = ids.iter().flat_map(|id| self.dialects(id)).copied().collect();
         // An entry whose dialects are all custom ones would fit no case of a run without them.
-        let is_ever_there = dialects.iter().any(|dialect| dialect.definition().is_none());
+        let is_ever_there = dialects.iter().any(|dialect| !dialect.is_custom());
         if wanted == all && is_ever_there {
             return vec![Folded {
                 case: name(ids, prefix),

@@ -119,9 +119,10 @@ impl Description {
 
     /// Returns the compiler's own word for a dialect, or for the one that it extends; `None` where it speaks neither.
     pub(super) fn word(&self, dialect: DialectName) -> Option<&str> {
-        let base = dialect.base().name();
-        let words = [dialect, base].map(|dialect| self.dialects.get(&Parsed(dialect)));
-        words.into_iter().flatten().next().map(String::as_str)
+        let base = (!dialect.is_variant()).then_some(dialect.base().name());
+        let mut names = [Some(dialect), base].into_iter().flatten();
+        let word = names.find_map(|dialect| self.dialects.get(&Parsed(dialect)));
+        word.map(String::as_str)
     }
 
     /// Returns the text of the file of a program: the program, and what stands behind it.

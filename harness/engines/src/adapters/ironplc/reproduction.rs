@@ -1,7 +1,7 @@
 //! Writes what a person needs to run a program with `ironplcc` and `ironplcvm` alone.
 
 use super::readback::{Readbacks, RunHints};
-use super::{COMPILER, MACHINE, dialect_name};
+use super::{COMPILER, MACHINE, options};
 use crate::adapters::probe_variable::with_shown_probes;
 use crate::adapters::source::main_program;
 use crate::reproduction::PROGRAM;
@@ -16,7 +16,7 @@ pub(in crate::adapters) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
-    let dialect = dialect_name(request.dialect)?;
+    let dialect = options(request.dialect)?.join(" ");
     let compiler = COMPILER.shell_variable();
     let on = |program: String| Reproduction::of(PROGRAM, program).tool(compiler, COMPILER.name);
     let compile = format!("\"${compiler}\" compile --dialect {dialect} {PROGRAM} -o program.iplc");

@@ -1,0 +1,158 @@
+//! The options that choose the rules of a dialect: a preset of the compiler, and single features beside it.
+//!
+//! Basis: ironplc: "Enabling Dialects and Features" ("a dialect is a preset … `--allow-*` flags layer on top"); `ironplcc dialects` of
+//! version 0.239.
+
+use crate::Outcome;
+use stickler_types::definition::{Definition, Flag};
+use stickler_types::{BuiltIn, DialectName};
+
+/// The preset without any feature.
+const PLAIN: &str = "iec61131-3-ed2";
+
+/// The features of the preset `iec61131-3-ed3`.
+const EDITION_3: [&str; 3] = [
+    "--allow-long-time-types",
+    "--allow-ref-to",
+    "--allow-partial-access-syntax",
+];
+
+/// The features of the preset `rusty`.
+const RUSTY: [&str; 23] = [
+    "--allow-c-style-comments",
+    "--allow-missing-semicolon",
+    "--allow-top-level-var-global",
+    "--allow-constant-type-params",
+    "--allow-empty-var-blocks",
+    "--allow-time-as-function-name",
+    "--allow-ref-to",
+    "--allow-ref-arithmetic",
+    "--allow-ref-stack-variables",
+    "--allow-ref-type-punning",
+    "--allow-int-to-bool-initializer",
+    "--allow-sizeof",
+    "--allow-system-uptime-global",
+    "--allow-cross-family-widening",
+    "--allow-partial-access-syntax",
+    "--allow-pragmas",
+    "--allow-short-circuit-operators",
+    "--allow-mixed-located-var-declarations",
+    "--allow-constant-initializer-expressions",
+    "--allow-bit-string-case-labels",
+    "--allow-paren-string-length",
+    "--allow-struct-initializer-expressions",
+    "--allow-fb-inheritance",
+];
+
+/// Returns the arguments behind `--dialect` for a dialect: the name of the preset, and the features that the definition of the
+/// dialect adds to it. Features can only be added, so a preset without one of its own is the plain one with all others.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
+pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome> {
+    let (preset, features): (_, &[&str]) = match dialect.base() {
+        BuiltIn::IronplcEd2 => (PLAIN, &[]),
+        BuiltIn::IronplcEd3 => ("iec61131-3-ed3", &EDITION_3),
+        BuiltIn::IronplcRusty => ("rusty", &RUSTY),
+        BuiltIn::Matiec | BuiltIn::Plcnext | BuiltIn::Strucpp | BuiltIn::Rusty => {
+            return Err(Outcome::Unsupported {
+                reason: format!("it does not speak {dialect}"),
+            });
+        }
+    };
+    let stated = dialect.definition().map(stated).unwrap_or_default();
+    let is_off = |feature: &str| stated.contains(&(feature, false));
+    let added = stated
+        .iter()
+        .filter(|(feature, on)| *on && !features.contains(feature))
+        .map(|(feature, _)| *feature);
+    let mut options = match features.iter().any(|feature| is_off(feature)) {
+        false => vec![preset],
+        true => {
+            let others = features.iter().copied().filter(|feature| !is_off(feature));
+            [PLAIN].into_iter().chain(others).collect()
+        }
+    };
+    options.extend(added);
+    Ok(options)
+}
+
+/// Returns the features for which the compiler has an option, and whether a definition turns them on.
+fn stated(definition: &Definition) -> Vec<(&'static str, bool)> {
+    let feature = |flag: &Flag| match flag {
+        Flag::CrossFamilyWidening => Some("--allow-cross-family-widening"),
+        Flag::PartialAccessSyntax => Some("--allow-partial-access-syntax"),
+        Flag::ThirdEditionTypes => Some("--allow-long-time-types"),
+        Flag::LineComments => Some("--allow-c-style-comments"),
+        // Bits by `.n` and reals by integer literals are always there; a literal as a bit string comes with the widening.
+        Flag::BitAccess
+        | Flag::IntegerLiteralAsReal
+        | Flag::IntegerLiteralAsBitString
+        | Flag::NestedComments
+        | Flag::RoundingFunctions => None,
+    };
+    let flags = definition.flags.iter();
+    flags
+        .filter_map(|(flag, stated)| Some((feature(flag)?, stated.value)))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use stickler_types::definition::Stated;
+
+    fn of(name: &str, base: BuiltIn, flag: Flag, value: bool) -> Vec<&'static str> {
+        let mut definition = Definition::new(name, base, "here");
+        let basis = "a page".to_owned();
+        definition.flags.insert(flag, Stated { value, basis });
+        options(DialectName::define(definition).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_feature_is_added_to_the_preset_that_does_not_have_it() {
+        let partial = Flag::PartialAccessSyntax;
+        assert_eq!(options(DialectName::IronplcEd3).unwrap(), ["iec61131-3-ed3"]);
+        assert_eq!(
+            of("options-add", BuiltIn::IronplcEd2, partial, true),
+            ["iec61131-3-ed2", "--allow-partial-access-syntax"]
+        );
+        assert_eq!(of("options-has", BuiltIn::IronplcRusty, partial, true), ["rusty"]);
+    }
+
+    #[test]
+    fn a_preset_without_one_of_its_features_is_the_plain_one_with_the_others() {
+        let without = of(
+            "options-less",
+            BuiltIn::IronplcEd3,
+            Flag::PartialAccessSyntax,
+            false,
+        );
+        assert_eq!(
+            without,
+            ["iec61131-3-ed2", "--allow-long-time-types", "--allow-ref-to"]
+        );
+        let without = of(
+            "options-rusty",
+            BuiltIn::IronplcRusty,
+            Flag::CrossFamilyWidening,
+            false,
+        );
+        assert_eq!(without.len(), RUSTY.len());
+        assert!(!without.contains(&"--allow-cross-family-widening"));
+        assert_eq!(
+            of(
+                "options-same",
+                BuiltIn::IronplcEd2,
+                Flag::CrossFamilyWidening,
+                false
+            ),
+            ["iec61131-3-ed2"]
+        );
+    }
+
+    #[test]
+    fn a_dialect_of_another_compiler_has_no_options() {
+        assert!(options(DialectName::Matiec).is_err());
+    }
+}
