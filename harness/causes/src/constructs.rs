@@ -146,6 +146,8 @@ fn way(behind: &[Token<'_>]) -> String {
                 }
                 &rest[2..]
             }
+            // A call is no use of a variable by itself.
+            [open, ..] if open.text == "(" => return way + " ()",
             _ => return way,
         };
     }
@@ -259,6 +261,7 @@ mod tests {
             ("w.%X3 := v.%X4;", "w := v;"),
             ("a[1].3 := b[2].3;", "a[1] := b[2];"),
             ("s.f := s.g;", "s := s;"),
+            ("s(in := n); n := s.out;", "n := s;"),
         ] {
             assert!(!may_become(body, smaller), "{body} {smaller}");
         }

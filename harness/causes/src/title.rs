@@ -478,9 +478,9 @@ mod tests {
 
     #[test]
     fn a_line_with_a_number_of_the_message_is_the_one_that_it_is_about() {
-        let program = "VAR\n    row : ARRAY[-127..-127] OF SINT;\nEND_VAR\n    f();\n";
+        let program = "VAR\n    row : ARRAY[-127..7] OF SINT;\nEND_VAR\n    f();\n";
         let of = |message: &str| with_number_of(program, message).map(str::trim);
-        assert_eq!(of("minimum=-127"), Some("row : ARRAY[-127..-127] OF SINT;"));
+        assert_eq!(of("minimum=-127"), Some("row : ARRAY[-127..7] OF SINT;"));
         assert_eq!(of("P2002 and 7"), None);
     }
 
