@@ -47,7 +47,7 @@ function showClaims(main, query) {
     add(main, opening(title, () => [
       source ? el("p", {}, `${source.title}, ${source.publisher}`, source.read ? el("span.dim", {}, ` (read: ${source.read})`) : null) : null,
       table(`Sections of ${key}`, ["section", ...engines], list.map((claim) => [
-        outward(claim.address, claim.section || "the whole source"),
+        el("div", {}, outward(claim.address, claim.section || "the whole source"), limitation(source, claim.section)),
         ...claim.standings.map((standing, index) => standingCell(standing,
           addressOf("cases", { engine: engines[index], claim: `${claim.source}: ${claim.section}` }))),
       ])),
@@ -56,6 +56,12 @@ function showClaims(main, query) {
   if ((header.broken_files || []).length > 0) {
     add(main, el("div.notice", {}, "Case files that could not be read, whose cases are missing:",
       el("ul", {}, header.broken_files.map((file) => el("li.code", {}, file)))));
+  }
+
+  /** Returns what the section of a source says is not there yet. */
+  function limitation(source, section) {
+    const stated = source && source.limitations ? source.limitations[section] : undefined;
+    return stated === undefined ? null : el("div.dim", {}, `It says what is not there yet: ${stated}`);
   }
 
   /** Returns what an engine does with a whole source, in a few words. */

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 /// The maximum number of bytes of all lines and texts; what does not fit is counted and left out, so that the page stays small
 /// whatever a foreign engine prints.
-const MAX_BYTES: usize = 5 << 20;
+const MAX_BYTES: usize = 7 << 19;
 
 /// A table of texts. Programs of one probe have most of their lines in common, and dialects most of their programs.
 #[derive(Default)]
