@@ -124,8 +124,10 @@ impl Simplification {
             Simplification::Half => number / 2 / unit * unit,
             Simplification::Less if number.abs() / unit > SMALL => number,
             Simplification::Less => number - unit * number.signum(),
-            Simplification::Power => power_below(number),
-            Simplification::AbovePower if number.abs() > 2 => power_below(number) + number.signum(),
+            Simplification::Power => power_below(number / unit) * unit,
+            Simplification::AbovePower if number.abs() / unit > 2 => {
+                (power_below(number / unit) + number.signum()) * unit
+            }
             Simplification::AbovePower => number,
             Simplification::Tenth => (number - number / 10) / unit * unit,
         }
@@ -214,6 +216,22 @@ mod tests {
             Some("TIME#500ms")
         );
         assert_eq!(after(Simplification::One, "TIME#7h").as_deref(), Some("TIME#1ms"));
+        assert_eq!(
+            after(Simplification::Power, "TIME#1001ms").as_deref(),
+            Some("TIME#512ms")
+        );
+    }
+
+    #[test]
+    fn dates_stay_whole_days() {
+        assert_eq!(
+            after(Simplification::Power, "DATE#1970-01-08").as_deref(),
+            Some("DATE#1970-01-05")
+        );
+        assert_eq!(
+            after(Simplification::AbovePower, "DATE#1970-01-08").as_deref(),
+            Some("DATE#1970-01-06")
+        );
     }
 
     #[test]
