@@ -70,7 +70,9 @@ pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
     let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
     let judged = table::judge(tallies, &explained);
     let whole = arguments.rule.is_empty() && arguments.place.is_empty();
-    let listed = judged.iter().filter(|one| one.kind.is_some() && !one.is_recorded());
+    let listed = judged
+        .iter()
+        .filter(|one| one.kind.is_some() && !one.is_recorded());
     let stale = match whole {
         true => explained.stale(listed.map(|one| &one.saboteur)),
         false => Vec::new(),

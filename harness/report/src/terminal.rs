@@ -7,10 +7,10 @@
 mod causes;
 mod claims;
 pub(crate) mod failure;
+mod totals;
 
 use crate::discrepancies::NAME;
 use crate::overview::Overview;
-use crate::table::{Cell, Table};
 use crate::text::{duration, judged, outdated, outdated_entries, visible};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
@@ -45,7 +45,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
     write_failures(out, overview, around)?;
     causes::write(out, overview)?;
     claims::write(out, overview)?;
-    write_totals(out, overview)?;
+    totals::write(out, overview)?;
     write_last_line(out, overview, around)
 }
 
@@ -79,40 +79,6 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
         )?;
     }
     Ok(())
-}
-
-fn write_totals(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    let areas = overview.areas();
-    let mut table = Table::new(vec![Cell::left("Cases")]);
-    areas.iter().for_each(|area| table.head(Cell::plain(area)));
-    table.head(Cell::plain("all"));
-    for (engine, dialects) in &overview.totals {
-        for (dialect, totals) in dialects {
-            let name = match overview.totals.len() {
-                1 => format!("  {dialect}"),
-                _ => format!("  {engine} {dialect}"),
-            };
-            let mut sum = Totals::default();
-            totals.values().for_each(|totals| sum += *totals);
-            let mut cells = vec![Cell::left(name)];
-            cells.extend(areas.iter().map(|area| total_cell(totals.get(*area))));
-            cells.push(total_cell(Some(&sum)));
-            table.row(cells);
-        }
-    }
-    table.write(out)?;
-    if overview.failed > 0 {
-        writeln!(out, "  {DIM}n/m: n of m cases are as expected{DIM:#}")?;
-    }
-    writeln!(out)
-}
-
-fn total_cell(totals: Option<&Totals>) -> Cell {
-    match totals.map(|totals| (totals.all(), totals.unexpected())) {
-        None | Some((0, _)) => Cell::styled("-", DIM),
-        Some((all, 0)) => Cell::plain(all),
-        Some((all, unexpected)) => Cell::styled(format!("{}/{all}", all - unexpected), BAD),
-    }
 }
 
 fn write_last_line(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {

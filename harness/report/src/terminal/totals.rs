@@ -1,0 +1,107 @@
+//! Writes the totals on the terminal: a row for each dialect, a column for each area.
+
+use super::{BAD, DIM};
+use crate::overview::Overview;
+use crate::table::{Cell, Table};
+use std::io::{self, Write};
+use stickler_run::Totals;
+
+/// Writes the table of totals. A variant of a dialect, whose name begins with that of the dialect, stands under it by what it
+/// adds, so that the table stays narrow.
+///
+/// # Errors
+/// Returns the error of writing to `out`.
+pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+    let areas = overview.areas();
+    let mut table = Table::new(vec![Cell::left("Cases")]);
+    areas.iter().for_each(|area| table.head(Cell::plain(area)));
+    table.head(Cell::plain("all"));
+    for (engine, dialects) in &overview.totals {
+        let mut above = None;
+        for (dialect, totals) in dialects {
+            let label = match above.and_then(|base| added(dialect, base)) {
+                Some(added) => format!("  {added}"),
+                None => {
+                    above = Some(dialect);
+                    dialect.clone()
+                }
+            };
+            let name = match overview.totals.len() {
+                1 => format!("  {label}"),
+                _ => format!("  {engine} {label}"),
+            };
+            let mut sum = Totals::default();
+            totals.values().for_each(|totals| sum += *totals);
+            let mut cells = vec![Cell::left(name)];
+            cells.extend(areas.iter().map(|area| total_cell(totals.get(*area))));
+            cells.push(total_cell(Some(&sum)));
+            table.row(cells);
+        }
+    }
+    table.write(out)?;
+    if overview.failed > 0 {
+        writeln!(out, "  {DIM}n/m: n of m cases are as expected{DIM:#}")?;
+    }
+    writeln!(out)
+}
+
+/// Returns what the name of a variant adds to that of its base, such as `+partial-access`; `None` for any other dialect.
+fn added<'d>(dialect: &'d str, base: &str) -> Option<&'d str> {
+    let rest = dialect.strip_prefix(base)?;
+    match rest.strip_prefix('-') {
+        Some(without) => without.starts_with("without-").then_some(without),
+        None => rest.starts_with('+').then_some(rest),
+    }
+}
+
+fn total_cell(totals: Option<&Totals>) -> Cell {
+    match totals.map(|totals| (totals.all(), totals.unexpected())) {
+        None | Some((0, _)) => Cell::styled("-", DIM),
+        Some((all, 0)) => Cell::plain(all),
+        Some((all, unexpected)) => Cell::styled(format!("{}/{all}", all - unexpected), BAD),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::write;
+    use crate::overview::Overview;
+    use crate::sample;
+    use stickler_run::{CaseEvent, Verdict};
+
+    #[test]
+    fn a_variant_stands_under_its_dialect_by_what_it_adds() {
+        let mut overview = Overview::default();
+        let dialects = [
+            "mine",
+            "mine+bits",
+            "mine-without-bits",
+            "other",
+            "other-too",
+            "other-without-bits",
+        ];
+        let cases = dialects.map(|dialect| CaseEvent {
+            dialect: dialect.to_owned(),
+            ..sample::case("x", Verdict::Pass)
+        });
+        for event in sample::run_of(cases.to_vec()) {
+            overview.take(&event);
+        }
+        let mut bytes = Vec::new();
+        write(&mut bytes, &overview).expect("written");
+        let text = anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string();
+        assert_eq!(
+            text,
+            "\
+Cases                 widening  all
+  mine                       1    1
+    +bits                    1    1
+    without-bits             1    1
+  other                      1    1
+  other-too                  1    1
+  other-without-bits         1    1
+
+"
+        );
+    }
+}
