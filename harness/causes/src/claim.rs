@@ -12,8 +12,13 @@ use stickler_types::{Diagnostic, ElementaryType};
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
 /// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
-/// says nothing of a program without an operation that the engine cannot read.
+/// says nothing of a program without an operation that the engine cannot read, and one about a mistake nothing of a program without it.
 pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
+    let is_mistake = case.expected.iter().any(|fact| fact.diagnostic().is_some());
+    // What must be rejected says nothing of what must be accepted.
+    if is_mistake && smallest.deviation.sign.rejects_valid() {
+        return false;
+    }
     let program = case.program.as_deref().unwrap_or_default();
     let all = tokens(program);
     let wanted = case
@@ -135,5 +140,7 @@ mod tests {
         assert!(!keeps(value(), "P0002"));
         assert!(keeps(value(), "P4035"));
         assert!(keeps(Fact::Accepted, "P0002"));
+        let mistake = || Fact::Diagnostic(Diagnostic::default());
+        assert!(!keeps(mistake(), "P4035"), "a valid program is rejected");
     }
 }

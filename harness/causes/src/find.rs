@@ -5,7 +5,7 @@ use crate::essence::Essence;
 use crate::failed::{FailedCases, Group};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
-use crate::question::{Heard, Questioner, with_program};
+use crate::question::{Heard, Questioner, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
@@ -19,6 +19,7 @@ use stickler_run::{
     Witness, shown_by,
 };
 use stickler_suite::{Case, SourceKind, Sources, Suite};
+use stickler_types::Observation;
 use stickler_workers::{Cancellation, WorkerPool};
 
 /// The number of groups that are reduced before the questions that are left are counted. It does not depend on the number
@@ -294,16 +295,20 @@ impl Asking<'_> {
     fn reproduction(&self, member: &Member) -> Option<(Reproduction, String)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
-        let whole = || Some(case.without_marks());
-        let mut case = with_program(case, &member.sign, &shown.program).or_else(whole)?;
         // Only what differs has to be seen; where nothing is computed wrongly, nothing is observed.
-        let differs = |name: &str| {
-            let mut pairs = shown.expected.iter().filter(|fact| !shown.got.contains(fact));
-            pairs.any(
-                |fact| matches!(fact, Fact::Value { name: wrong, .. } if wrong.eq_ignore_ascii_case(name)),
-            )
+        let differing = shown.expected.iter().filter(|fact| !shown.got.contains(fact));
+        let wrong: Vec<&str> = differing
+            .filter_map(|fact| match fact {
+                Fact::Value { name, .. } => Some(name.as_str()),
+                _ => None,
+            })
+            .collect();
+        let is_wrong = |one: &Observation| {
+            let key = one.key().to_string();
+            wrong.iter().any(|name| name.eq_ignore_ascii_case(&key))
         };
-        let observe = case.observe.iter().filter(|one| differs(&one.key().to_string()));
+        let mut case = shown_case(case, &member.sign, shown);
+        let observe = case.observe.iter().filter(|one| is_wrong(one));
         case.observe = observe.cloned().collect();
         let ability = match &member.sign.symptom {
             Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => Ability::Execute,

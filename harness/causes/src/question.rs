@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, ask, ask_stored, question};
+use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, Witness, ask, ask_stored, question};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
@@ -231,6 +231,22 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
     })
 }
 
+/// Returns the case with the program that a page shows, and the observations by which the deviation `sign` is seen there.
+pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Witness) -> Case {
+    let program = &shown.program;
+    let whole = case.without_marks();
+    if *whole.source == **program {
+        return whole;
+    }
+    // A normal form may have other variables than the case, of which only the reference says what they must be.
+    let alone = || as_the_reference(case, program, &all_variables(case, program));
+    let kept = match sign.symptom {
+        Symptom::Value | Symptom::Missing if shown.is_derived => None,
+        _ => with_program(case, sign, program),
+    };
+    kept.or_else(alone).unwrap_or(whole)
+}
+
 /// Returns what must happen with a smaller program, by what the reference does and by what was expected of the whole one.
 fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Option<Expectation> {
     let must_be_rejected = whole.accepted == Acceptance::Rejected;
@@ -252,7 +268,13 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
         }
         // What is wrong with the program is gone, and the engine may still reject it.
         Outcome::Executed { .. } if must_be_rejected => {
-            let may_hide = matches!(symptom, Symptom::OtherCode { .. } | Symptom::Surplus(_));
+            // A mistake that is told twice is not the reason for which a program without it is rejected.
+            let is_expected = |told: &str| whole.diagnostics.iter().any(|one| one.code.as_str() == told);
+            let may_hide = match symptom {
+                Symptom::OtherCode { .. } | Symptom::Rejected(_) => true,
+                Symptom::Surplus(told) => !is_expected(told),
+                _ => false,
+            };
             may_hide.then(Expectation::default)
         }
         Outcome::Executed { values } if whole.fault.is_none() => accepted(whole, symptom, &values),

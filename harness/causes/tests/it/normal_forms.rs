@@ -3,10 +3,13 @@
 use crate::fixtures::{self, identity, suite, titles};
 use std::sync::atomic::{AtomicU32, Ordering};
 use stickler_causes::Limits;
-use stickler_engines::{Engine, EngineError, Identity, Outcome, RunRequest, Session};
+use stickler_engines::{
+    Ability, Engine, EngineError, Identity, NoReproduction, Outcome, Reproduction, ReproductionFile,
+    RunRequest, Session,
+};
 use stickler_run::{Cause, Fact};
 use stickler_suite::Case;
-use stickler_types::{Code, DialectName, Fault};
+use stickler_types::{Code, Diagnostic, DialectName, Fault};
 
 /// A compiler that runs programs with one defect.
 struct Compiler {
@@ -28,6 +31,23 @@ impl Engine for Compiler {
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         Ok(Box::new(Running(self.run)))
+    }
+
+    /// Returns the program and the names of what is observed.
+    fn reproduce(&self, request: &RunRequest<'_>, _: Ability) -> Result<Reproduction, NoReproduction> {
+        let observed: Vec<&str> = request.observe.iter().map(|one| &*one.name).collect();
+        let file = |name: &str, text: &str| ReproductionFile {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        };
+        Ok(Reproduction {
+            files: vec![
+                file("program.st", request.source),
+                file("observed.txt", &observed.join(" ")),
+            ],
+            tools: Vec::new(),
+            commands: Vec::new(),
+        })
     }
 }
 
@@ -65,7 +85,24 @@ fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
 }
 
 fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: Limits) -> Vec<Cause> {
-    fixtures::causes(&suite(cases), compiler, 1, limits)
+    let found = fixtures::causes(&suite(cases), compiler, 1, limits);
+    for Cause { shown, .. } in &found {
+        let reproduction = shown.reproduction.as_ref().expect("a reproduction");
+        let [program, observed] = &reproduction.files[..] else {
+            panic!("{} files", reproduction.files.len());
+        };
+        assert_eq!(program.text, shown.program, "the program that is shown");
+        let pairs = shown.expected.iter().zip(&shown.got);
+        for (wanted, _) in pairs.filter(|(wanted, told)| wanted != told) {
+            if let Fact::Value { name, .. } = wanted {
+                assert!(
+                    observed.text.split(' ').any(|one| one == name),
+                    "{name} is observed"
+                );
+            }
+        }
+    }
+    found
 }
 
 /// Begins LREAL variables without the sign of their initial value.
@@ -327,4 +364,48 @@ fn a_compiler_that_loses_the_places_of_mistakes_has_one_cause_whatever_the_mista
         title.contains("is rejected without the place of the mistake: P4"),
         "{title}"
     );
+}
+
+/// Returns a rejection with this code on a line, and once more without a place.
+fn told_twice(code: &str, line: u32) -> Outcome {
+    let told = |line| Diagnostic {
+        code: Some(code.to_owned()),
+        line,
+        ..Diagnostic::default()
+    };
+    let diagnostics = vec![told(Some(line)), told(None)];
+    Outcome::Rejected { diagnostics }
+}
+
+/// Takes the argument of ABS for one too many.
+fn without_arguments(request: &RunRequest<'_>) -> Outcome {
+    match request.source.lines().position(|line| line.contains("ABS(")) {
+        Some(line) => told_twice("P4018", line as u32 + 1),
+        None => as_the_reference(request),
+    }
+}
+
+#[test]
+fn a_valid_program_that_is_rejected_like_one_with_a_mistake_is_shown_whole_and_without_its_claim() {
+    let declarations = "from : DINT; into : INT;";
+    let cases = vec![case("t::a", declarations, "into := ABS(from);", "5 P4035")];
+    let found = causes(&Compiler::new(without_arguments), cases);
+    assert_eq!(found[0].shown.expected, [Fact::Accepted], "{:?}", titles(&found));
+    assert!(found[0].shown.is_derived, "the claim is about a mistake");
+}
+
+/// Takes every subrange for a mistake, and tells it twice.
+fn subranges_twice(request: &RunRequest<'_>) -> Outcome {
+    match request.source.lines().position(|line| line.contains("..")) {
+        Some(line) => told_twice("P2002", line as u32 + 1),
+        None => as_the_reference(request),
+    }
+}
+
+#[test]
+fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
+    let program = "TYPE\n    narrow : INT(9..1);\nEND_TYPE\nPROGRAM main\nVAR\n    fine : INT;\nEND_VAR\n    fine := 1;\nEND_PROGRAM\n";
+    let cases = vec![fixtures::case("t::a", program, "2 P2002")];
+    let found = causes(&Compiler::new(subranges_twice), cases);
+    assert!(found[0].symptom.starts_with("surplus"), "{:?}", titles(&found));
 }
