@@ -66,11 +66,10 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
                 said(&told)
             )
         }
-        Symptom::NoPlace(_) => format!(
-            "{} is rejected without the place of the mistake: {}",
-            line(wanted.line),
-            said(&told)
-        ),
+        Symptom::NoPlace(_) => {
+            let (line, told) = (line(wanted.line), said(&told));
+            format!("{line} is rejected without the place of the mistake: {told}")
+        }
         Symptom::OtherLine(_) => {
             format!(
                 "{}: {} is reported on another line",
@@ -91,6 +90,14 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
                 .iter()
                 .find(|fact| !expected.contains(fact) && fact.diagnostic().is_some());
             let extra = extra.and_then(Fact::diagnostic).cloned().unwrap_or_default();
+            let is_repeated = extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code;
+            if is_repeated {
+                let line = line(wanted.line);
+                return format!(
+                    "{line}: {} is reported once more, without a place",
+                    named(&wanted)
+                );
+            }
             format!(
                 "{} is reported although nothing is wrong there: {}",
                 line(extra.line),

@@ -408,4 +408,9 @@ fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
     let cases = vec![fixtures::case("t::a", program, "2 P2002")];
     let found = causes(&Compiler::new(subranges_twice), cases);
     assert!(found[0].symptom.starts_with("surplus"), "{:?}", titles(&found));
+    let title = &found[0].title;
+    assert!(
+        title.ends_with("`: P2002 is reported once more, without a place"),
+        "{title}"
+    );
 }
