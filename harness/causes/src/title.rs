@@ -24,11 +24,8 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         described(program, line.filter(is_told).unwrap_or_else(|| culprit(program)))
     };
     let first = |facts: &[Fact]| {
-        facts
-            .iter()
-            .find_map(Fact::diagnostic)
-            .cloned()
-            .unwrap_or_default()
+        let first = facts.iter().find_map(Fact::diagnostic);
+        first.cloned().unwrap_or_default()
     };
     let (wanted, mut told) = (first(expected), first(got));
     if !has_codes && told.registered_code().is_some() {
