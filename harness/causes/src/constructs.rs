@@ -1,6 +1,7 @@
 //! The constructs of a program that its reduction must not exchange for others: a smaller program shows the same defect only where
 //! the construct at fault is still there, and nothing came in that the whole program does not have.
 
+use crate::names::Names;
 use crate::shape::{in_declarations, is_fixed};
 use crate::tokens::{Token, TokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,6 +24,12 @@ pub(crate) struct Constructs {
     has_empty_statement: bool,
     /// Whether every section of variables has one and every body has a statement, which some compilers demand.
     is_whole: bool,
+    /// The words that begin a unit, a section or a statement more often than its end is there.
+    unclosed: BTreeSet<&'static str>,
+    /// Whether a variable alone is assigned of which only one side is a BOOL, as where `o := a < b` becomes `o := a`.
+    becomes_truth_value: bool,
+    /// Whether an initial value is that of a variable, which is no constant.
+    begins_with_variable: bool,
 }
 
 impl Constructs {
@@ -37,6 +44,9 @@ impl Constructs {
             repeats_nothing: repeats_nothing(&tokens),
             has_empty_statement: has_empty_statement(&tokens),
             is_whole: is_whole(&tokens),
+            unclosed: unclosed(&tokens),
+            becomes_truth_value: becomes_truth_value(&tokens),
+            begins_with_variable: begins_with_variable(&tokens),
         }
     }
 
@@ -45,6 +55,9 @@ impl Constructs {
         smaller.is_whole
             && (self.has_empty_statement || !smaller.has_empty_statement)
             && (self.repeats_nothing || !smaller.repeats_nothing)
+            && (self.becomes_truth_value || !smaller.becomes_truth_value)
+            && (self.begins_with_variable || !smaller.begins_with_variable)
+            && smaller.unclosed.is_subset(&self.unclosed)
             && smaller.literals.is_subset(&self.literals)
             && smaller.unary.is_subset(&self.unary)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
@@ -84,8 +97,24 @@ fn literals(tokens: &[Token<'_>]) -> BTreeSet<String> {
         if is_value {
             found.extend(literal(token));
         }
+        let is_beside_operator = [before, tokens.get(at + 1)]
+            .into_iter()
+            .flatten()
+            .any(takes_numbers);
+        if (token.is("TRUE") || token.is("FALSE")) && is_beside_operator {
+            found.insert("truth value as an operand".to_owned());
+        }
     }
     found
+}
+
+/// Returns whether a token is an operator whose operands are numbers, or that compares.
+fn takes_numbers(token: &Token<'_>) -> bool {
+    token.is("MOD")
+        || matches!(
+            token.text,
+            "+" | "-" | "*" | "/" | "**" | "=" | "<>" | "<" | ">" | "<=" | ">="
+        )
 }
 
 /// Returns the form of a literal.
@@ -224,6 +253,61 @@ fn has_empty_statement(tokens: &[Token<'_>]) -> bool {
     pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
 }
 
+/// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`.
+fn unclosed(tokens: &[Token<'_>]) -> BTreeSet<&'static str> {
+    let pairs = [
+        ("PROGRAM", "END_PROGRAM"),
+        ("FUNCTION", "END_FUNCTION"),
+        ("FUNCTION_BLOCK", "END_FUNCTION_BLOCK"),
+        ("TYPE", "END_TYPE"),
+        ("STRUCT", "END_STRUCT"),
+        ("IF", "END_IF"),
+        ("CASE", "END_CASE"),
+        ("FOR", "END_FOR"),
+        ("WHILE", "END_WHILE"),
+        ("REPEAT", "END_REPEAT"),
+    ];
+    let number = |word: &str| tokens.iter().filter(|token| token.is(word)).count();
+    let open = pairs.into_iter().filter(|(head, end)| number(head) > number(end));
+    open.map(|(head, _)| head).collect()
+}
+
+/// Returns whether a statement or a call assigns a variable alone, and one side is a BOOL and the other is not.
+fn becomes_truth_value(tokens: &[Token<'_>]) -> bool {
+    let names = Names::new(tokens);
+    let is_truth_value = |token: &Token<'_>| Some(names.type_of(token)? == ElementaryType::Bool);
+    let mut assignments = tokens.windows(4);
+    assignments.any(|four| {
+        let is_alone = four[1].text == ":=" && matches!(four[3].text, ";" | "," | ")");
+        let sides = (is_truth_value(&four[0]), is_truth_value(&four[2]));
+        is_alone && matches!(sides, (Some(target), Some(value)) if target != value)
+    })
+}
+
+/// Returns whether a declaration begins with the value of a variable of a section that is not `CONSTANT`.
+fn begins_with_variable(tokens: &[Token<'_>]) -> bool {
+    let declared = in_declarations(tokens);
+    let mut variables = BTreeSet::new();
+    let mut is_constant = true;
+    for (at, token) in tokens.iter().enumerate().filter(|(at, _)| declared[*at]) {
+        let next = tokens.get(at + 1);
+        let upper = token.text.to_ascii_uppercase();
+        if token.kind != TokenKind::Word {
+            continue;
+        } else if upper == "TYPE" || upper == "VAR" || upper.starts_with("VAR_") {
+            is_constant = upper == "TYPE" || next.is_some_and(|next| next.is("CONSTANT"));
+        } else if !is_constant && next.is_some_and(|next| matches!(next.text, ":" | ",")) {
+            variables.insert(upper);
+        }
+    }
+    let mut pairs = tokens.windows(2).zip(&declared);
+    pairs.any(|(pair, declared)| {
+        *declared
+            && matches!(pair[0].text, ":=" | "[" | "(")
+            && variables.contains(&pair[1].text.to_ascii_uppercase())
+    })
+}
+
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
 /// them for that alone, whatever else was wrong with it.
 fn is_whole(tokens: &[Token<'_>]) -> bool {
@@ -317,6 +401,53 @@ mod tests {
         }
         assert!(may_become("n := n - -w;", "n := -w;"));
         assert!(may_become("n := -n - w;", "n := n - w;"));
+    }
+
+    #[test]
+    fn a_comparison_stays_one_of_numbers() {
+        let may_become = |body: &str, smaller: &str| {
+            let of = |body: &str| {
+                Constructs::of(&format!(
+                    "PROGRAM p VAR o : BOOL; b, c : BYTE; END_VAR {body} END_PROGRAM"
+                ))
+            };
+            of(body).may_become(&of(smaller))
+        };
+        for (body, smaller) in [
+            ("o := b <= c;", "o := b;"),
+            ("o := b < c;", "o := b < FALSE;"),
+            ("o := b = 1;", "o := TRUE = 1;"),
+        ] {
+            assert!(!may_become(body, smaller), "{body} {smaller}");
+        }
+        assert!(may_become("o := b; o := b <= c;", "o := b;"));
+        assert!(may_become("o := b <= c; c := b;", "o := o; c := b;"));
+        assert!(may_become("o := o = TRUE;", "o := FALSE = o;"));
+    }
+
+    #[test]
+    fn a_constant_with_which_a_variable_begins_stays_one() {
+        let of = |section: &str, value: &str| {
+            Constructs::of(&format!(
+                "PROGRAM p {section} a, b : INT := 5; END_VAR VAR x : INT := {value}; END_VAR x := a; END_PROGRAM"
+            ))
+        };
+        let whole = of("VAR CONSTANT", "a");
+        assert!(!whole.may_become(&of("VAR", "a")));
+        assert!(whole.may_become(&of("VAR", "5")));
+        assert!(of("VAR", "a").may_become(&of("VAR", "b")));
+        assert!(whole.may_become(&of("VAR CONSTANT", "b")));
+    }
+
+    #[test]
+    fn what_begins_keeps_its_end() {
+        let of = |end: &str| Constructs::of(&format!("PROGRAM p VAR n : TIME; END_VAR n := T#1s; {end}"));
+        assert!(!of("END_PROGRAM").may_become(&of("ENDPROGRAM")));
+        assert!(of("ENDPROGRAM").may_become(&of("ENDPROGRAM")));
+        assert!(!may_become(
+            "IF n THEN n := w; END_IF;",
+            "IF n THEN n := w; ENDIF;"
+        ));
     }
 
     #[test]
