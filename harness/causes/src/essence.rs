@@ -7,6 +7,7 @@
 use crate::features::{LITERAL, PLACES, Program, UNCHECKED};
 use crate::normal::Normal;
 use crate::reduction::Smallest;
+use crate::title::shows_initial_value;
 use std::collections::BTreeSet;
 use stickler_run::Symptom;
 
@@ -64,7 +65,8 @@ impl Essence {
                 (sign.symptom.word(), features, false)
             }
             Symptom::Value | Symptom::Missing => {
-                let (features, converts) = program.of_value();
+                let is_initial = shows_initial_value(&normal.as_smallest(smallest));
+                let (features, converts) = program.of_value(is_initial);
                 (sign.symptom.word(), features, !converts)
             }
             Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
@@ -140,7 +142,7 @@ mod tests {
     use crate::sign::Sign;
     use crate::title::title;
     use stickler_run::{Fact, Grade, Verdict};
-    use stickler_types::Diagnostic;
+    use stickler_types::{Diagnostic, ElementaryType, Value};
 
     #[test]
     fn a_typed_literal_with_a_sign_is_one_cause_wherever_it_stands() {
@@ -197,6 +199,46 @@ mod tests {
         assert!(!said(&assigned.replace("E308", ""), 5, "types do not fit").explains(&of_initial));
         let called = assigned.replace("1.0E308", "REAL_TO_LREAL(1.0E308)");
         assert!(!said(assigned, 5, "types do not fit").explains(&said(&called, 5, "no such function")));
+    }
+
+    #[test]
+    fn a_place_that_converts_nothing_is_one_cause_whatever_the_types() {
+        let of = |program: &str, name: &str| {
+            let fact = |raw| Fact::Value {
+                name: name.to_owned(),
+                value: Value::plain(ElementaryType::Int, raw),
+            };
+            let (expected, got) = (vec![fact(2)], vec![fact(0)]);
+            let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
+            let mut smallest = Smallest::rejected(program, 3, "");
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let initial = |ty: &str, literal: &str| {
+            let program = format!(
+                "PROGRAM p\nVAR\nx : {ty} := {literal};\nd : BOOL;\nEND_VAR\nd := TRUE;\nEND_PROGRAM\n"
+            );
+            of(&program, "x")
+        };
+        let of_integer = initial("LREAL", "INT#2");
+        assert!(of_integer.explains(&initial("LREAL", "REAL#2.0")));
+        assert!(!of_integer.explains(&initial("LREAL", "LREAL#2.0")));
+        assert!(!of_integer.explains(&initial("TIME", "LTIME#2s")));
+        let output = |from: &str, into: &str| {
+            let block =
+                format!("FUNCTION_BLOCK b\nVAR_OUTPUT\no : {from};\nEND_VAR\no := o;\nEND_FUNCTION_BLOCK\n");
+            let program =
+                format!("{block}PROGRAM p\nVAR\nx : {into};\ng : b;\nEND_VAR\ng(o => x);\nEND_PROGRAM\n");
+            of(&program, "x")
+        };
+        assert!(output("INT", "REAL").explains(&output("INT", "LINT")));
+        assert!(!output("INT", "REAL").explains(&of_integer));
+        let assigned = |from: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : LREAL;\ny : {from};\nEND_VAR\nx := y;\nEND_PROGRAM\n");
+            of(&program, "x")
+        };
+        assert!(!assigned("INT").explains(&assigned("REAL")));
+        assert!(!assigned("INT").explains(&of_integer));
     }
 
     #[test]

@@ -246,13 +246,22 @@ impl<'p> Program<'p> {
         pairs.any(|(token, declared)| declared && token.text == ":=")
     }
 
-    /// Returns the features of a program that computes a wrong value, and whether it converts between types.
-    pub(crate) fn of_value(&self) -> (BTreeSet<String>, bool) {
+    /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
+    /// the value is one that a variable begins with.
+    pub(crate) fn of_value(&self, is_initial: bool) -> (BTreeSet<String>, bool) {
         let mut features = operations(&self.tokens, &self.own);
         features.remove("call");
         let types: BTreeSet<ElementaryType> = self.tokens.iter().filter_map(type_of_token).collect();
         let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
         let numbers = types.iter().filter(|ty| kind(**ty).is_some()).count();
+        // An assignment converts between these types, or it would be the normal form; the place converts nothing.
+        let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));
+        let converts_nothing = are_numbers && (is_initial || features.contains("output argument"));
+        if numbers > 1 && converts_nothing {
+            features.extend(is_initial.then(|| "initial value".to_owned()));
+            features.insert("conversion".to_owned());
+            return (features, true);
+        }
         if numbers > 1 {
             let kinds: Vec<&str> = kinds.into_iter().collect();
             features.insert(format!("conversion {}", kinds.join(" and ")));
