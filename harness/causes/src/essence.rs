@@ -65,7 +65,7 @@ impl Essence {
                 (sign.symptom.word(), features, false)
             }
             Symptom::Value | Symptom::Missing => {
-                let is_initial = shows_initial_value(&normal.as_smallest(smallest));
+                let is_initial = shows_initial_value(smallest);
                 let (features, converts) = program.of_value(is_initial);
                 (sign.symptom.word(), features, !converts)
             }
@@ -212,7 +212,12 @@ mod tests {
             let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
             let mut smallest = Smallest::rejected(program, 3, "");
             smallest.deviation = Deviation { sign, expected, got };
-            Essence::of(&smallest, &Normal::unasked(&smallest))
+            // The program without its statements assigns the variable to itself.
+            let normal = Normal {
+                program: program.replace("d := TRUE", "x := x"),
+                ..Normal::unasked(&smallest)
+            };
+            Essence::of(&smallest, &normal)
         };
         let initial = |ty: &str, literal: &str| {
             let program = format!(

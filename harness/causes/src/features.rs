@@ -254,6 +254,7 @@ impl<'p> Program<'p> {
         let types: BTreeSet<ElementaryType> = self.tokens.iter().filter_map(type_of_token).collect();
         let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
         let numbers = types.iter().filter(|ty| kind(**ty).is_some()).count();
+        let is_initial = is_initial && self.has_initial_value();
         // An assignment converts between these types, or it would be the normal form; the place converts nothing.
         let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));
         let converts_nothing = are_numbers && (is_initial || features.contains("output argument"));
