@@ -78,26 +78,11 @@ fn case(program: &str, dialect: DialectName, values: &[NamedValue]) -> Case {
         line: 1,
     };
     Case {
-        id: "found".into(),
-        dialect,
-        title: "".into(),
-        basis: "".into(),
-        summary: None,
-        file: "".into(),
-        area: "found".into(),
-        line: 1,
-        source: program.into(),
-        scans: 1,
-        tags: Arc::default(),
-        clock: Arc::default(),
-        set: Arc::default(),
         expectation: Arc::new(Expectation {
             values: values.iter().map(expected).collect(),
             ..Expectation::default()
         }),
-        observe: Arc::default(),
-        cell: None,
-        placement: None,
+        ..Case::of_program("found", dialect, program)
     }
 }
 

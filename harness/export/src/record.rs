@@ -117,19 +117,11 @@ impl CaseRecord {
             after: record.after,
         });
         Ok(Case {
-            id: self.id.as_str().into(),
-            dialect,
             title: self.title.as_str().into(),
             basis: self.basis.as_str().into(),
-            summary: None,
             file: self.file.as_str().into(),
             area: self.area.as_str().into(),
             line: self.line,
-            source: self.source.as_str().into(),
-            scans: 1,
-            tags: Arc::new([]),
-            clock: Arc::new([]),
-            set: Arc::new([]),
             expectation: Arc::new(Expectation {
                 accepted: match self.accepted {
                     Accepted::Required => Acceptance::Required,
@@ -141,8 +133,7 @@ impl CaseRecord {
                 ..Expectation::default()
             }),
             observe: observe.collect(),
-            cell: None,
-            placement: None,
+            ..Case::of_program(&self.id, dialect, &self.source)
         })
     }
 }

@@ -55,6 +55,29 @@ pub struct Case {
 }
 
 impl Case {
+    /// Returns a case of a program that stands in no case file. It expects that the program is accepted, and observes nothing.
+    pub fn of_program(id: &str, dialect: DialectName, source: &str) -> Case {
+        Case {
+            id: id.into(),
+            dialect,
+            title: Arc::default(),
+            basis: Arc::default(),
+            summary: None,
+            file: Arc::default(),
+            area: Arc::default(),
+            line: 1,
+            source: source.into(),
+            scans: 1,
+            tags: Arc::default(),
+            clock: Arc::default(),
+            set: Arc::default(),
+            expectation: Arc::default(),
+            observe: Arc::default(),
+            cell: None,
+            placement: None,
+        }
+    }
+
     /// Returns the key of results: `id@dialect`.
     pub fn key(&self) -> String {
         format!("{}@{}", self.id, self.dialect)

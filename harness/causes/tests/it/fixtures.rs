@@ -42,23 +42,13 @@ pub fn case(id: &str, program: &str, must: &str) -> Case {
         });
     }
     Case {
-        id: id.into(),
-        dialect: DialectName::IronplcEd3,
         title: "A title".into(),
         basis: format!("a-source: {}", id.split("::").next().unwrap_or_default()).into(),
-        summary: None,
         file: "conformance-cases/area/file.toml".into(),
         area: "area".into(),
-        line: 1,
-        source: program.into(),
-        scans: 1,
-        tags: Arc::default(),
-        clock: Arc::default(),
-        set: Arc::default(),
         expectation: Arc::new(expectation),
         observe: observe.into(),
-        cell: None,
-        placement: None,
+        ..Case::of_program(id, DialectName::IronplcEd3, program)
     }
 }
 

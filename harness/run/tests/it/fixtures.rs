@@ -40,23 +40,11 @@ pub fn timeless_run(
 /// Returns a case that expects nothing but to be accepted.
 pub fn case(id: &str) -> Case {
     Case {
-        id: id.into(),
-        dialect: DialectName::Matiec,
         title: "A title".into(),
         basis: "a-source: A section".into(),
-        summary: None,
         file: "conformance-cases/area/file.st".into(),
         area: "area".into(),
-        line: 1,
-        source: id.into(),
-        scans: 1,
-        tags: Arc::new([]),
-        clock: Arc::new([]),
-        set: Arc::new([]),
-        expectation: Arc::new(Expectation::default()),
-        observe: Arc::new([]),
-        cell: None,
-        placement: None,
+        ..Case::of_program(id, DialectName::Matiec, id)
     }
 }
 
