@@ -16,11 +16,11 @@ pub enum Change {
     Admit(Vec<usize>),
     /// Instructions are replaced.
     Code {
-        /// The label of the first one that goes.
+        /// The label of the first instruction that is removed.
         at: Label,
-        /// The number of those that go.
+        /// The number of instructions that are removed.
         removed: u32,
-        /// Those that come.
+        /// The instructions that stand there instead.
         inserted: Vec<Instruction>,
     },
     /// The renderer writes another bit.

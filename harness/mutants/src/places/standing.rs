@@ -1,6 +1,6 @@
 //! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
 
-use super::names::{Names, Variables};
+use super::names::{Names, Variable, Variables};
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::tree::{
     Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
@@ -428,17 +428,11 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Bit { .. } => "bit",
             ExpressionKind::Name(name) => {
                 let variable = self.names.variable(&self.variables, name.text)?;
-                match variable.kind {
-                    VariableKind::Local if variable.constant => "constant",
-                    VariableKind::Local if variable.retained => "retained",
-                    VariableKind::Local => "variable",
-                    VariableKind::Temporary => "temporary",
-                    VariableKind::Input => "input",
-                    VariableKind::Output => "output",
-                    VariableKind::InOut => "in-out",
-                    VariableKind::External => "external",
-                    VariableKind::Global => "global",
-                }
+                section(variable.kind).unwrap_or(match variable {
+                    Variable { constant: true, .. } => "constant",
+                    Variable { retained: true, .. } => "retained",
+                    _ => "variable",
+                })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-output",
             _ => self.part(id)?,
@@ -450,15 +444,10 @@ impl<'u> Walk<'_, 'u> {
         let id = self.selected_of(id).unwrap_or(id);
         Some(match &self.unit.expressions[id.0 as usize].kind {
             ExpressionKind::Name(name) if self.variables.is_result(name.text) => "result",
-            ExpressionKind::Name(name) => match self.names.variable(&self.variables, name.text)?.kind {
-                VariableKind::Local => "assignment",
-                VariableKind::Temporary => "temporary",
-                VariableKind::Input => "input",
-                VariableKind::Output => "output",
-                VariableKind::InOut => "in-out",
-                VariableKind::External => "external",
-                VariableKind::Global => "global",
-            },
+            ExpressionKind::Name(name) => {
+                let variable = self.names.variable(&self.variables, name.text)?;
+                section(variable.kind).unwrap_or("assignment")
+            }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
             _ => self.part(id)?,
         })
@@ -526,4 +515,17 @@ pub fn refused_base(unit: &SourceUnit<'_>, id: ExpressionId) -> Option<Expressio
     let span = |id: ExpressionId| unit.expressions.get(id.0 as usize).map(|found| found.span);
     let (base, whole) = (span(before)?, span(id)?);
     (base.start == whole.start && base.end < whole.end).then_some(before)
+}
+
+/// Returns the place of the variables of a section, which is both a source and a target; `None` for the variables of VAR.
+const fn section(kind: VariableKind) -> Option<&'static str> {
+    match kind {
+        VariableKind::Local => None,
+        VariableKind::Temporary => Some("temporary"),
+        VariableKind::Input => Some("input"),
+        VariableKind::Output => Some("output"),
+        VariableKind::InOut => Some("in-out"),
+        VariableKind::External => Some("external"),
+        VariableKind::Global => Some("global"),
+    }
 }
