@@ -47,7 +47,6 @@ pub mod summary;
 mod table;
 pub mod terminal;
 mod text;
-mod words;
 
 pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};

@@ -1,8 +1,8 @@
 //! Compares what engines do where no document states what they must do. Observations are recorded, never judged.
 
-use crate::words::Words;
 use std::collections::{BTreeMap, HashMap};
 use stickler_run::CaseEvent;
+use stickler_types::WordTable;
 
 /// The maximum number of characters that are kept of a value.
 const MAX_KEPT_CHARACTERS: usize = 300;
@@ -10,7 +10,7 @@ const MAX_KEPT_CHARACTERS: usize = 300;
 /// The observations of a run, in a few bytes each.
 #[derive(Debug, Default)]
 pub struct Observations {
-    words: Words,
+    words: WordTable,
     /// The observations, by the id of the case and the observed variable, in the order of both.
     seen: BTreeMap<(String, u32), Vec<Seen>>,
 }

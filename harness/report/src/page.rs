@@ -39,7 +39,7 @@ pub(crate) struct Page {
     answers: Answers,
 }
 
-/// What the page knows of conversions.
+/// The data of the page about conversions.
 #[derive(Serialize)]
 struct ConversionsData<'p> {
     statements: &'p Statements,

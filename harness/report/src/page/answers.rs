@@ -1,11 +1,10 @@
 //! The answers of engines to the questions about conversions that the cases of a run ask.
 
-use crate::words::Words;
 use serde::Serialize;
 use std::collections::HashMap;
 use stickler_conversions::overview::QuestionNumber;
 use stickler_run::{CaseEvent, Fact, Observed, Verdict};
-use stickler_types::Value;
+use stickler_types::{Value, WordTable};
 
 /// The maximum number of characters of an answer.
 const MAX_CHARACTERS: usize = 80;
@@ -13,7 +12,7 @@ const MAX_CHARACTERS: usize = 80;
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]
 pub(super) struct Answers {
-    words: Words,
+    words: WordTable,
     columns: Vec<Column>,
     /// The index of the column of an engine and a dialect, by the numbers of their words.
     numbers: HashMap<(u32, u32), usize>,
@@ -29,11 +28,11 @@ struct Column {
 /// An answer. Several cases may ask the same; the greatest answer counts, so that what deviates is seen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Answer {
-    /// It is as the source of the case says.
+    /// The engine answers as the source of the case says.
     Met,
-    /// No source says what it must be; holds the word of what was recorded.
+    /// No source says what the answer must be; holds the word of the recorded answer.
     Recorded(u32),
-    /// It is something else, of which a word is held, and the number of the case among those that did not pass.
+    /// The engine answers something else; holds the word of the answer, and the number of the case among those that did not pass.
     Other(u32, Option<usize>),
 }
 

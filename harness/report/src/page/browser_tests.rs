@@ -1,12 +1,11 @@
 //! Tests of the page in a browser: its parts are opened by their addresses, and what the scripts built is read.
 //!
-//! They need a Chromium: the one that `STICKLER_CHROMIUM` names, or `chromium`, `chromium-browser` or `google-chrome` on the path. Where there is
-//! none, they say so and check nothing. The browser prints the document and ends, so no driver is needed: every part of the page has
+//! The tests need a Chromium: the one that `STICKLER_CHROMIUM` names, or `chromium`, `chromium-browser` or `google-chrome` on the
+//! path. Where there is none, each test says so and checks nothing. The browser prints the document and ends, so no driver is needed: every part of the page has
 //! an address, which is what a click leads to.
 
-use super::Page;
-use crate::groups::Groups;
-use crate::{Overview, sample};
+use super::tests;
+use crate::sample;
 use std::env;
 use std::fs;
 use std::io::Write;
@@ -137,17 +136,7 @@ fn write(folder: &Path) -> PathBuf {
         Verdict::Fail,
     )));
     events.push(footer);
-    let mut page = Page::create(path.clone(), statements()).expect("a file");
-    let (mut groups, mut overview) = (Groups::default(), Overview::default());
-    for event in &events {
-        let group = match event {
-            Event::Case(case) => Some(groups.number(case).0),
-            _ => None,
-        };
-        page.take(event, group);
-        overview.take(event);
-    }
-    page.finish(&overview, &groups).expect("finished");
+    tests::write(&path, statements(), &events);
     path
 }
 

@@ -3,9 +3,9 @@
 use super::texts::{TextNumber, Texts};
 use crate::groups::{Group, GroupNumber, Groups};
 use crate::text::{clip_facts, noted, visible};
-use crate::words::Words;
 use serde::Serialize;
 use stickler_run::{CaseEvent, Fact, Grade, Totals, Verdict};
+use stickler_types::WordTable;
 
 /// The maximum number of cases that are listed; the others are counted by their group, and `results.json` has them all.
 const MAX_CASES: usize = 80_000;
@@ -29,7 +29,7 @@ pub(super) struct FailedCases {
 struct Columns {
     /// The number of the case's group.
     group: Vec<usize>,
-    /// What stands behind the id of the group in the id of the case, a number of a word.
+    /// The rest of the case's id behind that of its group, a number of a word.
     arguments: Vec<u32>,
     /// The index of the verdict in [`Verdict::ALL`].
     verdict: Vec<usize>,
@@ -57,7 +57,7 @@ struct GroupColumns {
     grade: Vec<Option<Grade>>,
     /// Whether the document leaves the result open: 1 or 0.
     open: Vec<u8>,
-    /// How often each verdict came, in the order of [`Verdict::ALL`], up to the last that came.
+    /// The number of cases with each verdict, in the order of [`Verdict::ALL`], up to the last verdict that occurs.
     totals: Vec<Vec<u64>>,
 }
 
@@ -77,7 +77,7 @@ pub(super) struct CasesData {
 }
 
 impl GroupColumns {
-    fn push(&mut self, group: &Group, totals: &Totals, words: &mut Words) {
+    fn push(&mut self, group: &Group, totals: &Totals, words: &mut WordTable) {
         self.id.push(words.number(&group.id));
         self.dialect.push(words.number(&group.dialect));
         self.engine.push(words.number(&group.engine));

@@ -7,6 +7,7 @@ use crate::{Overview, Reports, sample};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_run::{CaseEvent, Event, Verdict};
 
@@ -27,7 +28,13 @@ fn page(events: &[Event]) -> String {
 fn page_alone(events: &[Event]) -> String {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("index.html");
-    let mut page = Page::create(path.clone(), Statements::default()).expect("a file");
+    write(&path, Statements::default(), events);
+    fs::read_to_string(path).expect("a page")
+}
+
+/// Writes the page of a run to a file.
+pub(super) fn write(path: &Path, statements: Statements, events: &[Event]) {
+    let mut page = Page::create(path.to_owned(), statements).expect("a file");
     let (mut groups, mut overview) = (Groups::default(), Overview::default());
     for event in events {
         let group = match event {
@@ -38,7 +45,6 @@ fn page_alone(events: &[Event]) -> String {
         overview.take(event);
     }
     page.finish(&overview, &groups).expect("finished");
-    fs::read_to_string(path).expect("a page")
 }
 
 /// Returns the data of an element of the page.

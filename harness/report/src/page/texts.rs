@@ -1,7 +1,7 @@
 //! A table of texts of several lines, which keeps each text and each line once.
 
-use crate::words::Words;
 use std::collections::HashMap;
+use stickler_types::WordTable;
 
 /// The maximum number of bytes of all lines and texts; what does not fit is counted and left out, so that the page stays small
 /// whatever a foreign engine prints.
@@ -11,7 +11,7 @@ const MAX_BYTES: usize = 7 << 19;
 #[derive(Default)]
 pub(super) struct Texts {
     /// The lines of all texts, and words that are no text of their own.
-    pub(super) words: Words,
+    pub(super) words: WordTable,
     numbers: HashMap<Vec<u32>, u32>,
     texts: Vec<Vec<u32>>,
     /// The number of bytes that were added.
@@ -45,7 +45,7 @@ impl Texts {
     }
 
     /// Returns the words, the texts as numbers of words, and how many texts were left out.
-    pub(super) fn into_parts(self) -> (Words, Vec<Vec<u32>>, u64) {
+    pub(super) fn into_parts(self) -> (WordTable, Vec<Vec<u32>>, u64) {
         (self.words, self.texts, self.left_out)
     }
 }
