@@ -5,7 +5,7 @@ use crate::essence::Essence;
 use crate::failed::{FailedCases, Group};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
-use crate::question::{Heard, Questioner, shown_case};
+use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
@@ -106,7 +106,7 @@ pub fn find(
         let asking = Asking {
             engine: *engine,
             store: search.stores.get(place).copied().flatten(),
-            heard: Heard::default(),
+            answered: SearchAnswers::default(),
             search,
             cases: &cases,
             stop: &stop,
@@ -202,7 +202,7 @@ impl Found {
 struct Asking<'r> {
     engine: &'r dyn Engine,
     store: Option<&'r dyn AnswerStore>,
-    heard: Heard,
+    answered: SearchAnswers,
     search: &'r Search<'r>,
     cases: &'r HashMap<(String, String), &'r Case>,
     stop: &'r (dyn Fn() -> bool + Sync),
@@ -222,7 +222,7 @@ impl Asking<'_> {
                 session: EngineSession::new(self.engine),
                 judge,
                 store: self.store,
-                heard: &self.heard,
+                answered: &self.answered,
             })
         };
         let work = |asked: &mut Questioner<'_>, (sign, event): (&Sign, &CaseEvent)| {

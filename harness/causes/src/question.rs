@@ -12,14 +12,15 @@ use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
 
-/// What an engine answered in a search, by the digest of the question. Groups with one cause ask for the same small programs.
+/// The answers of an engine in a search, by the digest of the question, because groups with one cause ask for the same small
+/// programs.
 #[derive(Default)]
-pub(crate) struct Heard(Mutex<HashMap<String, Answers>>);
+pub(crate) struct SearchAnswers(Mutex<HashMap<String, Answers>>);
 
-impl Heard {
+impl SearchAnswers {
     fn get(&self, question: &str) -> Option<Answers> {
-        let heard = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        heard.get(question).cloned()
+        let answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        answered.get(question).cloned()
     }
 
     /// Keeps answers, but a limit of time or an error, which the machine may have caused.
@@ -27,8 +28,8 @@ impl Heard {
         let by_the_machine =
             |outcome: &Outcome| matches!(outcome, Outcome::TimedOut { .. } | Outcome::Error { .. });
         if !answers.outcomes().any(by_the_machine) {
-            let mut heard = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            heard.insert(question, answers.clone());
+            let mut answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+            answered.insert(question, answers.clone());
         }
     }
 }
@@ -41,7 +42,7 @@ pub(crate) struct Questioner<'e> {
     /// The answers of earlier runs.
     pub(crate) store: Option<&'e dyn AnswerStore>,
     /// The answers of this search.
-    pub(crate) heard: &'e Heard,
+    pub(crate) answered: &'e SearchAnswers,
 }
 
 /// A deviation that an engine showed on a program.
@@ -71,11 +72,11 @@ impl Questioner<'_> {
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let question = question(case);
-        let answers = match self.heard.get(&question) {
+        let answers = match self.answered.get(&question) {
             Some(answers) => answers,
             None => {
                 let answers = ask_stored(&mut self.session, case, self.store)?;
-                self.heard.keep(question, &answers);
+                self.answered.keep(question, &answers);
                 answers
             }
         };

@@ -1,4 +1,4 @@
-//! What documents state about the conversions that the cases of a run are about, for the page of the run.
+//! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
 use std::collections::BTreeSet;
 use stickler_conversions::overview::{Statement, Statements, StatementsBuilder, part_of_program};

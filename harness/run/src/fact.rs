@@ -93,7 +93,7 @@ pub enum Fact {
     },
     /// The program is accepted, and what the compiler made of it cannot be built or dies.
     Unusable {
-        /// What becomes of it, as a fragment: `the C that it wrote cannot be built: …`.
+        /// The reason why the result is of no use, as a fragment: `the C that it wrote cannot be built: …`.
         reason: String,
     },
     /// The engine crashed.

@@ -91,7 +91,7 @@ words! {
     BitsAsReal {
         /// The number that the bit string spells: `DWORD_TO_REAL(16#2)` is 2.0.
         Number = "number",
-        /// A copy of the bits, in the format of IEC 60559: `DWORD_TO_REAL(16#40000000)` is 2.0.
+        /// The real whose bits, in the format of IEC 60559, are those of the bit string: `DWORD_TO_REAL(16#40000000)` is 2.0.
         Copy = "copy",
     }
 }

@@ -49,7 +49,7 @@ pub enum Outcome {
     },
     /// The program was accepted, and what the compiler made of it is of no use: it cannot be built, or it dies when it runs.
     Unusable {
-        /// What becomes of it, as a fragment: `the C that it wrote cannot be built: …`.
+        /// The reason why the result is of no use, as a fragment: `the C that it wrote cannot be built: …`.
         reason: String,
     },
     /// The engine died, or panicked.

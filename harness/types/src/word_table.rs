@@ -1,17 +1,17 @@
-//! A table that keeps each word of a report once, under a number.
+//! A table that keeps each word of a report or a data set once, under a number.
 
 use std::collections::HashMap;
 
 /// A table of words that keeps each word once, under a number.
 #[derive(Debug, Default)]
-pub(crate) struct Words {
+pub struct WordTable {
     numbers: HashMap<String, u32>,
     words: Vec<String>,
 }
 
-impl Words {
+impl WordTable {
     /// Returns the number of a word, which is added where it is new.
-    pub(crate) fn number(&mut self, word: &str) -> u32 {
+    pub fn number(&mut self, word: &str) -> u32 {
         if let Some(number) = self.numbers.get(word) {
             return *number;
         }
@@ -23,12 +23,14 @@ impl Words {
     }
 
     /// Returns the word of a number; empty for a number that no word has.
-    pub(crate) fn word(&self, number: u32) -> &str {
+    #[must_use]
+    pub fn word(&self, number: u32) -> &str {
         self.words.get(number as usize).map_or("", String::as_str)
     }
 
     /// Returns all words in the order of their numbers.
-    pub(crate) fn all(&self) -> &[String] {
+    #[must_use]
+    pub fn all(&self) -> &[String] {
         &self.words
     }
 }

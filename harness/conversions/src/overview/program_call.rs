@@ -43,7 +43,7 @@ pub fn call_of_program(source: &str) -> Option<ProgramCall<'_>> {
 pub struct PartAccess<'p> {
     /// The type of the variable.
     pub ty: ElementaryType,
-    /// What stands behind the variable's dot: `7`, `%X7` or `%B1`.
+    /// The text behind the variable's dot: `7`, `%X7` or `%B1`.
     pub part: &'p str,
 }
 

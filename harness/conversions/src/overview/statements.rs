@@ -1,7 +1,8 @@
-//! What documents state about conversions: which types convert implicitly, which bits and parts of a type have a name, and what the
-//! functions give for boundary values and for the values of the cases of a run.
+//! The statements of documents about conversions: which types convert implicitly, which bits and parts of a type have a name,
+//! and what the functions give for boundary values and for the values of the cases of a run.
 //!
-//! It is a table for programs that show it, such as the page of a run. Texts stand in it once, and everything else is a number.
+//! Programs that show conversions, such as the page of a run, read them as one table, in which a word stands once and
+//! everything else is a number.
 
 use super::inputs;
 use super::program_call::{PartAccess, call_of_program};
@@ -9,7 +10,7 @@ use serde::Serialize;
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, expected, signatures};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value, WordTable};
 
 /// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
 /// type has a part, or what one call of a function gives. Pairs come first, then parts, then calls.
@@ -35,7 +36,7 @@ pub struct Statements {
     questions: HashMap<Arc<str>, QuestionNumber>,
 }
 
-/// What documents state about two words, such as a pair of types: whether a program with them is accepted.
+/// A statement of documents about two words, such as a pair of types: whether a program with them is accepted.
 #[derive(Serialize)]
 struct Accepted {
     from: u32,
@@ -149,24 +150,6 @@ impl AcceptedTable {
     }
 }
 
-#[derive(Default)]
-struct WordTable {
-    numbers: HashMap<String, u32>,
-    words: Vec<String>,
-}
-
-impl WordTable {
-    fn number(&mut self, word: &str) -> u32 {
-        if let Some(number) = self.numbers.get(word) {
-            return *number;
-        }
-        let number = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
-        self.words.push(word.to_owned());
-        self.numbers.insert(word.to_owned(), number);
-        number
-    }
-}
-
 impl StatementsBuilder {
     /// Begins a table whose columns are these dialects.
     #[must_use]
@@ -275,7 +258,7 @@ impl StatementsBuilder {
         all.questions.extend(
             calls.map(|(case, function, call)| (case, number(first_call + first_calls[function] + call))),
         );
-        all.words = self.words.words;
+        all.words = self.words.all().to_vec();
         all
     }
 }
