@@ -1,6 +1,6 @@
 //! The files of a cache: naming, reading, mending and removing them.
 
-use crate::line::Line;
+use crate::line::CacheLine;
 use std::collections::HashMap;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, ErrorKind, Read, Write};
@@ -98,7 +98,7 @@ struct Contents<'t> {
     /// Whether the file begins with [`FORMAT`].
     ours: bool,
     /// The lines that are as they were written.
-    lines: Vec<Line<'t>>,
+    lines: Vec<CacheLine<'t>>,
     broken: usize,
     /// Whether the last line has its line feed.
     ended: bool,
@@ -112,7 +112,7 @@ impl<'t> Contents<'t> {
         let all = rest.lines().count();
         // Of two runs that made the file at once each may have written its beginning.
         let heads = rest.lines().filter(|line| *line == head.trim_end()).count();
-        let lines: Vec<Line<'t>> = rest.lines().filter_map(Line::read).collect();
+        let lines: Vec<CacheLine<'t>> = rest.lines().filter_map(CacheLine::read).collect();
         Contents {
             ours: true,
             broken: all - heads - lines.len(),
@@ -144,7 +144,7 @@ impl<'t> Contents<'t> {
 }
 
 /// Puts a file in the place of another, whole or not at all, and opens it for more.
-fn replace(path: &Path, head: &str, lines: &[Line<'_>]) -> io::Result<File> {
+fn replace(path: &Path, head: &str, lines: &[CacheLine<'_>]) -> io::Result<File> {
     let folder = path.parent().unwrap_or(Path::new(""));
     fs::create_dir_all(folder)?;
     let mut text = head.to_owned();

@@ -10,19 +10,19 @@ pub(crate) fn written(question: &str, answers: &str) -> String {
 
 /// A line that is as it was written.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Line<'t> {
+pub(crate) struct CacheLine<'t> {
     /// The whole line, without its line feed.
     pub(crate) whole: &'t str,
     pub(crate) question: &'t str,
     pub(crate) answers: &'t str,
 }
 
-impl<'t> Line<'t> {
+impl<'t> CacheLine<'t> {
     /// Reads a line without its line feed; `None` where it is not as it was written.
-    pub(crate) fn read(whole: &'t str) -> Option<Line<'t>> {
+    pub(crate) fn read(whole: &'t str) -> Option<CacheLine<'t>> {
         let (question, rest) = whole.split_once(' ')?;
         let (told, answers) = rest.split_once(' ')?;
-        (told == digest(question, answers)).then_some(Line {
+        (told == digest(question, answers)).then_some(CacheLine {
             whole,
             question,
             answers,
@@ -39,23 +39,23 @@ fn digest(question: &str, answers: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Line, written};
+    use super::{CacheLine, written};
 
     #[test]
     fn a_line_is_read_as_it_was_written_or_not_at_all() {
         let line = written("question", "{\"an\": \"answer\"}");
         let whole = line.strip_suffix('\n').unwrap();
         let (question, answers) = ("question", "{\"an\": \"answer\"}");
-        let read = Line {
+        let read = CacheLine {
             whole,
             question,
             answers,
         };
-        assert_eq!(Line::read(whole), Some(read));
+        assert_eq!(CacheLine::read(whole), Some(read));
         for end in 0..whole.len() {
-            assert_eq!(Line::read(&whole[..end]), None);
+            assert_eq!(CacheLine::read(&whole[..end]), None);
         }
-        assert_eq!(Line::read(&whole.replace("answer\"}", "anserw\"}")), None);
-        assert_eq!(Line::read(&format!("{}{whole}", &whole[..20])), None);
+        assert_eq!(CacheLine::read(&whole.replace("answer\"}", "anserw\"}")), None);
+        assert_eq!(CacheLine::read(&format!("{}{whole}", &whole[..20])), None);
     }
 }

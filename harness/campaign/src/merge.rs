@@ -21,7 +21,7 @@ pub struct Merged {
 #[must_use]
 pub fn merge(folders: &[PathBuf]) -> Merged {
     let mut merged = Merged::default();
-    let mut parts: BTreeMap<Key, Vec<(Record, &PathBuf)>> = BTreeMap::new();
+    let mut parts: BTreeMap<CampaignKey, Vec<(Record, &PathBuf)>> = BTreeMap::new();
     for folder in folders {
         match Record::read(folder) {
             Ok(Some(record)) => {
@@ -48,7 +48,7 @@ pub fn merge(folders: &[PathBuf]) -> Merged {
 }
 
 /// Parts of one campaign agree on what was asked, on the number of parts, and on the version of Stickler.
-type Key = (CampaignRequest, u32, String);
+type CampaignKey = (CampaignRequest, u32, String);
 
 impl Merged {
     fn take_findings(&mut self, folder: &Path) {

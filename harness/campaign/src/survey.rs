@@ -11,7 +11,7 @@ mod probes;
 use crate::differential::{Agreement, EngineUnderTest, JudgedProgram, ask_all, compare};
 use crate::exclusions::{Exclusions, UnknownWord};
 use crate::inputs::Inputs;
-use probes::{Probe, ProbeProgram, ProbeSource};
+use probes::{ProbeProgram, ProbeSource, SurveyProbe};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::time::{Duration, Instant};
@@ -191,7 +191,7 @@ impl Survey {
                 self.asked += symptoms.iter().flatten().count() as u64;
             }
             let before = blamed.len();
-            for (Probe { word, program }, symptom) in probes.into_iter().zip(symptoms) {
+            for (SurveyProbe { word, program }, symptom) in probes.into_iter().zip(symptoms) {
                 match symptom {
                     None => {}
                     Some(None) => _ = suspects.remove(&word),

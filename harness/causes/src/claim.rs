@@ -5,7 +5,7 @@ use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
 use crate::shape::own_functions;
 use crate::title::assignment;
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};
 use stickler_types::{Diagnostic, ElementaryType};
@@ -35,12 +35,12 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
             all.iter().filter(|token| token.line == number).copied().collect()
         }),
         Some(Fact::Diagnostic(Diagnostic { line, .. }) | Fact::Fault { line, .. }) => {
-            let on_line = |token: &&Token<'_>| Some(token.line) == *line;
+            let on_line = |token: &&ProgramToken<'_>| Some(token.line) == *line;
             Some(all.iter().filter(on_line).copied().collect())
         }
         _ => None,
     };
-    let line: Option<Vec<Token<'_>>> = line;
+    let line: Option<Vec<ProgramToken<'_>>> = line;
     let told = case.got.iter().find_map(|fact| fact.diagnostic()?.line);
     let focus = line
         .as_ref()
@@ -83,9 +83,9 @@ fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
 }
 
 /// Returns whether a minus stands before a literal with a type.
-fn has_signed_literal(tokens: &[Token<'_>]) -> bool {
+fn has_signed_literal(tokens: &[ProgramToken<'_>]) -> bool {
     let mut pairs = tokens.windows(2);
-    pairs.any(|pair| pair[0].text == "-" && pair[1].kind == TokenKind::Typed)
+    pairs.any(|pair| pair[0].text == "-" && pair[1].kind == ProgramTokenKind::Typed)
 }
 
 #[cfg(test)]

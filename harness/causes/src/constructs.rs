@@ -1,9 +1,9 @@
 //! The constructs of a program that its reduction must not exchange for others: a smaller program shows the same defect only where
 //! the construct at fault is still there, and nothing came in that the whole program does not have.
 
-use crate::names::Names;
+use crate::names::DeclaredNames;
 use crate::shape::{in_declarations, is_fixed};
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;
 
@@ -78,7 +78,7 @@ impl Constructs {
 }
 
 /// Returns the forms of the literals; bounds, subscripts, bits and numbers of repetitions are none.
-fn literals(tokens: &[Token<'_>]) -> BTreeSet<String> {
+fn literals(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     // For each open bracket, whether it holds values.
     let mut lists = Vec::new();
@@ -109,7 +109,7 @@ fn literals(tokens: &[Token<'_>]) -> BTreeSet<String> {
 }
 
 /// Returns whether a token is an operator whose operands are numbers, or that compares.
-fn takes_numbers(token: &Token<'_>) -> bool {
+fn takes_numbers(token: &ProgramToken<'_>) -> bool {
     token.is("MOD")
         || matches!(
             token.text,
@@ -118,13 +118,13 @@ fn takes_numbers(token: &Token<'_>) -> bool {
 }
 
 /// Returns the form of a literal.
-fn literal(token: &Token<'_>) -> Option<String> {
+fn literal(token: &ProgramToken<'_>) -> Option<String> {
     let prefix = |text: &str| {
         let (prefix, _) = text.split_once('#')?;
         Some(format!("{}#", prefix.to_ascii_uppercase()))
     };
     match token.kind {
-        TokenKind::Number => {
+        ProgramTokenKind::Number => {
             let plain = if token.text.contains('.') {
                 "real"
             } else {
@@ -132,24 +132,24 @@ fn literal(token: &Token<'_>) -> Option<String> {
             };
             Some(prefix(token.text).unwrap_or_else(|| plain.to_owned()))
         }
-        TokenKind::Typed => prefix(token.text),
-        TokenKind::Text => token.text.get(..1).map(str::to_owned),
+        ProgramTokenKind::Typed => prefix(token.text),
+        ProgramTokenKind::Text => token.text.get(..1).map(str::to_owned),
         // A truth value may stand for what has the type BOOL, or must have it.
-        TokenKind::Word => ["TRUE", "FALSE", "BOOL", "IF", "ELSIF", "WHILE", "UNTIL"]
+        ProgramTokenKind::Word => ["TRUE", "FALSE", "BOOL", "IF", "ELSIF", "WHILE", "UNTIL"]
             .iter()
             .any(|word| token.is(word))
             .then(|| "truth value".to_owned()),
-        TokenKind::Partial | TokenKind::Sign => None,
+        ProgramTokenKind::Partial | ProgramTokenKind::Sign => None,
     }
 }
 
 /// Returns the ways in which the statements use each name, such as ` [] .bit` for a bit of an element.
-fn uses(tokens: &[Token<'_>]) -> BTreeMap<String, BTreeSet<String>> {
+fn uses(tokens: &[ProgramToken<'_>]) -> BTreeMap<String, BTreeSet<String>> {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let declared = in_declarations(tokens);
     for (at, token) in tokens.iter().enumerate() {
         let is_field = at > 0 && tokens[at - 1].text == ".";
-        if token.kind == TokenKind::Word && !declared[at] && !is_field && !is_fixed(token.text) {
+        if token.kind == ProgramTokenKind::Word && !declared[at] && !is_field && !is_fixed(token.text) {
             let ways = found.entry(token.text.to_ascii_uppercase()).or_default();
             ways.insert(way(&tokens[at + 1..]));
         }
@@ -158,7 +158,7 @@ fn uses(tokens: &[Token<'_>]) -> BTreeMap<String, BTreeSet<String>> {
 }
 
 /// Returns the way in which a name is used, by the tokens behind it.
-fn way(behind: &[Token<'_>]) -> String {
+fn way(behind: &[ProgramToken<'_>]) -> String {
     let mut way = String::new();
     let mut rest = behind;
     loop {
@@ -169,8 +169,8 @@ fn way(behind: &[Token<'_>]) -> String {
             }
             [point, what, ..] if point.text == "." => {
                 match what.kind {
-                    TokenKind::Number => way.push_str(" .bit"),
-                    TokenKind::Partial => way.extend([" .", what.text.get(..2).unwrap_or("%")]),
+                    ProgramTokenKind::Number => way.push_str(" .bit"),
+                    ProgramTokenKind::Partial => way.extend([" .", what.text.get(..2).unwrap_or("%")]),
                     _ => way.extend([" .", &what.text.to_ascii_uppercase()]),
                 }
                 &rest[2..]
@@ -183,7 +183,7 @@ fn way(behind: &[Token<'_>]) -> String {
 }
 
 /// Returns the number of tokens up to the end of the brackets that the first one opens.
-fn behind_brackets(tokens: &[Token<'_>]) -> usize {
+fn behind_brackets(tokens: &[ProgramToken<'_>]) -> usize {
     let mut depth = 0_usize;
     for (at, token) in tokens.iter().enumerate() {
         match token.text {
@@ -199,14 +199,14 @@ fn behind_brackets(tokens: &[Token<'_>]) -> usize {
 }
 
 /// Returns the names that are declared with an elementary type.
-fn elementary(tokens: &[Token<'_>]) -> BTreeSet<String> {
+fn elementary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     // The names of a declaration so far, as in `a, b : INT`.
     let mut names = Vec::new();
     for pair in tokens.windows(3) {
         match pair[1].text {
-            "," if pair[0].kind == TokenKind::Word => names.push(pair[0].text.to_ascii_uppercase()),
-            ":" if pair[0].kind == TokenKind::Word => {
+            "," if pair[0].kind == ProgramTokenKind::Word => names.push(pair[0].text.to_ascii_uppercase()),
+            ":" if pair[0].kind == ProgramTokenKind::Word => {
                 names.push(pair[0].text.to_ascii_uppercase());
                 let names = std::mem::take(&mut names);
                 if ElementaryType::from_name(&pair[2].text.to_ascii_uppercase()).is_some() {
@@ -221,10 +221,10 @@ fn elementary(tokens: &[Token<'_>]) -> BTreeSet<String> {
 }
 
 /// Returns the operators before an operand and behind none, so that `a - b` does not become `-b`.
-fn unary(tokens: &[Token<'_>]) -> BTreeSet<String> {
-    let ends_operand = |token: &Token<'_>| match token.kind {
-        TokenKind::Sign => matches!(token.text, ")" | "]"),
-        TokenKind::Word => !is_fixed(token.text) || token.is("TRUE") || token.is("FALSE"),
+fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
+    let ends_operand = |token: &ProgramToken<'_>| match token.kind {
+        ProgramTokenKind::Sign => matches!(token.text, ")" | "]"),
+        ProgramTokenKind::Word => !is_fixed(token.text) || token.is("TRUE") || token.is("FALSE"),
         _ => true,
     };
     let pairs = tokens.windows(2);
@@ -233,13 +233,13 @@ fn unary(tokens: &[Token<'_>]) -> BTreeSet<String> {
 }
 
 /// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.
-fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
-    let is_zero = |token: &Token<'_>| {
-        token.kind == TokenKind::Number && token.text.chars().all(|digit| matches!(digit, '0' | '_'))
+fn repeats_nothing(tokens: &[ProgramToken<'_>]) -> bool {
+    let is_zero = |token: &ProgramToken<'_>| {
+        token.kind == ProgramTokenKind::Number && token.text.chars().all(|digit| matches!(digit, '0' | '_'))
     };
     let mut triples = tokens.windows(3);
     triples.any(|triple| {
-        triple[0].kind == TokenKind::Number
+        triple[0].kind == ProgramTokenKind::Number
             && triple[1].text == "("
             && (is_zero(&triple[0]) || triple[2].text == ")")
             || triple[0].is("BY") && is_zero(&triple[1])
@@ -247,14 +247,14 @@ fn repeats_nothing(tokens: &[Token<'_>]) -> bool {
 }
 
 /// Returns whether a statement is a semicolon alone.
-fn has_empty_statement(tokens: &[Token<'_>]) -> bool {
+fn has_empty_statement(tokens: &[ProgramToken<'_>]) -> bool {
     let before = [";", ":", "END_VAR", "OF", "DO", "THEN", "ELSE", "REPEAT"];
     let mut pairs = tokens.windows(2);
     pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
 }
 
 /// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`.
-fn unclosed(tokens: &[Token<'_>]) -> BTreeSet<&'static str> {
+fn unclosed(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
     let pairs = [
         ("PROGRAM", "END_PROGRAM"),
         ("FUNCTION", "END_FUNCTION"),
@@ -273,9 +273,9 @@ fn unclosed(tokens: &[Token<'_>]) -> BTreeSet<&'static str> {
 }
 
 /// Returns whether a statement or a call assigns a variable alone, and one side is a BOOL and the other is not.
-fn becomes_truth_value(tokens: &[Token<'_>]) -> bool {
-    let names = Names::new(tokens);
-    let is_truth_value = |token: &Token<'_>| Some(names.type_of(token)? == ElementaryType::Bool);
+fn becomes_truth_value(tokens: &[ProgramToken<'_>]) -> bool {
+    let names = DeclaredNames::new(tokens);
+    let is_truth_value = |token: &ProgramToken<'_>| Some(names.type_of(token)? == ElementaryType::Bool);
     let mut assignments = tokens.windows(4);
     assignments.any(|four| {
         let is_alone = four[1].text == ":=" && matches!(four[3].text, ";" | "," | ")");
@@ -285,14 +285,14 @@ fn becomes_truth_value(tokens: &[Token<'_>]) -> bool {
 }
 
 /// Returns whether a declaration begins with the value of a variable of a section that is not `CONSTANT`.
-fn begins_with_variable(tokens: &[Token<'_>]) -> bool {
+fn begins_with_variable(tokens: &[ProgramToken<'_>]) -> bool {
     let declared = in_declarations(tokens);
     let mut variables = BTreeSet::new();
     let mut is_constant = true;
     for (at, token) in tokens.iter().enumerate().filter(|(at, _)| declared[*at]) {
         let next = tokens.get(at + 1);
         let upper = token.text.to_ascii_uppercase();
-        if token.kind != TokenKind::Word {
+        if token.kind != ProgramTokenKind::Word {
             continue;
         } else if upper == "TYPE" || upper == "VAR" || upper.starts_with("VAR_") {
             is_constant = upper == "TYPE" || next.is_some_and(|next| next.is("CONSTANT"));
@@ -310,10 +310,11 @@ fn begins_with_variable(tokens: &[Token<'_>]) -> bool {
 
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
 /// them for that alone, whatever else was wrong with it.
-fn is_whole(tokens: &[Token<'_>]) -> bool {
+fn is_whole(tokens: &[ProgramToken<'_>]) -> bool {
     let mut has_variables = false;
     for pair in tokens.windows(2) {
-        let opens = pair[0].kind == TokenKind::Word && pair[0].text.to_ascii_uppercase().starts_with("VAR");
+        let opens =
+            pair[0].kind == ProgramTokenKind::Word && pair[0].text.to_ascii_uppercase().starts_with("VAR");
         let closes = ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
             .iter()
             .any(|end| pair[1].is(end));

@@ -4,7 +4,7 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::features::{LITERAL, PLACES, Program, UNCHECKED};
+use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
 use crate::normal::Normal;
 use crate::reduction::Smallest;
 use crate::title::shows_initial_value;
@@ -31,7 +31,7 @@ impl Essence {
     /// Returns the essence of a program that was made small, by its normal form.
     pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
         let sign = &normal.deviation.sign;
-        let program = Program::new(normal);
+        let program = MarkedProgram::new(normal);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => {
                 let features = program.of_mistake(normal.is_unchecked);

@@ -18,12 +18,12 @@ pub struct FailedCases<'r> {
     plan: &'r Plan,
     /// The engines of the run that are compilers, by name.
     engines: BTreeMap<&'r str, &'r Identity>,
-    pub(crate) groups: BTreeMap<(String, Sign, String), Group>,
+    pub(crate) groups: BTreeMap<(String, Sign, String), FailureGroup>,
 }
 
 /// A group of failing cases.
 #[derive(Clone, Debug)]
-pub(crate) struct Group {
+pub(crate) struct FailureGroup {
     pub(crate) shown: CaseEvent,
     /// The case with the smallest program that has other types than the shown one.
     pub(crate) second: Option<CaseEvent>,
@@ -79,7 +79,7 @@ impl<'r> FailedCases<'r> {
         if self.groups.len() >= MAX_GROUPS && !self.groups.contains_key(&key) {
             return;
         }
-        let group = self.groups.entry(key).or_insert_with(|| Group {
+        let group = self.groups.entry(key).or_insert_with(|| FailureGroup {
             shown: case.clone(),
             second: None,
             cases: Vec::new(),
@@ -88,7 +88,7 @@ impl<'r> FailedCases<'r> {
     }
 }
 
-impl Group {
+impl FailureGroup {
     fn take(&mut self, case: &CaseEvent) {
         let some = ExplainedCases {
             probe: case.id.split('(').next().unwrap_or_default().to_owned(),

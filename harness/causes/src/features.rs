@@ -1,12 +1,12 @@
 //! The features of a small program: the constructs by which the defects of programs are told apart.
 
-use crate::names::Names;
+use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::operations;
 use crate::shape::{in_declarations, number, own_functions, text};
 use crate::statements::{is_block, path};
 use crate::title::unimplemented;
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_types::{ElementaryType, Family};
@@ -25,8 +25,8 @@ pub(crate) fn is_unread(got: &[Fact]) -> bool {
 }
 
 /// A small program with the line that matters.
-pub(crate) struct Program<'p> {
-    tokens: Vec<Token<'p>>,
+pub(crate) struct MarkedProgram<'p> {
+    tokens: Vec<ProgramToken<'p>>,
     /// The names that the program declares.
     own: BTreeSet<String>,
     /// The number of the line at which the expected or the actual diagnostic stands.
@@ -37,8 +37,8 @@ pub(crate) struct Program<'p> {
     innocent: &'p [String],
 }
 
-impl<'p> Program<'p> {
-    pub(crate) fn new(normal: &'p Normal) -> Program<'p> {
+impl<'p> MarkedProgram<'p> {
+    pub(crate) fn new(normal: &'p Normal) -> MarkedProgram<'p> {
         let deviation = &normal.deviation;
         let is_placed = |line: &u32| *line > 1;
         let line = |facts: &[Fact]| {
@@ -48,7 +48,7 @@ impl<'p> Program<'p> {
                 .filter(is_placed)
         };
         let tokens = tokens(&normal.program);
-        Program {
+        MarkedProgram {
             own: own_functions(&tokens),
             tokens,
             line: line(&deviation.got).or_else(|| line(&deviation.expected)),
@@ -58,11 +58,11 @@ impl<'p> Program<'p> {
     }
 
     /// Returns the tokens of the line that matters; of the whole program where no line is known.
-    fn of_line(&self) -> Vec<Token<'p>> {
-        let on_line = |token: &&Token<'p>| self.line.is_none_or(|line| token.line == line);
-        let found: Vec<Token<'p>> = self.tokens.iter().filter(on_line).copied().collect();
+    fn of_line(&self) -> Vec<ProgramToken<'p>> {
+        let on_line = |token: &&ProgramToken<'p>| self.line.is_none_or(|line| token.line == line);
+        let found: Vec<ProgramToken<'p>> = self.tokens.iter().filter(on_line).copied().collect();
         // Some compilers name the line behind the mistake, or one of a file of their own.
-        match found.iter().any(|token| token.kind != TokenKind::Sign) {
+        match found.iter().any(|token| token.kind != ProgramTokenKind::Sign) {
             true => found,
             false => self.tokens.clone(),
         }
@@ -84,9 +84,9 @@ impl<'p> Program<'p> {
             features.extend(self.target(&line).map(str::to_owned));
         }
         if features.is_empty() {
-            let value = line.iter().rfind(|token| token.kind != TokenKind::Sign);
-            let is_untyped =
-                value.is_some_and(|value| matches!(value.kind, TokenKind::Number | TokenKind::Text));
+            let value = line.iter().rfind(|token| token.kind != ProgramTokenKind::Sign);
+            let is_untyped = value
+                .is_some_and(|value| matches!(value.kind, ProgramTokenKind::Number | ProgramTokenKind::Text));
             // Where a literal stands is told by the code, if it matters at all.
             features.insert(match is_untyped && !is_unchecked {
                 true => LITERAL.to_owned(),
@@ -102,8 +102,8 @@ impl<'p> Program<'p> {
     }
 
     /// Returns whether a line calls an instance of a function block.
-    fn calls_block(&self, line: &[Token<'_>]) -> bool {
-        let names = Names::new(&self.tokens);
+    fn calls_block(&self, line: &[ProgramToken<'_>]) -> bool {
+        let names = DeclaredNames::new(&self.tokens);
         let mut pairs = line.windows(2);
         pairs.any(|pair| {
             let ty = names.words.get(&pair[0].text.to_ascii_uppercase());
@@ -112,7 +112,7 @@ impl<'p> Program<'p> {
     }
 
     /// Returns the kind of variable that a line assigns, unless that is a plain one.
-    fn target(&self, line: &[Token<'_>]) -> Option<&'static str> {
+    fn target(&self, line: &[ProgramToken<'_>]) -> Option<&'static str> {
         let sign = line.iter().position(|token| token.text == ":=")?;
         let end = path(line, 0)?;
         let mut heads = self.tokens.windows(2);
@@ -131,7 +131,7 @@ impl<'p> Program<'p> {
         let text = unimplemented(program, &normal.deviation.got);
         let line = tokens(text);
         let all = &self.tokens;
-        let names = Names::new(all);
+        let names = DeclaredNames::new(all);
         let kinds = line.iter().filter_map(|token| {
             let ty = names.words.get(&token.text.to_ascii_uppercase())?;
             let declared = all
@@ -192,7 +192,7 @@ impl<'p> Program<'p> {
         features.extend(literals);
         let by_name = line
             .windows(2)
-            .any(|pair| pair[0].text == ":=" && pair[1].kind == TokenKind::Word);
+            .any(|pair| pair[0].text == ":=" && pair[1].kind == ProgramTokenKind::Word);
         if by_name && features.contains("declaration") {
             features.insert("initial value by name".to_owned());
         }
@@ -203,22 +203,24 @@ impl<'p> Program<'p> {
     }
 
     /// Returns whether a function is called that the program does not declare.
-    fn calls_library(&self, tokens: &[Token<'_>]) -> bool {
+    fn calls_library(&self, tokens: &[ProgramToken<'_>]) -> bool {
         let mut pairs = tokens.windows(2);
         pairs.any(|pair| {
-            pair[0].kind == TokenKind::Word
+            pair[0].kind == ProgramTokenKind::Word
                 && pair[1].text == "("
                 && !self.own.contains(&pair[0].text.to_ascii_uppercase())
         })
     }
 
     /// Returns the form of a typed number with its sign behind the `#`, where one is not known to be taken by the engine.
-    fn signed_literal(&self, tokens: &[Token<'_>]) -> Option<String> {
-        let is_signed = |token: &Token<'_>| {
-            token.kind == TokenKind::Typed && token.text.contains("#-") && special_literal(token).is_none()
+    fn signed_literal(&self, tokens: &[ProgramToken<'_>]) -> Option<String> {
+        let is_signed = |token: &ProgramToken<'_>| {
+            token.kind == ProgramTokenKind::Typed
+                && token.text.contains("#-")
+                && special_literal(token).is_none()
         };
         let is_innocent =
-            |token: &Token<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
+            |token: &ProgramToken<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
         let mut signed = tokens.iter().filter(|token| is_signed(token));
         signed
             .any(|token| !is_innocent(token))
@@ -226,9 +228,9 @@ impl<'p> Program<'p> {
     }
 
     /// Returns the forms of those literals that are not known to be taken by the engine.
-    fn special_literals(&self, tokens: &[Token<'_>]) -> Vec<String> {
+    fn special_literals(&self, tokens: &[ProgramToken<'_>]) -> Vec<String> {
         let is_innocent =
-            |token: &&Token<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
+            |token: &&ProgramToken<'_>| self.innocent.iter().any(|literal| literal.as_str() == token.text);
         let suspects = tokens.iter().filter(|token| !is_innocent(token));
         suspects.filter_map(special_literal).collect()
     }
@@ -286,11 +288,11 @@ impl<'p> Program<'p> {
 }
 
 /// Returns the type that a token names, as a word or as the prefix of a literal.
-pub(crate) fn type_of_token(token: &Token<'_>) -> Option<ElementaryType> {
+pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> {
     let upper = token.text.to_ascii_uppercase();
     match token.kind {
-        TokenKind::Word => ElementaryType::from_name(&upper),
-        TokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
+        ProgramTokenKind::Word => ElementaryType::from_name(&upper),
+        ProgramTokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
         _ => None,
     }
 }
@@ -309,12 +311,12 @@ const fn kind(ty: ElementaryType) -> Option<&'static str> {
 }
 
 /// Returns where a line stands.
-fn place_of(tokens: &[Token<'_>], line: Option<u32>) -> &'static str {
+fn place_of(tokens: &[ProgramToken<'_>], line: Option<u32>) -> &'static str {
     let before = tokens
         .iter()
         .take_while(|token| line.is_none_or(|line| token.line < line));
     let mut place = "statement";
-    for token in before.filter(|token| token.kind == TokenKind::Word) {
+    for token in before.filter(|token| token.kind == ProgramTokenKind::Word) {
         let upper = token.text.to_ascii_uppercase();
         place = match upper.as_str() {
             "TYPE" => "type",
@@ -327,12 +329,14 @@ fn place_of(tokens: &[Token<'_>], line: Option<u32>) -> &'static str {
 }
 
 /// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.
-fn special_literal(token: &Token<'_>) -> Option<String> {
+fn special_literal(token: &ProgramToken<'_>) -> Option<String> {
     let upper = token.text.to_ascii_uppercase();
     match token.kind {
-        TokenKind::Number => Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real")),
-        TokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
-        TokenKind::Typed => {
+        ProgramTokenKind::Number => {
+            Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real"))
+        }
+        ProgramTokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
+        ProgramTokenKind::Typed => {
             let (prefix, value) = upper.split_once('#')?;
             let is_number = type_of_token(token)
                 .is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")));
@@ -352,7 +356,7 @@ fn special_literal(token: &Token<'_>) -> Option<String> {
 }
 
 /// Returns the kinds of declarations in a program, without those that every program has.
-fn declarations(tokens: &[Token<'_>]) -> BTreeSet<String> {
+fn declarations(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     let words: BTreeSet<String> = tokens
         .iter()
         .map(|token| token.text.to_ascii_uppercase())

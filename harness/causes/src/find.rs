@@ -2,7 +2,7 @@
 
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
-use crate::failed::{FailedCases, Group};
+use crate::failed::{FailedCases, FailureGroup};
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
 use crate::question::{Questioner, SearchAnswers, shown_case};
@@ -31,7 +31,7 @@ const MAX_PRINTED: usize = 10_000;
 
 /// The limits of a search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Limits {
+pub struct SearchLimits {
     /// The maximum number of questions to each engine, about as many as programs that it has to run.
     pub questions: u64,
     /// The maximum number of questions for one group of cases.
@@ -40,10 +40,10 @@ pub struct Limits {
     pub time: Duration,
 }
 
-impl Default for Limits {
+impl Default for SearchLimits {
     /// Returns limits of 20 000 questions to each engine, 200 for a group, and ten minutes.
-    fn default() -> Limits {
-        Limits {
+    fn default() -> SearchLimits {
+        SearchLimits {
             questions: 20_000,
             questions_a_group: 200,
             time: Duration::from_secs(600),
@@ -62,7 +62,7 @@ pub struct Search<'r> {
     /// The answers of earlier runs, in the order of the engines; engines behind the end of the slice have none.
     pub stores: &'r [Option<&'r dyn AnswerStore>],
     /// The limits of the search.
-    pub limits: Limits,
+    pub limits: SearchLimits,
     /// Ends the search, with what is found so far.
     pub cancel: &'r Cancellation,
 }
@@ -97,10 +97,10 @@ pub fn find(
     };
     let mut found = Vec::new();
     for (place, engine) in search.engines.iter().enumerate() {
-        let of_engine = |((name, sign, _), group): (&'_ (String, Sign, String), &'_ Group)| {
+        let of_engine = |((name, sign, _), group): (&'_ (String, Sign, String), &'_ FailureGroup)| {
             (*name == engine.identity().name).then(|| (sign.clone(), group.clone()))
         };
-        let mut groups: Vec<(Sign, Group)> = failed.groups.iter().filter_map(of_engine).collect();
+        let mut groups: Vec<(Sign, FailureGroup)> = failed.groups.iter().filter_map(of_engine).collect();
         // Sorting keeps the order of the keys among groups of the same size.
         groups.sort_by_key(|(_, group)| std::cmp::Reverse(group.number()));
         let asking = Asking {
@@ -118,12 +118,12 @@ pub fn find(
             let shown: Vec<(&Sign, &CaseEvent)> =
                 wave.iter().map(|(sign, group)| (sign, &group.shown)).collect();
             let smallest = asking.smallest(&shown, tries)?;
-            left = left.saturating_sub(smallest.iter().map(Found::questions).sum());
+            left = left.saturating_sub(smallest.iter().map(ReducedGroup::questions).sum());
             let pairs = wave.iter().zip(&smallest);
             let has_codes = engine.identity().grade == Grade::Code;
-            members.extend(
-                pairs.map(|((_, group), found)| Member::new(group, found, &search.suite.sources, has_codes)),
-            );
+            members.extend(pairs.map(|((_, group), found)| {
+                GrowingCause::new(group, found, &search.suite.sources, has_codes)
+            }));
             told.done += wave.len() as u64;
             progress(told);
         }
@@ -133,7 +133,7 @@ pub fn find(
         found.extend(causes);
     }
     found.sort_by(|one, other| {
-        let key = |member: &Member| (std::cmp::Reverse(member.cause.number()), member.rank);
+        let key = |member: &GrowingCause| (std::cmp::Reverse(member.cause.number()), member.rank);
         (key(one), &one.cause.title).cmp(&(key(other), &other.cause.title))
     });
     Ok(found.into_iter().map(|member| member.cause).collect())
@@ -157,13 +157,13 @@ fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, Str
 }
 
 /// The smallest program of a group, and its normal form.
-struct Found {
+struct ReducedGroup {
     smallest: Smallest,
     normal: Normal,
 }
 
-impl Found {
-    fn unreduced(event: &CaseEvent, sign: &Sign) -> Found {
+impl ReducedGroup {
+    fn unreduced(event: &CaseEvent, sign: &Sign) -> ReducedGroup {
         let mut smallest = Smallest::unreduced(event, sign);
         if is_reducible(&sign.symptom) {
             smallest.reduction = Reduced::Partly;
@@ -173,11 +173,11 @@ impl Found {
         if matches!(sign.symptom, Symptom::Value | Symptom::Missing) {
             normal.labels = value_features(&smallest.program);
         }
-        Found { smallest, normal }
+        ReducedGroup { smallest, normal }
     }
 
     /// Removes the codes from the expected diagnostics where the engine is not asked for them.
-    fn without_codes(mut self, asked: &Questioner<'_>) -> Found {
+    fn without_codes(mut self, asked: &Questioner<'_>) -> ReducedGroup {
         for deviation in [&mut self.smallest.deviation, &mut self.normal.deviation] {
             let codes = deviation.expected.iter();
             let codes = codes.filter_map(|fact| fact.diagnostic()?.registered_code());
@@ -210,7 +210,7 @@ struct Asking<'r> {
 
 impl Asking<'_> {
     /// Reduces the programs of these cases, each with at most so many questions.
-    fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<Found>, RunError> {
+    fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<ReducedGroup>, RunError> {
         let judge = CaseJudge {
             plan: self.search.plan,
             sources: &self.search.suite.sources,
@@ -233,21 +233,21 @@ impl Asking<'_> {
                     let smallest = reduce(asked, (case, event), &sign, tries, self.stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, self.stop)?;
-                    let found = Found { smallest, normal };
+                    let found = ReducedGroup { smallest, normal };
                     Ok(found.without_codes(asked))
                 }
-                _ => Ok(Found::unreduced(event, sign).without_codes(asked)),
+                _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(asked)),
             }
         };
         WorkerPool::new(self.search.plan.jobs).map(shown.iter().copied(), open, work)
     }
 
     /// Looks for a second witness of the causes that were found in one group only: a case of the group with other types.
-    fn second_witnesses(&self, causes: &mut [Member], left: u64) -> Result<(), RunError> {
-        let without = |member: &&mut Member| {
+    fn second_witnesses(&self, causes: &mut [GrowingCause], left: u64) -> Result<(), RunError> {
+        let without = |member: &&mut GrowingCause| {
             member.cause.second.is_none() && member.cause.reduction != Reduced::Not && member.other.is_some()
         };
-        let mut without: Vec<&mut Member> = causes.iter_mut().filter(without).collect();
+        let mut without: Vec<&mut GrowingCause> = causes.iter_mut().filter(without).collect();
         if without.is_empty() {
             return Ok(());
         }
@@ -278,9 +278,9 @@ impl Asking<'_> {
 
 impl Asking<'_> {
     /// Finds the files and commands by which a person sees each deviation on the engine, and what these print.
-    fn reproduce(&self, causes: &mut [Member]) -> Result<(), RunError> {
+    fn reproduce(&self, causes: &mut [GrowingCause]) -> Result<(), RunError> {
         let open = || Ok::<_, RunError>(());
-        let work = |(): &mut (), member: &Member| Ok::<_, RunError>(self.reproduction(member));
+        let work = |(): &mut (), member: &GrowingCause| Ok::<_, RunError>(self.reproduction(member));
         let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
         for (member, found) in causes.iter_mut().zip(found) {
             if let Some((reproduction, printed)) = found {
@@ -292,7 +292,7 @@ impl Asking<'_> {
     }
 
     /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled.
-    fn reproduction(&self, member: &Member) -> Option<(Reproduction, String)> {
+    fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
         // Only what differs has to be seen; where nothing is computed wrongly, nothing is observed.
@@ -325,7 +325,7 @@ impl Asking<'_> {
 }
 
 /// A cause while groups are added to it.
-struct Member {
+struct GrowingCause {
     cause: Cause,
     essence: Essence,
     sign: Sign,
@@ -337,10 +337,10 @@ struct Member {
     rank: u8,
 }
 
-impl Member {
+impl GrowingCause {
     /// Returns the cause of a group, by its smallest program. `has_codes` says whether the engine has diagnostic codes.
-    fn new(group: &Group, found: &Found, sources: &Sources, has_codes: bool) -> Member {
-        let Found { smallest, normal } = found;
+    fn new(group: &FailureGroup, found: &ReducedGroup, sources: &Sources, has_codes: bool) -> GrowingCause {
+        let ReducedGroup { smallest, normal } = found;
         let essence = Essence::of(smallest, normal);
         let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program));
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
@@ -375,7 +375,7 @@ impl Member {
             flaky: smallest.flaky.clone(),
             cases: group.cases.clone(),
         };
-        Member {
+        GrowingCause {
             differs: group.shown.verdict == Verdict::Differs,
             rank: rank(&group.shown.basis, &group.shown.engine, sources),
             cause,
@@ -409,7 +409,7 @@ impl Member {
 }
 
 /// Merges the members of one cause: those with the same essence, and those that contain what another needs.
-fn merged(mut members: Vec<Member>) -> Vec<Member> {
+fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
     // What needs least comes first, since it can only be contained in what comes later; what may be hidden comes last.
     members.sort_by_key(|member| {
         let Essence {
@@ -425,7 +425,7 @@ fn merged(mut members: Vec<Member>) -> Vec<Member> {
             std::cmp::Reverse(member.cause.number()),
         )
     });
-    let mut causes: Vec<Member> = Vec::new();
+    let mut causes: Vec<GrowingCause> = Vec::new();
     for member in members {
         let explaining = causes
             .iter_mut()

@@ -40,5 +40,5 @@ mod tokens;
 mod twins;
 
 pub use failed::FailedCases;
-pub use find::{CauseProgress, Limits, Search, find};
+pub use find::{CauseProgress, Search, SearchLimits, find};
 pub use key::CauseKey;

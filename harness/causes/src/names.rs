@@ -2,7 +2,7 @@
 
 use crate::shape::{in_declarations, own_functions};
 use crate::statements::path;
-use crate::tokens::{Token, TokenKind};
+use crate::tokens::{ProgramToken, ProgramTokenKind};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;
 
@@ -10,7 +10,7 @@ use stickler_types::ElementaryType;
 const MAX_ALIASES: usize = 4;
 
 /// The names that a program declares.
-pub(crate) struct Names {
+pub(crate) struct DeclaredNames {
     /// The elementary type of each variable, field, parameter, element of an array and result of a function.
     types: BTreeMap<String, ElementaryType>,
     /// The literal with which a variable begins.
@@ -23,9 +23,9 @@ pub(crate) struct Names {
     declared: Vec<bool>,
 }
 
-impl Names {
-    pub(crate) fn new(tokens: &[Token<'_>]) -> Names {
-        let mut names = Names {
+impl DeclaredNames {
+    pub(crate) fn new(tokens: &[ProgramToken<'_>]) -> DeclaredNames {
+        let mut names = DeclaredNames {
             types: BTreeMap::new(),
             initial: BTreeMap::new(),
             inputs: BTreeMap::new(),
@@ -47,7 +47,7 @@ impl Names {
                 section = upper.clone();
             }
             let is_head = at > 0 && tokens[at - 1].is("FUNCTION");
-            let is_named = token.kind == TokenKind::Word && (names.declared[at] || is_head);
+            let is_named = token.kind == ProgramTokenKind::Word && (names.declared[at] || is_head);
             if !is_named
                 || !tokens
                     .get(at + 1)
@@ -61,8 +61,8 @@ impl Names {
             if section == "VAR_INPUT" {
                 names.inputs.entry(unit.clone()).or_default().push(upper.clone());
             }
-            let ends = |token: &&Token<'_>| !is_head && token.text != ";" && token.text != ":=";
-            let ty: Vec<&Token<'_>> = match is_head {
+            let ends = |token: &&ProgramToken<'_>| !is_head && token.text != ";" && token.text != ":=";
+            let ty: Vec<&ProgramToken<'_>> = match is_head {
                 true => tokens.get(colon + 1).into_iter().collect(),
                 false => tokens[colon + 1..].iter().take_while(ends).collect(),
             };
@@ -91,8 +91,8 @@ impl Names {
         names
     }
 
-    pub(crate) fn type_of(&self, token: &Token<'_>) -> Option<ElementaryType> {
-        let is_name = token.kind == TokenKind::Word;
+    pub(crate) fn type_of(&self, token: &ProgramToken<'_>) -> Option<ElementaryType> {
+        let is_name = token.kind == ProgramTokenKind::Word;
         self.types
             .get(&token.text.to_ascii_uppercase())
             .copied()
@@ -100,7 +100,7 @@ impl Names {
     }
 
     /// Returns the written type of what the token at this place is given to by name.
-    pub(crate) fn words(&self, tokens: &[Token<'_>], at: usize) -> Option<String> {
+    pub(crate) fn words(&self, tokens: &[ProgramToken<'_>], at: usize) -> Option<String> {
         let sign = at.checked_sub(1).filter(|before| tokens[*before].text == ":=")?;
         let target = tokens.get(sign.checked_sub(1)?)?;
         self.words.get(&target.text.to_ascii_uppercase()).cloned()
@@ -111,7 +111,7 @@ impl Names {
     }
 
     /// Returns the type of what the operand at this place is given to, where nothing else is done with it.
-    pub(crate) fn target(&self, tokens: &[Token<'_>], at: usize) -> Option<ElementaryType> {
+    pub(crate) fn target(&self, tokens: &[ProgramToken<'_>], at: usize) -> Option<ElementaryType> {
         let mut end = at + 1;
         if tokens.get(at)?.text == "-" {
             end += 1;
@@ -142,7 +142,7 @@ impl Names {
     }
 
     /// Returns the type of the variable, field or element that begins at a token, where nothing follows that is done with it.
-    pub(crate) fn whole(&self, tokens: &[Token<'_>], at: usize) -> Option<ElementaryType> {
+    pub(crate) fn whole(&self, tokens: &[ProgramToken<'_>], at: usize) -> Option<ElementaryType> {
         let end = path(tokens, at)?;
         if !tokens
             .get(end)
@@ -151,7 +151,7 @@ impl Names {
             return None;
         }
         // The name before the subscripts of an element has the type of the element.
-        let is_name = |place: &usize| tokens[*place].kind == TokenKind::Word;
+        let is_name = |place: &usize| tokens[*place].kind == ProgramTokenKind::Word;
         let behind_bracket = tokens[end - 1].text == "]";
         let last = match behind_bracket {
             true => (at..end).rfind(|place| is_name(place) && tokens[place + 1].text == "[")?,
@@ -179,7 +179,11 @@ impl Names {
 
     /// Returns the types between which a value is converted when it is given to a variable of another type, for the arrow or the
     /// assignment sign before it: the value of an output, of a variable, or the result of a conversion function.
-    pub(crate) fn met(&self, tokens: &[Token<'_>], at: usize) -> Option<(ElementaryType, ElementaryType)> {
+    pub(crate) fn met(
+        &self,
+        tokens: &[ProgramToken<'_>],
+        at: usize,
+    ) -> Option<(ElementaryType, ElementaryType)> {
         let next = tokens.get(at + 1)?;
         if tokens[at].text == ":=" {
             let result = converted(next).map(|(_, result)| result);
@@ -193,7 +197,7 @@ impl Names {
     }
 
     /// Returns the type of what stands before an assignment sign.
-    pub(crate) fn assigned(&self, tokens: &[Token<'_>], sign: usize) -> Option<ElementaryType> {
+    pub(crate) fn assigned(&self, tokens: &[ProgramToken<'_>], sign: usize) -> Option<ElementaryType> {
         let mut at = sign.checked_sub(1)?;
         if self.is_declared_at(sign) {
             let start = tokens[..sign]
@@ -214,7 +218,7 @@ impl Names {
 }
 
 /// Returns the place of the colon behind a name and those that are declared with it.
-fn colon_of(tokens: &[Token<'_>], at: usize) -> Option<usize> {
+fn colon_of(tokens: &[ProgramToken<'_>], at: usize) -> Option<usize> {
     let mut at = at + 1;
     loop {
         match tokens.get(at)?.text {
@@ -226,45 +230,49 @@ fn colon_of(tokens: &[Token<'_>], at: usize) -> Option<usize> {
 }
 
 /// Returns the types between which a function converts by its name.
-pub(crate) fn converted(token: &Token<'_>) -> Option<(ElementaryType, ElementaryType)> {
+pub(crate) fn converted(token: &ProgramToken<'_>) -> Option<(ElementaryType, ElementaryType)> {
     let upper = token.text.to_ascii_uppercase();
     let (from, into) = upper
         .split_once("_TO_")
-        .filter(|_| token.kind == TokenKind::Word)?;
+        .filter(|_| token.kind == ProgramTokenKind::Word)?;
     Some((ElementaryType::from_name(from)?, ElementaryType::from_name(into)?))
 }
 
 /// Returns the literal that begins at a token, with its sign.
-pub(crate) fn literal(tokens: &[Token<'_>], at: usize) -> Option<String> {
+pub(crate) fn literal(tokens: &[ProgramToken<'_>], at: usize) -> Option<String> {
     let token = tokens.get(at)?;
-    let is_literal = |token: &Token<'_>| {
-        matches!(token.kind, TokenKind::Number | TokenKind::Text | TokenKind::Typed)
-            || token.is("TRUE")
+    let is_literal = |token: &ProgramToken<'_>| {
+        matches!(
+            token.kind,
+            ProgramTokenKind::Number | ProgramTokenKind::Text | ProgramTokenKind::Typed
+        ) || token.is("TRUE")
             || token.is("FALSE")
     };
     if is_literal(token) {
-        let ends_signed = |before: &Token<'_>| before.text == "-" && is_sign(tokens, at - 1);
+        let ends_signed = |before: &ProgramToken<'_>| before.text == "-" && is_sign(tokens, at - 1);
         let signed = at
             .checked_sub(1)
             .is_some_and(|before| ends_signed(&tokens[before]));
         return (!signed).then(|| token.text.to_owned());
     }
-    let next = tokens.get(at + 1).filter(|next| next.kind == TokenKind::Number);
+    let next = tokens
+        .get(at + 1)
+        .filter(|next| next.kind == ProgramTokenKind::Number);
     let next = next.filter(|_| token.text == "-" && is_sign(tokens, at))?;
     Some(format!("-{}", next.text))
 }
 
 /// Returns whether the minus at this place is the sign of what follows and no subtraction.
-fn is_sign(tokens: &[Token<'_>], at: usize) -> bool {
+fn is_sign(tokens: &[ProgramToken<'_>], at: usize) -> bool {
     let before = at.checked_sub(1).and_then(|before| tokens.get(before));
-    before.is_some_and(|before| before.kind == TokenKind::Sign && !matches!(before.text, ")" | "]"))
+    before.is_some_and(|before| before.kind == ProgramTokenKind::Sign && !matches!(before.text, ")" | "]"))
 }
 
 /// Returns the type that a literal names.
-pub(crate) fn prefix_type(token: &Token<'_>) -> Option<ElementaryType> {
+pub(crate) fn prefix_type(token: &ProgramToken<'_>) -> Option<ElementaryType> {
     let (prefix, _) = token
         .text
         .split_once('#')
-        .filter(|_| token.kind == TokenKind::Typed)?;
+        .filter(|_| token.kind == ProgramTokenKind::Typed)?;
     ElementaryType::from_literal_prefix(&prefix.to_ascii_uppercase())
 }

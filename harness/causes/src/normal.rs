@@ -82,7 +82,7 @@ pub(crate) fn normal_form(
     tries: u64,
     stop: &dyn Fn() -> bool,
 ) -> Result<Normal, EngineError> {
-    let mut search = Search {
+    let mut search = NormalSearch {
         asked,
         case,
         observe: known(case, &smallest.program),
@@ -123,7 +123,7 @@ pub(crate) fn normal_form(
     Ok(normal)
 }
 
-struct Search<'s, 'e> {
+struct NormalSearch<'s, 'e> {
     asked: &'s mut Questioner<'e>,
     case: &'s Case,
     observe: Vec<Observation>,
@@ -132,7 +132,7 @@ struct Search<'s, 'e> {
     normal: Normal,
 }
 
-impl Search<'_, '_> {
+impl NormalSearch<'_, '_> {
     /// Takes a program as the normal form if the engine fails with it in the same way, and returns whether it does.
     fn takes(&mut self, program: &str, observe: &[Observation]) -> Result<bool, EngineError> {
         let found = self.fails(program, observe)?;

@@ -1,8 +1,8 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is then
 //! asked before the operation around it is blamed.
 
-use crate::names::{Names, converted, literal, prefix_type};
-use crate::tokens::{Token, tokens};
+use crate::names::{DeclaredNames, converted, literal, prefix_type};
+use crate::tokens::{ProgramToken, tokens};
 use stickler_types::ElementaryType;
 
 /// A program that does with one operand what another program does with it among other things.
@@ -19,8 +19,8 @@ pub(crate) struct Alone {
 /// variables. Each body assigns one variable to itself, since not every compiler takes a body without a statement.
 pub(crate) fn only_initial_values(program: &str) -> Option<String> {
     let all = tokens(program);
-    let names = Names::new(&all);
-    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let names = DeclaredNames::new(&all);
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut text = String::new();
     let (mut until, mut own) = (0, None);
     let mut section = None;
@@ -52,7 +52,7 @@ pub(crate) fn only_initial_values(program: &str) -> Option<String> {
 /// its mistake, where the type of an operand is the mistake.
 pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
     let all = tokens(program);
-    let names = Names::new(&all);
+    let names = DeclaredNames::new(&all);
     let Some(start) = program
         .rfind("\nPROGRAM ")
         .or_else(|| program.starts_with("PROGRAM ").then_some(0))
@@ -62,7 +62,7 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
     let Some(section) = program[start..].find("END_VAR").map(|at| start + at) else {
         return Vec::new();
     };
-    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut found = Vec::new();
     for (at, token) in all.iter().enumerate() {
         let ends = all
@@ -85,7 +85,7 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
 /// general place comes first: an assignment before an initial value.
 pub(crate) fn alone(program: &str) -> Vec<Alone> {
     let tokens = tokens(program);
-    let names = Names::new(&tokens);
+    let names = DeclaredNames::new(&tokens);
     let (mut literals, mut variables, mut calls) = (Vec::new(), Vec::new(), Vec::new());
     for (at, token) in tokens.iter().enumerate() {
         if let Some(call) = conversion(&tokens, at, &names) {
@@ -162,7 +162,7 @@ impl Alone {
 }
 
 /// Returns a call of a conversion function with a variable, for the name of such a function before a bracket.
-fn conversion(tokens: &[Token<'_>], at: usize, names: &Names) -> Option<Alone> {
+fn conversion(tokens: &[ProgramToken<'_>], at: usize, names: &DeclaredNames) -> Option<Alone> {
     let (from, ty) = converted(tokens.get(at)?)?;
     if tokens.get(at + 1)?.text != "(" || names.own.contains(&tokens[at].text.to_ascii_uppercase()) {
         return None;
@@ -176,7 +176,7 @@ fn conversion(tokens: &[Token<'_>], at: usize, names: &Names) -> Option<Alone> {
 }
 
 /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
-fn mixed(names: &Names, tokens: &[Token<'_>], at: usize) -> Vec<Alone> {
+fn mixed(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<Alone> {
     let operators = ["+", "-", "*", "/", "**", "=", "<>", "<", ">", "<=", ">="];
     let is_operator = operators.contains(&tokens[at].text) || tokens[at].is("MOD");
     let operand = |place: Option<usize>| {

@@ -1,7 +1,7 @@
 //! The operations of a program: its operators, functions and statements, by the kind of work that they are in a compiler.
 
 use crate::shape::{function, own_functions};
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 
 /// Returns the operators, functions and statements of a program.
@@ -11,18 +11,18 @@ pub(crate) fn operations_of(program: &str) -> BTreeSet<String> {
 }
 
 /// Returns the operators, functions and statements among these tokens; an assignment and a field are none.
-pub(crate) fn operations(tokens: &[Token<'_>], own: &BTreeSet<String>) -> BTreeSet<String> {
+pub(crate) fn operations(tokens: &[ProgramToken<'_>], own: &BTreeSet<String>) -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for (at, token) in tokens.iter().enumerate() {
         let next = tokens.get(at + 1);
         let upper = token.text.to_ascii_uppercase();
         let operation = match token.kind {
-            TokenKind::Sign => sign(
+            ProgramTokenKind::Sign => sign(
                 token,
                 at.checked_sub(1).and_then(|before| tokens.get(before)),
                 next,
             ),
-            TokenKind::Word => match upper.as_str() {
+            ProgramTokenKind::Word => match upper.as_str() {
                 "MOD" => Some("arithmetic"),
                 "AND" | "OR" | "XOR" | "NOT" => Some("bitwise operator"),
                 "IF" | "ELSIF" | "CASE" | "FOR" | "WHILE" | "UNTIL" => Some("condition"),
@@ -45,8 +45,13 @@ pub(crate) fn operations(tokens: &[Token<'_>], own: &BTreeSet<String>) -> BTreeS
 }
 
 /// Returns the operation of a sign, by the tokens around it.
-fn sign(token: &Token<'_>, before: Option<&Token<'_>>, next: Option<&Token<'_>>) -> Option<&'static str> {
-    let is_operand = |token: &Token<'_>| token.kind != TokenKind::Sign || matches!(token.text, ")" | "]");
+fn sign(
+    token: &ProgramToken<'_>,
+    before: Option<&ProgramToken<'_>>,
+    next: Option<&ProgramToken<'_>>,
+) -> Option<&'static str> {
+    let is_operand =
+        |token: &ProgramToken<'_>| token.kind != ProgramTokenKind::Sign || matches!(token.text, ")" | "]");
     match token.text {
         "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
         "*" | "/" => Some("arithmetic"),
@@ -56,7 +61,7 @@ fn sign(token: &Token<'_>, before: Option<&Token<'_>>, next: Option<&Token<'_>>)
         "=>" => Some("output argument"),
         "[" => Some("subscript or list"),
         "." => next
-            .is_some_and(|next| matches!(next.kind, TokenKind::Number | TokenKind::Partial))
+            .is_some_and(|next| matches!(next.kind, ProgramTokenKind::Number | ProgramTokenKind::Partial))
             .then_some("bit access"),
         _ => None,
     }

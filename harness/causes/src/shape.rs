@@ -1,6 +1,6 @@
 //! The shape of a program: a form in which names, and types and literals of one kind, are equal.
 
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;
 
@@ -12,7 +12,7 @@ const KEYWORDS: &str = "AND ARRAY AT BY CASE CONFIGURATION CONSTANT DO ELSE ELSI
 
 /// How much of its types a shape keeps.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Types {
+pub(crate) enum KeptTypes {
     /// Types of one family are equal: those that differ in width or range.
     Families,
     /// All elementary types are equal.
@@ -24,15 +24,15 @@ pub(crate) enum Types {
 /// Names are numbered in the order in which the bodies use them, and the declarations of a section are sorted, so that
 /// neither the choice of names nor the order of declarations matters. The names of functions stay, since they say what is
 /// computed; of a conversion function the families of its types stay.
-pub(crate) fn shape(program: &str, types: Types) -> String {
+pub(crate) fn shape(program: &str, types: KeptTypes) -> String {
     let tokens = tokens(program);
     let declared = in_declarations(&tokens);
-    let mut names = Names::default();
+    let mut names = NameNumbers::default();
     let body = tokens.iter().zip(&declared).filter(|(_, declared)| !**declared);
     let rest = tokens.iter().zip(&declared).filter(|(_, declared)| **declared);
     let own = own_functions(&tokens);
     for (token, _) in body.chain(rest) {
-        if token.kind == TokenKind::Word {
+        if token.kind == ProgramTokenKind::Word {
             names.number(token.text);
         }
     }
@@ -51,7 +51,7 @@ pub(crate) fn types_of(program: &str) -> Vec<&'static str> {
     let mut found = Vec::new();
     for token in tokens(program) {
         let ty = match token.kind {
-            TokenKind::Word => elementary(token.text),
+            ProgramTokenKind::Word => elementary(token.text),
             _ => None,
         };
         if let Some(ty) = ty
@@ -70,17 +70,17 @@ pub(crate) fn token_at(program: &str, line: u32, column: u32) -> String {
         .iter()
         .find(|token| token.line == line && token.column == column);
     match at {
-        Some(token) if token.kind == TokenKind::Word && !is_fixed(token.text) => "name".to_owned(),
-        Some(token) => normal(token, Types::Equal, false, &Names::default()),
+        Some(token) if token.kind == ProgramTokenKind::Word && !is_fixed(token.text) => "name".to_owned(),
+        Some(token) => normal(token, KeptTypes::Equal, false, &NameNumbers::default()),
         None => String::new(),
     }
 }
 
 /// The numbers of the names of a program.
 #[derive(Default)]
-struct Names(BTreeMap<String, usize>);
+struct NameNumbers(BTreeMap<String, usize>);
 
-impl Names {
+impl NameNumbers {
     fn number(&mut self, name: &str) {
         let next = self.0.len() + 1;
         if !is_fixed(name) {
@@ -102,13 +102,13 @@ pub(crate) fn is_fixed(word: &str) -> bool {
 }
 
 /// Returns for each token whether it stands in a section of variables or of types.
-pub(crate) fn in_declarations(tokens: &[Token<'_>]) -> Vec<bool> {
+pub(crate) fn in_declarations(tokens: &[ProgramToken<'_>]) -> Vec<bool> {
     let mut inside = false;
-    let of = |token: &Token<'_>| {
+    let of = |token: &ProgramToken<'_>| {
         let upper = token.text.to_ascii_uppercase();
         match token.kind {
-            TokenKind::Word if upper == "END_VAR" || upper == "END_TYPE" => inside = false,
-            TokenKind::Word if upper == "VAR" || upper.starts_with("VAR_") || upper == "TYPE" => {
+            ProgramTokenKind::Word if upper == "END_VAR" || upper == "END_TYPE" => inside = false,
+            ProgramTokenKind::Word if upper == "VAR" || upper.starts_with("VAR_") || upper == "TYPE" => {
                 inside = true
             }
             _ => return inside,
@@ -119,25 +119,25 @@ pub(crate) fn in_declarations(tokens: &[Token<'_>]) -> Vec<bool> {
 }
 
 /// Returns for each token whether it is a name before an opening bracket.
-fn calls(tokens: &[Token<'_>]) -> Vec<bool> {
+fn calls(tokens: &[ProgramToken<'_>]) -> Vec<bool> {
     let behind = tokens
         .iter()
         .skip(1)
         .map(|token| token.text == "(")
         .chain([false]);
-    let words = tokens.iter().map(|token| token.kind == TokenKind::Word);
+    let words = tokens.iter().map(|token| token.kind == ProgramTokenKind::Word);
     words.zip(behind).map(|(word, call)| word && call).collect()
 }
 
 /// Returns the names that the program declares: of program organization units, variables and types.
-pub(crate) fn own_functions(tokens: &[Token<'_>]) -> BTreeSet<String> {
+pub(crate) fn own_functions(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     let mut own = BTreeSet::new();
     for pair in tokens.windows(2) {
         let heads = ["FUNCTION", "FUNCTION_BLOCK", "PROGRAM", "TYPE"];
         if heads.iter().any(|head| pair[0].is(head)) {
             own.insert(pair[1].text.to_ascii_uppercase());
         }
-        if pair[0].kind == TokenKind::Word && matches!(pair[1].text, ":" | ",") {
+        if pair[0].kind == ProgramTokenKind::Word && matches!(pair[1].text, ":" | ",") {
             own.insert(pair[0].text.to_ascii_uppercase());
         }
     }
@@ -145,18 +145,18 @@ pub(crate) fn own_functions(tokens: &[Token<'_>]) -> BTreeSet<String> {
 }
 
 /// Returns the normal form of a token. `is_foreign` where it is the name of a function that the program does not declare.
-fn normal(token: &Token<'_>, types: Types, is_foreign: bool, names: &Names) -> String {
+fn normal(token: &ProgramToken<'_>, types: KeptTypes, is_foreign: bool, names: &NameNumbers) -> String {
     let upper = token.text.to_ascii_uppercase();
     match token.kind {
-        TokenKind::Word if is_foreign => function(&upper),
-        TokenKind::Word => match elementary(&upper) {
+        ProgramTokenKind::Word if is_foreign => function(&upper),
+        ProgramTokenKind::Word => match elementary(&upper) {
             Some(ty) => type_word(ty, types),
             None if upper == "TRUE" || upper == "FALSE" => "bool".to_owned(),
             None => names.0.get(&upper).map_or(upper, |number| format!("v{number}")),
         },
-        TokenKind::Number => number(&upper),
-        TokenKind::Text => text(token.text),
-        TokenKind::Typed => {
+        ProgramTokenKind::Number => number(&upper),
+        ProgramTokenKind::Text => text(token.text),
+        ProgramTokenKind::Typed => {
             let (prefix, value) = upper.split_once('#').unwrap_or(("", &upper));
             let prefix = match ElementaryType::from_literal_prefix(prefix) {
                 // The prefix of a date or time is a part of its form.
@@ -172,15 +172,15 @@ fn normal(token: &Token<'_>, types: Types, is_foreign: bool, names: &Names) -> S
             };
             format!("{prefix}#{value}")
         }
-        TokenKind::Partial => upper.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned(),
-        TokenKind::Sign => upper,
+        ProgramTokenKind::Partial => upper.trim_end_matches(|c: char| c.is_ascii_digit()).to_owned(),
+        ProgramTokenKind::Sign => upper,
     }
 }
 
-fn type_word(ty: ElementaryType, types: Types) -> String {
+fn type_word(ty: ElementaryType, types: KeptTypes) -> String {
     match types {
-        Types::Equal => "type".to_owned(),
-        Types::Families => format!("{:?}", ty.family()).to_lowercase(),
+        KeptTypes::Equal => "type".to_owned(),
+        KeptTypes::Families => format!("{:?}", ty.family()).to_lowercase(),
     }
 }
 
@@ -188,11 +188,11 @@ fn type_word(ty: ElementaryType, types: Types) -> String {
 /// `TRUNC_LINT` is `TRUNC_signed`.
 pub(crate) fn function(upper: &str) -> String {
     let part = |part: &str| match elementary(part) {
-        Some(ty) => type_word(ty, Types::Families),
+        Some(ty) => type_word(ty, KeptTypes::Families),
         None => part.to_owned(),
     };
     let side = |side: &str| match elementary(side) {
-        Some(ty) => type_word(ty, Types::Families),
+        Some(ty) => type_word(ty, KeptTypes::Families),
         None => side.split('_').map(part).collect::<Vec<_>>().join("_"),
     };
     let sides: Vec<String> = upper.split("_TO_").map(side).collect();
@@ -228,12 +228,13 @@ pub(crate) fn text(text: &str) -> String {
 }
 
 /// Joins the words of a program, and sorts the declarations of each section of variables; each name has its own.
-fn sorted_sections(tokens: &[Token<'_>], words: &[String]) -> String {
+fn sorted_sections(tokens: &[ProgramToken<'_>], words: &[String]) -> String {
     let mut parts: Vec<String> = Vec::new();
     let mut at = 0;
     while at < tokens.len() {
         let upper = tokens[at].text.to_ascii_uppercase();
-        let opens = tokens[at].kind == TokenKind::Word && (upper == "VAR" || upper.starts_with("VAR_"));
+        let opens =
+            tokens[at].kind == ProgramTokenKind::Word && (upper == "VAR" || upper.starts_with("VAR_"));
         if !opens {
             parts.push(words[at].clone());
             at += 1;
@@ -275,9 +276,9 @@ fn one_a_name(declaration: &[String]) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Types, shape, token_at};
+    use super::{KeptTypes, shape, token_at};
 
-    fn same(one: &str, other: &str, types: Types) -> bool {
+    fn same(one: &str, other: &str, types: KeptTypes) -> bool {
         shape(one, types) == shape(other, types)
     }
 
@@ -286,17 +287,17 @@ mod tests {
         let one = "PROGRAM main VAR from : INT := 5; into : REAL; END_VAR into := from; END_PROGRAM";
         let other = "PROGRAM p VAR r : REAL; (* c *) x : DINT := -1; END_VAR r := x; END_PROGRAM";
         assert!(
-            !same(one, other, Types::Families),
+            !same(one, other, KeptTypes::Families),
             "the sign of a literal matters"
         );
         let other = other.replace('-', "");
-        assert!(same(one, &other, Types::Families));
+        assert!(same(one, &other, KeptTypes::Families));
         let swapped = "PROGRAM p VAR r : INT; x : REAL := 1; END_VAR r := x; END_PROGRAM";
-        assert!(!same(one, swapped, Types::Families));
-        assert!(same(one, swapped, Types::Equal));
+        assert!(!same(one, swapped, KeptTypes::Families));
+        assert!(same(one, swapped, KeptTypes::Equal));
         let several = "PROGRAM p VAR a, b : INT; END_VAR a := b; END_PROGRAM";
         let single = "PROGRAM p VAR b : INT; a : INT; END_VAR a := b; END_PROGRAM";
-        assert!(same(several, single, Types::Families));
+        assert!(same(several, single, KeptTypes::Families));
     }
 
     #[test]
@@ -304,7 +305,7 @@ mod tests {
         let of = |value: &str| {
             shape(
                 &format!("PROGRAM p VAR x : LREAL; END_VAR x := {value}; END_PROGRAM"),
-                Types::Equal,
+                KeptTypes::Equal,
             )
         };
         for (one, other, alike) in [

@@ -1,7 +1,7 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
 use crate::operations::operations_of;
-use crate::shape::{Types, shape, token_at};
+use crate::shape::{KeptTypes, shape, token_at};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 
 /// The number of words that are kept of a message.
@@ -71,14 +71,14 @@ impl Sign {
 
     /// Returns how much of its types the shape of a program with this sign keeps: what is computed depends on them, what is
     /// accepted or rejected seldom does.
-    fn types(&self) -> Types {
+    fn types(&self) -> KeptTypes {
         match self.symptom {
             Symptom::Value
             | Symptom::Missing
             | Symptom::Fault(_)
             | Symptom::FaultLine(_)
-            | Symptom::NotFaulted(_) => Types::Families,
-            _ => Types::Equal,
+            | Symptom::NotFaulted(_) => KeptTypes::Families,
+            _ => KeptTypes::Equal,
         }
     }
 
@@ -136,8 +136,8 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     };
     format!(
         "{again}{} / {}",
-        shape(wanted, Types::Equal),
-        shape(told, Types::Equal)
+        shape(wanted, KeptTypes::Equal),
+        shape(told, KeptTypes::Equal)
     )
 }
 

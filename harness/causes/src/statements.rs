@@ -1,19 +1,19 @@
 //! Programs with other statements in a body: one that only names a variable, or two in the place of one.
 
-use crate::names::{Names, prefix_type};
+use crate::names::{DeclaredNames, prefix_type};
 use crate::shape::is_fixed;
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::ops::Range;
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
 /// block that the body uses, and the assignment of each field and element that it uses to itself.
 pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
     let all = tokens(program);
-    let names = Names::new(&all);
-    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let names = DeclaredNames::new(&all);
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut found = Vec::new();
     for body in bodies(&all) {
-        let is_instance = |token: &&Token<'_>| {
+        let is_instance = |token: &&ProgramToken<'_>| {
             let ty = names.words.get(&token.text.to_ascii_uppercase());
             ty.is_some_and(|ty| is_block(&all, ty))
         };
@@ -50,9 +50,9 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
 /// the type of the target; `None` where it has no statement that does both.
 pub(crate) fn in_two_steps(program: &str) -> Option<String> {
     let all = tokens(program);
-    let names = Names::new(&all);
-    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
-    let ty = |token: &Token<'_>| prefix_type(token).or_else(|| names.type_of(token));
+    let names = DeclaredNames::new(&all);
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let ty = |token: &ProgramToken<'_>| prefix_type(token).or_else(|| names.type_of(token));
     for body in bodies(&all) {
         for at in body.clone() {
             let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
@@ -86,8 +86,8 @@ pub(crate) fn in_two_steps(program: &str) -> Option<String> {
 }
 
 /// Returns the place of the first token of the statement that a token stands in.
-fn statement(all: &[Token<'_>], at: usize) -> usize {
-    let ends = |token: &Token<'_>| {
+fn statement(all: &[ProgramToken<'_>], at: usize) -> usize {
+    let ends = |token: &ProgramToken<'_>| {
         let words = ["THEN", "ELSE", "DO", "REPEAT", "OF", "END_VAR"];
         matches!(token.text, ";" | ":") || words.iter().any(|word| token.is(word))
     };
@@ -95,7 +95,7 @@ fn statement(all: &[Token<'_>], at: usize) -> usize {
 }
 
 /// Returns where each body of a program organization unit stands, in tokens; bodies without a statement are left out.
-pub(crate) fn bodies(all: &[Token<'_>]) -> Vec<Range<usize>> {
+pub(crate) fn bodies(all: &[ProgramToken<'_>]) -> Vec<Range<usize>> {
     let mut found = Vec::new();
     let mut start = 0;
     for (at, token) in all.iter().enumerate() {
@@ -119,24 +119,30 @@ pub(crate) fn bodies(all: &[Token<'_>]) -> Vec<Range<usize>> {
 
 /// Returns the end of the variable that begins at a token, with its fields and subscripts and without a bit; `None` where none
 /// begins there.
-pub(crate) fn path(all: &[Token<'_>], at: usize) -> Option<usize> {
+pub(crate) fn path(all: &[ProgramToken<'_>], at: usize) -> Option<usize> {
     let token = all.get(at)?;
     let is_behind_point = at > 0 && all[at - 1].text == ".";
-    if token.kind != TokenKind::Word || is_fixed(token.text) || is_behind_point {
+    if token.kind != ProgramTokenKind::Word || is_fixed(token.text) || is_behind_point {
         return None;
     }
     let mut end = at + 1;
     loop {
         match all.get(end).map(|token| token.text) {
             Some("[") => end = closed(all, end)?,
-            Some(".") if all.get(end + 1).is_some_and(|next| next.kind == TokenKind::Word) => end += 2,
+            Some(".")
+                if all
+                    .get(end + 1)
+                    .is_some_and(|next| next.kind == ProgramTokenKind::Word) =>
+            {
+                end += 2
+            }
             _ => return Some(end),
         }
     }
 }
 
 /// Returns the place behind the bracket that closes the one at a place.
-fn closed(all: &[Token<'_>], open: usize) -> Option<usize> {
+fn closed(all: &[ProgramToken<'_>], open: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for (at, token) in all.iter().enumerate().skip(open) {
         match token.text {
@@ -152,7 +158,7 @@ fn closed(all: &[Token<'_>], open: usize) -> Option<usize> {
 }
 
 /// Returns whether a program declares a function block with this name.
-pub(crate) fn is_block(all: &[Token<'_>], name: &str) -> bool {
+pub(crate) fn is_block(all: &[ProgramToken<'_>], name: &str) -> bool {
     let mut pairs = all.windows(2);
     pairs.any(|pair| pair[0].is("FUNCTION_BLOCK") && pair[1].is(name))
 }

@@ -2,7 +2,7 @@
 
 use crate::reduction::Smallest;
 use crate::shape::{in_declarations, is_fixed};
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_run::{Fact, Symptom};
 use stickler_types::{Diagnostic, ElementaryType};
 
@@ -251,8 +251,8 @@ fn declares(line: &str, name: &str) -> bool {
 }
 
 /// Returns the type with which a program declares a name, as it is written.
-fn type_of(program: &str, name: &Token<'_>) -> Option<String> {
-    if name.kind != TokenKind::Word || is_fixed(name.text) {
+fn type_of(program: &str, name: &ProgramToken<'_>) -> Option<String> {
+    if name.kind != ProgramTokenKind::Word || is_fixed(name.text) {
         return None;
     }
     let tokens = tokens(program);
@@ -263,19 +263,20 @@ fn type_of(program: &str, name: &Token<'_>) -> Option<String> {
     let mut words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
     // A plain variable is shown with the value that it begins with.
     if let ([_], Some(behind)) = (&words[..], rest.iter().find(|token| token.text == ";")) {
-        let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+        let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
         words.push(program[offset(&rest[end])..offset(behind)].trim_end());
     }
     Some(clipped(words.join(" ").trim_end())).filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))
 }
 
 /// Returns whether the name at this place is declared there: names with commas between them come before a colon.
-fn is_declared(tokens: &[Token<'_>], at: usize) -> bool {
+fn is_declared(tokens: &[ProgramToken<'_>], at: usize) -> bool {
     let before = at.checked_sub(1).and_then(|before| tokens.get(before));
     let is_head = before.is_some_and(|before| before.is("FUNCTION") || before.is("TYPE"));
     let mut behind = tokens[at + 1..].chunks(2);
-    let end = behind
-        .find(|pair| pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != TokenKind::Word));
+    let end = behind.find(|pair| {
+        pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != ProgramTokenKind::Word)
+    });
     !is_head && end.is_some_and(|end| end[0].text == ":")
 }
 
@@ -413,7 +414,8 @@ fn weight(line: &str) -> u8 {
     if tokens.iter().all(|token| token.text == ";") || is_frame {
         return 0;
     }
-    let is_plain = |token: &Token<'_>| matches!(token.text, ":=" | ":" | "," | ";") || is_simple(token);
+    let is_plain =
+        |token: &ProgramToken<'_>| matches!(token.text, ":=" | ":" | "," | ";") || is_simple(token);
     match tokens.iter().all(is_plain) {
         true if tokens.iter().any(|token| token.text == ":=") => 2,
         true => 1,
@@ -422,15 +424,15 @@ fn weight(line: &str) -> u8 {
 }
 
 /// Returns whether a token is a name, an elementary type, a truth value, or a plain number.
-fn is_simple(token: &Token<'_>) -> bool {
+fn is_simple(token: &ProgramToken<'_>) -> bool {
     match token.kind {
-        TokenKind::Word => {
+        ProgramTokenKind::Word => {
             !is_fixed(token.text)
                 || token.is("TRUE")
                 || token.is("FALSE")
                 || ElementaryType::from_name(&token.text.to_ascii_uppercase()).is_some()
         }
-        TokenKind::Number => token.text.bytes().all(|byte| byte.is_ascii_digit()),
+        ProgramTokenKind::Number => token.text.bytes().all(|byte| byte.is_ascii_digit()),
         _ => false,
     }
 }

@@ -2,8 +2,8 @@
 
 /// A token with its place in the text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) struct Token<'t> {
-    pub(crate) kind: TokenKind,
+pub(crate) struct ProgramToken<'t> {
+    pub(crate) kind: ProgramTokenKind,
     pub(crate) text: &'t str,
     /// The line, from 1.
     pub(crate) line: u32,
@@ -13,7 +13,7 @@ pub(crate) struct Token<'t> {
 
 /// The kind of a token.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum TokenKind {
+pub(crate) enum ProgramTokenKind {
     /// A keyword, the name of a type, or another name.
     Word,
     /// A number without a type: `5`, `16#FF`, `1.0E300`.
@@ -28,7 +28,7 @@ pub(crate) enum TokenKind {
     Sign,
 }
 
-impl Token<'_> {
+impl ProgramToken<'_> {
     /// Returns whether the token is this word, in any case of letters.
     pub(crate) fn is(&self, word: &str) -> bool {
         self.text.eq_ignore_ascii_case(word)
@@ -36,7 +36,7 @@ impl Token<'_> {
 }
 
 /// Returns the tokens of a text; comments and blanks are left out.
-pub(crate) fn tokens(text: &str) -> Vec<Token<'_>> {
+pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
     let mut found = Vec::new();
     let (mut line, mut column) = (1, 1);
     let mut rest = text;
@@ -44,7 +44,7 @@ pub(crate) fn tokens(text: &str) -> Vec<Token<'_>> {
         let (kind, length) = next(rest);
         let (here, behind) = rest.split_at(length);
         if let Some(kind) = kind {
-            found.push(Token {
+            found.push(ProgramToken {
                 kind,
                 text: here,
                 line,
@@ -63,7 +63,7 @@ pub(crate) fn tokens(text: &str) -> Vec<Token<'_>> {
 }
 
 /// Returns the kind and the length of the token at the start of a text that is not empty; no kind for blanks and comments.
-fn next(text: &str) -> (Option<TokenKind>, usize) {
+fn next(text: &str) -> (Option<ProgramTokenKind>, usize) {
     let first = text.chars().next().unwrap_or(' ');
     let signs = [":=", "=>", "<=", ">=", "<>", "**", ".."];
     if first.is_whitespace() {
@@ -73,17 +73,17 @@ fn next(text: &str) -> (Option<TokenKind>, usize) {
     } else if text.starts_with("//") {
         (None, text.find('\n').unwrap_or(text.len()))
     } else if first == '\'' || first == '"' {
-        (Some(TokenKind::Text), quoted(text, first))
+        (Some(ProgramTokenKind::Text), quoted(text, first))
     } else if first.is_ascii_digit() {
-        (Some(TokenKind::Number), number(text))
+        (Some(ProgramTokenKind::Number), number(text))
     } else if first.is_alphabetic() || first == '_' {
         word(text)
     } else if first == '%' {
-        (Some(TokenKind::Partial), 1 + of_words(&text[1..]))
+        (Some(ProgramTokenKind::Partial), 1 + of_words(&text[1..]))
     } else if let Some(sign) = signs.iter().find(|sign| text.starts_with(**sign)) {
-        (Some(TokenKind::Sign), sign.len())
+        (Some(ProgramTokenKind::Sign), sign.len())
     } else {
-        (Some(TokenKind::Sign), first.len_utf8())
+        (Some(ProgramTokenKind::Sign), first.len_utf8())
     }
 }
 
@@ -126,10 +126,10 @@ fn number(text: &str) -> usize {
 }
 
 /// Returns the kind and length of a word, or of the typed literal that it begins.
-fn word(text: &str) -> (Option<TokenKind>, usize) {
+fn word(text: &str) -> (Option<ProgramTokenKind>, usize) {
     let end = of_words(text);
     if !text[end..].starts_with('#') {
-        return (Some(TokenKind::Word), end);
+        return (Some(ProgramTokenKind::Word), end);
     }
     let value = &text[end + 1..];
     let length = match value.chars().next() {
@@ -148,7 +148,7 @@ fn word(text: &str) -> (Option<TokenKind>, usize) {
             }
         }
     };
-    (Some(TokenKind::Typed), end + 1 + length)
+    (Some(ProgramTokenKind::Typed), end + 1 + length)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! Programs that differ from another in one property: of a literal, of a type, of an operand.
 
 use crate::statements::path;
-use crate::tokens::{Token, TokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_types::ElementaryType;
 
@@ -41,12 +41,12 @@ impl TypeChange {
     }
 
     fn everywhere(&self, program: &str) -> String {
-        let changed = |token: &Token<'_>| match token.kind {
-            TokenKind::Word => {
+        let changed = |token: &ProgramToken<'_>| match token.kind {
+            ProgramTokenKind::Word => {
                 let parts: Vec<&str> = token.text.split('_').map(|part| self.changed(part)).collect();
                 parts.join("_")
             }
-            TokenKind::Typed => match token.text.split_once('#') {
+            ProgramTokenKind::Typed => match token.text.split_once('#') {
                 Some((prefix, value)) => format!("{}#{value}", self.changed(prefix)),
                 None => token.text.to_owned(),
             },
@@ -105,8 +105,8 @@ fn types(program: &str) -> BTreeSet<&'static str> {
     for token in tokens(program) {
         let upper = token.text.to_ascii_uppercase();
         let parts: Vec<&str> = match token.kind {
-            TokenKind::Word => upper.split('_').collect(),
-            TokenKind::Typed => upper.split('#').take(1).collect(),
+            ProgramTokenKind::Word => upper.split('_').collect(),
+            ProgramTokenKind::Typed => upper.split('#').take(1).collect(),
             _ => continue,
         };
         let known = parts.into_iter().filter_map(ElementaryType::from_name);
@@ -184,7 +184,7 @@ struct PlainNumber<'t> {
 }
 
 impl<'t> PlainNumber<'t> {
-    fn at(tokens: &[Token<'t>], place: usize) -> Option<PlainNumber<'t>> {
+    fn at(tokens: &[ProgramToken<'t>], place: usize) -> Option<PlainNumber<'t>> {
         let token = tokens.get(place)?;
         let before = place.checked_sub(1).map(|before| tokens[before].text);
         let behind = tokens.get(place + 1).map(|behind| behind.text);
@@ -193,8 +193,8 @@ impl<'t> PlainNumber<'t> {
             return None;
         }
         let (prefix, text) = match token.kind {
-            TokenKind::Number if !token.text.contains('#') => ("", token.text),
-            TokenKind::Typed => token.text.split_once('#')?,
+            ProgramTokenKind::Number if !token.text.contains('#') => ("", token.text),
+            ProgramTokenKind::Typed => token.text.split_once('#')?,
             _ => return None,
         };
         let is_number = prefix.is_empty()
@@ -206,7 +206,7 @@ impl<'t> PlainNumber<'t> {
         }
         let is_signed = before == Some("-")
             && place.checked_sub(2).is_some_and(|before| {
-                tokens[before].kind == TokenKind::Sign && !matches!(tokens[before].text, ")" | "]")
+                tokens[before].kind == ProgramTokenKind::Sign && !matches!(tokens[before].text, ")" | "]")
             });
         let (whole, rest) = digits.split_once('.').unwrap_or((digits, ""));
         Some(PlainNumber {
@@ -257,7 +257,7 @@ impl<'t> PlainNumber<'t> {
 pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String> {
     let all = tokens(program);
     let mut found = Vec::new();
-    let offset = |token: &Token<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut replace = |from: usize, until: usize| {
         let last = &all[until - 1];
         let (from, until) = (offset(&all[from]), offset(last) + last.text.len());
@@ -275,7 +275,7 @@ pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String
         let ends = all
             .get(end)
             .is_some_and(|next| matches!(next.text, ";" | ")" | "]" | ","));
-        if Some(token.line) == line && is_behind && ends && token.kind != TokenKind::Sign {
+        if Some(token.line) == line && is_behind && ends && token.kind != ProgramTokenKind::Sign {
             replace(at - sign, end);
         }
     }
@@ -283,7 +283,7 @@ pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String
 }
 
 /// Returns where the expression begins and ends that a statement of this line assigns.
-fn assigned(all: &[Token<'_>], line: Option<u32>) -> Option<(usize, usize)> {
+fn assigned(all: &[ProgramToken<'_>], line: Option<u32>) -> Option<(usize, usize)> {
     let start = all.iter().position(|token| Some(token.line) == line)?;
     let mut depth = 0_i32;
     let mut sign = None;
@@ -304,9 +304,9 @@ fn assigned(all: &[Token<'_>], line: Option<u32>) -> Option<(usize, usize)> {
 /// Returns a program in which each partial access selects the first bit or byte, which are there in every type; `None` where it
 /// has none.
 pub(crate) fn with_first_parts(program: &str) -> Option<String> {
-    let first = |token: &Token<'_>| match token.kind {
-        TokenKind::Partial if token.text.to_ascii_uppercase().starts_with("%X") => "%X0".to_owned(),
-        TokenKind::Partial => "%B0".to_owned(),
+    let first = |token: &ProgramToken<'_>| match token.kind {
+        ProgramTokenKind::Partial if token.text.to_ascii_uppercase().starts_with("%X") => "%X0".to_owned(),
+        ProgramTokenKind::Partial => "%B0".to_owned(),
         _ => token.text.to_owned(),
     };
     let found = replaced(program, |_, token| first(token));
@@ -314,7 +314,7 @@ pub(crate) fn with_first_parts(program: &str) -> Option<String> {
 }
 
 /// Returns a program with each token replaced by what `with` returns for it; blanks and comments stay.
-fn replaced(program: &str, with: impl Fn(usize, &Token<'_>) -> String) -> String {
+fn replaced(program: &str, with: impl Fn(usize, &ProgramToken<'_>) -> String) -> String {
     let mut text = String::with_capacity(program.len());
     let start = program.as_ptr() as usize;
     let mut end = 0;

@@ -4,7 +4,7 @@ use crate::arguments::RunArguments;
 use crate::output;
 use crate::progress::Progress;
 use std::time::Duration;
-use stickler_causes::{FailedCases, Limits, Search, find};
+use stickler_causes::{FailedCases, Search, SearchLimits, find};
 use stickler_engines::Engine;
 use stickler_run::{Event, Plan};
 use stickler_types::counted;
@@ -12,14 +12,14 @@ use stickler_types::counted;
 /// The part of a run between its last case and its footer.
 pub struct CauseStage<'r> {
     failed: FailedCases<'r>,
-    limits: Option<Limits>,
+    limits: Option<SearchLimits>,
     footer: Option<Event>,
 }
 
 impl<'r> CauseStage<'r> {
     /// Prepares the search; with `--no-causes` there is none.
     pub fn new(arguments: &RunArguments, plan: &'r Plan, engines: &[&'r dyn Engine]) -> CauseStage<'r> {
-        let mut limits = Limits::default();
+        let mut limits = SearchLimits::default();
         if let Some(minutes) = arguments.cause_time {
             limits.time = Duration::from_secs(minutes * 60);
         }
@@ -31,7 +31,7 @@ impl<'r> CauseStage<'r> {
     }
 
     /// Returns the limits of the search.
-    pub fn limits(&self) -> Limits {
+    pub fn limits(&self) -> SearchLimits {
         self.limits.unwrap_or_default()
     }
 

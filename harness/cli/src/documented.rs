@@ -1,7 +1,7 @@
 //! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
 use std::collections::BTreeSet;
-use stickler_conversions::overview::{Statement, Statements, StatementsBuilder, part_of_program};
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder, part_of_program};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -36,8 +36,8 @@ pub fn statements(cases: &[&Case]) -> Statements {
     builder.finish()
 }
 
-fn statement(case: &Case, word: MatrixWord) -> Statement<'_> {
-    Statement {
+fn statement(case: &Case, word: MatrixWord) -> CaseStatement<'_> {
+    CaseStatement {
         dialect: case.dialect,
         word,
         basis: &case.basis,

@@ -2,7 +2,7 @@
 
 use crate::near::{advice, list};
 use crate::override_tables::{conversions, flags, implicit};
-use crate::table::{Mistake, table, text};
+use crate::table::{ConfigurationMistake, table, text};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use stickler_types::{BuiltIn, Definition, DialectName, Stated};
@@ -51,7 +51,7 @@ struct DialectTable<'v, 'i> {
 pub(crate) fn definitions(
     dialects: &DeTable<'_>,
     written: &dyn Fn(&Range<usize>) -> String,
-) -> Result<Vec<(Definition, Range<usize>)>, Mistake> {
+) -> Result<Vec<(Definition, Range<usize>)>, ConfigurationMistake> {
     let mut entries = Vec::new();
     for (key, value) in dialects.iter() {
         let (name, span) = (key.get_ref().as_ref(), key.span());
@@ -99,7 +99,7 @@ pub(crate) fn definitions(
 }
 
 /// Checks that a name means nothing else on the command line, in a filter or in the key of a case.
-fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
+fn check_name(name: &str, span: &Range<usize>) -> Result<(), ConfigurationMistake> {
     let plain = |character: char| character.is_ascii_alphanumeric() || "-_.".contains(character);
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic())
         && name.chars().all(plain)
@@ -110,7 +110,7 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
              more than {MAX_NAME_LEN} of them",
             name.escape_debug()
         );
-        return Err(Mistake::at(span.clone(), message));
+        return Err(ConfigurationMistake::at(span.clone(), message));
     }
     let taken = DialectName::ALL
         .into_iter()
@@ -118,7 +118,7 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
     match taken {
         Some(dialect) => {
             let message = format!("there is a dialect `{dialect}` already; give this one another name");
-            Err(Mistake::at(span.clone(), message))
+            Err(ConfigurationMistake::at(span.clone(), message))
         }
         None => Ok(()),
     }
@@ -131,14 +131,14 @@ enum Base {
     Defined(usize, Range<usize>),
 }
 
-fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, Mistake> {
+fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result<Base, ConfigurationMistake> {
     let Some(extends) = entry.keys.get("extends") else {
         let message = format!(
             "`[dialects.{}]` does not say which dialect it extends, by `extends = \"…\"`; there are {}",
             entry.name,
             list(DialectName::ALL.map(DialectName::as_str))
         );
-        return Err(Mistake::at(entry.span.clone(), message));
+        return Err(ConfigurationMistake::at(entry.span.clone(), message));
     };
     let name = text("extends", extends)?;
     if let Some(built_in) = DialectName::ALL
@@ -149,7 +149,7 @@ fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result
     }
     if name == entry.name {
         let message = format!("`{name}` cannot extend itself");
-        return Err(Mistake::at(extends.span(), message));
+        return Err(ConfigurationMistake::at(extends.span(), message));
     }
     match by_name.get(name) {
         Some(&at) => Ok(Base::Defined(at, extends.span())),
@@ -157,18 +157,18 @@ fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result
             let built_in = DialectName::ALL.map(DialectName::as_str);
             let names: Vec<&str> = built_in.into_iter().chain(by_name.keys().copied()).collect();
             let message = format!("there is no dialect `{name}` to extend; {}", advice(name, &names));
-            Err(Mistake::at(extends.span(), message))
+            Err(ConfigurationMistake::at(extends.span(), message))
         }
     }
 }
 
-fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> Mistake {
+fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> ConfigurationMistake {
     let message = format!(
         "`{}` extends itself by way of others; one of them must extend {}",
         entry.name,
         list(DialectName::ALL.map(DialectName::as_str))
     );
-    Mistake::at(at.clone(), message)
+    ConfigurationMistake::at(at.clone(), message)
 }
 
 /// Reads one table, whose overrides are added to the definition `start`.
@@ -176,7 +176,7 @@ fn definition(
     entry: &DialectTable<'_, '_>,
     start: Definition,
     written: &dyn Fn(&Range<usize>) -> String,
-) -> Result<Definition, Mistake> {
+) -> Result<Definition, ConfigurationMistake> {
     let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
     let mut draft = Draft {
         definition: start,
@@ -194,7 +194,7 @@ fn definition(
             "implicit" => {}
             word => {
                 let whose = format!("of `[dialects.{}]`", entry.name);
-                return Err(Mistake::unknown_key(key.span(), word, &whose, &KEYS));
+                return Err(ConfigurationMistake::unknown_key(key.span(), word, &whose, &KEYS));
             }
         }
     }
@@ -242,10 +242,10 @@ fn taken_over(
 }
 
 /// Reads a text for people, which terminals and reports show.
-fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, Mistake> {
+fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
     let words = text(key, value)?;
     match words.chars().any(char::is_control) {
-        true => Err(Mistake::at(
+        true => Err(ConfigurationMistake::at(
             value.span(),
             format!("`{key}` must be one line, without control characters"),
         )),

@@ -1,7 +1,7 @@
 //! Reads the tables `[engines.NAME]`.
 
 use crate::near::list;
-use crate::table::{Mistake, read, table, text};
+use crate::table::{ConfigurationMistake, read, table, text};
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
@@ -57,7 +57,7 @@ pub(crate) fn entry(
     name: &Spanned<impl AsRef<str>>,
     value: &Spanned<DeValue<'_>>,
     place: TableContext<'_>,
-) -> Result<(String, EngineEntry), Mistake> {
+) -> Result<(String, EngineEntry), ConfigurationMistake> {
     let span = name.span();
     let name = name.get_ref().as_ref();
     check_name(name, &span)?;
@@ -79,8 +79,8 @@ pub(crate) fn entry(
 }
 
 /// Checks that a name means nothing else on the command line, and that it can be the name of a file.
-fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
-    let wrong = |message: String| Err(Mistake::at(span.clone(), message));
+fn check_name(name: &str, span: &Range<usize>) -> Result<(), ConfigurationMistake> {
+    let wrong = |message: String| Err(ConfigurationMistake::at(span.clone(), message));
     if name == REFERENCE {
         return wrong(format!(
             "`{REFERENCE}` is the engine that is always there; give this one another name"
@@ -96,14 +96,14 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), Mistake> {
 }
 
 /// Returns the compiler whose adapter the engine uses: the one that its key `adapter` or else its own name states.
-fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, Mistake> {
+fn compiler(name: &str, keys: &DeTable<'_>) -> Result<Option<Compiler>, ConfigurationMistake> {
     let Some(value) = keys.get("adapter") else {
         return Ok(Compiler::from_name(name));
     };
     let adapter = text("adapter", value)?;
     let unknown = || {
         let all = list(Compiler::ALL.map(Compiler::name));
-        Mistake::at(
+        ConfigurationMistake::at(
             value.span(),
             format!("there is no adapter `{adapter}`; there are {all}"),
         )
@@ -117,7 +117,7 @@ fn places(
     compiler: Compiler,
     keys: &DeTable<'_>,
     place: TableContext<'_>,
-) -> Result<DependencyPaths, Mistake> {
+) -> Result<DependencyPaths, ConfigurationMistake> {
     let mut places = DependencyPaths::default();
     if name != compiler.name() {
         places = places.without_variables();
@@ -139,7 +139,12 @@ fn places(
                     "of `[engines.{name}]`, which has the adapter `{}`",
                     compiler.name()
                 );
-                return Err(Mistake::unknown_key(key.span(), word, &whose, &known));
+                return Err(ConfigurationMistake::unknown_key(
+                    key.span(),
+                    word,
+                    &whose,
+                    &known,
+                ));
             }
         }
     }
@@ -154,13 +159,17 @@ struct CommandKeys {
 }
 
 /// Reads the description of a compiler.
-fn description(name: &str, keys: &DeTable<'_>, span: Range<usize>) -> Result<Description, Mistake> {
+fn description(
+    name: &str,
+    keys: &DeTable<'_>,
+    span: Range<usize>,
+) -> Result<Description, ConfigurationMistake> {
     let whose = format!("of `[engines.{name}]`");
     // These two would have made it another kind of engine.
     let description: Description = read(keys, span.clone(), &whose, &["command", "adapter"])?;
     description.check().map_err(|(key, message)| {
         let at = keys.iter().find(|(other, _)| other.get_ref() == key);
-        Mistake::at(
+        ConfigurationMistake::at(
             at.map_or(span, |(key, _)| key.span()),
             format!("{message} ({whose})"),
         )
@@ -168,11 +177,11 @@ fn description(name: &str, keys: &DeTable<'_>, span: Range<usize>) -> Result<Des
     Ok(description)
 }
 
-fn says_nothing(name: &str, span: Range<usize>) -> Mistake {
+fn says_nothing(name: &str, span: Range<usize>) -> ConfigurationMistake {
     let message = format!(
         "`[engines.{name}]` does not say what the engine is: by `command = \"…\"` a program that speaks the wire protocol, \
          by `adapter = \"…\"` one of {}, or by `check = \"…\"` and further keys a compiler that is described here",
         list(Compiler::ALL.map(Compiler::name))
     );
-    Mistake::at(span, message)
+    ConfigurationMistake::at(span, message)
 }

@@ -3,7 +3,7 @@
 use crate::dialects::definitions;
 use crate::engines::{EngineEntry, TableContext, entry};
 use crate::error::ConfigurationError;
-use crate::table::{Mistake, mistake, table};
+use crate::table::{ConfigurationMistake, mistake, table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
@@ -117,7 +117,7 @@ fn contents(
     text: &str,
     folder: &Path,
     shown: &Path,
-) -> Result<(BTreeMap<String, EngineEntry>, Vec<DialectName>), Mistake> {
+) -> Result<(BTreeMap<String, EngineEntry>, Vec<DialectName>), ConfigurationMistake> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let document = document.get_ref();
     if let Some((key, _)) = document
@@ -125,7 +125,12 @@ fn contents(
         .find(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
     {
         let word = key.get_ref().as_ref();
-        return Err(Mistake::unknown_key(key.span(), word, "of the file", &KEYS));
+        return Err(ConfigurationMistake::unknown_key(
+            key.span(),
+            word,
+            "of the file",
+            &KEYS,
+        ));
     }
     let written = |span: &Range<usize>| format!("{}:{}", shown.display(), position(text, span.start).0);
     let place = TableContext {
@@ -147,11 +152,14 @@ fn contents(
 }
 
 /// Defines the dialects of the table `[dialects]`.
-fn dialects(value: &Spanned<DeValue<'_>>, place: TableContext<'_>) -> Result<Vec<DialectName>, Mistake> {
+fn dialects(
+    value: &Spanned<DeValue<'_>>,
+    place: TableContext<'_>,
+) -> Result<Vec<DialectName>, ConfigurationMistake> {
     // All of them are right before the first is defined.
     let definitions = definitions(table("dialects", value)?, place.written)?;
     let define = |(definition, span)| {
-        DialectName::define(definition).map_err(|taken| Mistake::at(span, taken.to_string()))
+        DialectName::define(definition).map_err(|taken| ConfigurationMistake::at(span, taken.to_string()))
     };
     definitions.into_iter().map(define).collect()
 }

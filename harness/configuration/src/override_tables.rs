@@ -2,7 +2,7 @@
 
 use crate::dialects::Draft;
 use crate::near::{advice, list};
-use crate::table::{Mistake, text};
+use crate::table::{ConfigurationMistake, text};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_types::definition::Flag;
@@ -31,12 +31,12 @@ const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
 ///
 /// # Errors
 /// An unknown flag, or a value that is neither true nor false.
-pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let word = key.get_ref().as_ref();
         let Some(flag) = Flag::from_word(word) else {
             let known: Vec<&str> = Flag::ALL.iter().map(|flag| flag.as_str()).collect();
-            return Err(Mistake::unknown_key(
+            return Err(ConfigurationMistake::unknown_key(
                 key.span(),
                 word,
                 &of("flags", draft),
@@ -46,7 +46,7 @@ pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mis
         let Some(on) = value.get_ref().as_bool() else {
             let found = value.get_ref().type_str();
             let message = format!("`{word}` must be true or false, and this is of type {found}");
-            return Err(Mistake::at(value.span(), message));
+            return Err(ConfigurationMistake::at(value.span(), message));
         };
         let stated = draft.stated(on, word, &key.span());
         draft.definition.flags.insert(flag, stated);
@@ -86,7 +86,7 @@ fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
 ///
 /// # Errors
 /// An unknown choice, or an unknown word for one.
-pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (name, at) = (key.get_ref().as_ref(), &key.span());
         match name {
@@ -112,14 +112,19 @@ pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(
             }
             _ => {
                 let whose = of("conversions", draft);
-                return Err(Mistake::unknown_key(at.clone(), name, &whose, &CONVERSIONS));
+                return Err(ConfigurationMistake::unknown_key(
+                    at.clone(),
+                    name,
+                    &whose,
+                    &CONVERSIONS,
+                ));
             }
         }
     }
     Ok(())
 }
 
-fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, Mistake> {
+fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, ConfigurationMistake> {
     let said = format!(
         "`{name}` is \"shortest\", or a number of significant digits from {} to {}",
         DIGITS.start(),
@@ -133,7 +138,7 @@ fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, Mista
     match (value.get_ref().as_str(), digits) {
         (Some("shortest"), _) => Ok(RealText::Shortest),
         (None, Some(digits)) => Ok(RealText::SignificantDigits(digits)),
-        _ => Err(Mistake::at(value.span(), said)),
+        _ => Err(ConfigurationMistake::at(value.span(), said)),
     }
 }
 
@@ -143,7 +148,7 @@ fn one_of<T: Copy>(
     value: &Spanned<DeValue<'_>>,
     all: &[T],
     as_str: impl Fn(T) -> &'static str,
-) -> Result<T, Mistake> {
+) -> Result<T, ConfigurationMistake> {
     let word = text(key, value)?;
     all.iter()
         .copied()
@@ -151,7 +156,7 @@ fn one_of<T: Copy>(
         .ok_or_else(|| {
             let known: Vec<&str> = all.iter().map(|known| as_str(*known)).collect();
             let message = format!("`{key}` is not `{word}`; {}", advice(word, &known));
-            Mistake::at(value.span(), message)
+            ConfigurationMistake::at(value.span(), message)
         })
 }
 
@@ -160,7 +165,7 @@ fn one_of<T: Copy>(
 /// # Errors
 /// An unknown type, a type that the dialect does not have, a pair that cannot be overridden or is stated twice, or an
 /// unknown word.
-pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Mistake> {
+pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     let mut read = BTreeSet::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
@@ -181,7 +186,7 @@ pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), 
                 let message = format!(
                     "`{name}` names no pair of types; write the value's type, a point and the target's: `\"INT.BOOL\" = \"no\"`"
                 );
-                return Err(Mistake::at(key.span(), message));
+                return Err(ConfigurationMistake::at(key.span(), message));
             }
         }
     }
@@ -189,12 +194,12 @@ pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), 
 }
 
 /// Checks that a pair is stated once; it can be written with and without quotes, which are different keys to TOML.
-fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), Mistake> {
+fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), ConfigurationMistake> {
     if read.insert(pair) {
         return Ok(());
     }
     let message = format!("`{}.{}` has a word already", pair.0, pair.1);
-    Err(Mistake::at(at.clone(), message))
+    Err(ConfigurationMistake::at(at.clone(), message))
 }
 
 /// The type of a value, and that of its target.
@@ -205,12 +210,12 @@ fn cell(
     (to, to_at): (&str, &Range<usize>),
     value: &Spanned<DeValue<'_>>,
     draft: &mut Draft<'_>,
-) -> Result<Pair, Mistake> {
+) -> Result<Pair, ConfigurationMistake> {
     let key = format!("{from}.{to}");
     let (from, to) = (elementary(from, from_at, draft)?, elementary(to, to_at, draft)?);
     if from == to {
         let message = format!("`{key}` needs no word; a type always stands for itself");
-        return Err(Mistake::at(to_at.clone(), message));
+        return Err(ConfigurationMistake::at(to_at.clone(), message));
     }
     let word = one_of(&key, value, &WORDS, MatrixWord::as_str)?;
     if word != MatrixWord::No && !has_meaning(from, to) {
@@ -218,7 +223,7 @@ fn cell(
             "`{key}` cannot be `{}`; there is no conversion from {from} to {to}",
             word.as_str()
         );
-        return Err(Mistake::at(value.span(), message));
+        return Err(ConfigurationMistake::at(value.span(), message));
     }
     let stated = draft.stated(word, &format!("implicit {from}.{to}"), from_at);
     draft.definition.implicit.insert((from, to), stated);
@@ -226,12 +231,16 @@ fn cell(
 }
 
 /// Returns the elementary type of a name, if the dialect has it.
-fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Result<ElementaryType, Mistake> {
+fn elementary(
+    name: &str,
+    at: &Range<usize>,
+    draft: &Draft<'_>,
+) -> Result<ElementaryType, ConfigurationMistake> {
     let types = ElementaryType::ALL.map(ElementaryType::name);
     let found = ElementaryType::ALL.into_iter().find(|ty| ty.name() == name);
     let ty = found.ok_or_else(|| {
         let message = format!("there is no type `{name}`; {}", advice(name, &types));
-        Mistake::at(at.clone(), message)
+        ConfigurationMistake::at(at.clone(), message)
     })?;
     if ty.is_third_edition() && !has_third_edition(draft) {
         let message = format!(
@@ -245,7 +254,7 @@ fn elementary(name: &str, at: &Range<usize>, draft: &Draft<'_>) -> Result<Elemen
                     .map(ElementaryType::name)
             )
         );
-        return Err(Mistake::at(at.clone(), message));
+        return Err(ConfigurationMistake::at(at.clone(), message));
     }
     Ok(ty)
 }

@@ -8,24 +8,29 @@ use toml::de::{DeTable, DeValue};
 
 /// A mistake, with its position in the text in bytes.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Mistake {
+pub(crate) struct ConfigurationMistake {
     pub(crate) span: Range<usize>,
     pub(crate) message: String,
 }
 
-impl Mistake {
+impl ConfigurationMistake {
     /// Returns a mistake at a position.
-    pub(crate) fn at(span: Range<usize>, message: impl Into<String>) -> Mistake {
-        Mistake {
+    pub(crate) fn at(span: Range<usize>, message: impl Into<String>) -> ConfigurationMistake {
+        ConfigurationMistake {
             span,
             message: message.into(),
         }
     }
 
     /// Returns the mistake of an unknown key of a table; `whose` describes the table.
-    pub(crate) fn unknown_key(span: Range<usize>, key: &str, whose: &str, known: &[&str]) -> Mistake {
+    pub(crate) fn unknown_key(
+        span: Range<usize>,
+        key: &str,
+        whose: &str,
+        known: &[&str],
+    ) -> ConfigurationMistake {
         let message = format!("unknown key `{key}` {whose}; {}", advice(key, known));
-        Mistake::at(span, message)
+        ConfigurationMistake::at(span, message)
     }
 }
 
@@ -33,10 +38,13 @@ impl Mistake {
 ///
 /// # Errors
 /// A mistake, if the value is not a table.
-pub(crate) fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Result<&'v DeTable<'i>, Mistake> {
+pub(crate) fn table<'v, 'i>(
+    name: &str,
+    value: &'v Spanned<DeValue<'i>>,
+) -> Result<&'v DeTable<'i>, ConfigurationMistake> {
     value.get_ref().as_table().ok_or_else(|| {
         let found = value.get_ref().type_str();
-        Mistake::at(
+        ConfigurationMistake::at(
             value.span(),
             format!("`{name}` must be a table, and this is of type {found}"),
         )
@@ -47,10 +55,10 @@ pub(crate) fn table<'v, 'i>(name: &str, value: &'v Spanned<DeValue<'i>>) -> Resu
 ///
 /// # Errors
 /// A mistake, if the value is not a text.
-pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, Mistake> {
+pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, ConfigurationMistake> {
     value.get_ref().as_str().ok_or_else(|| {
         let found = value.get_ref().type_str();
-        Mistake::at(
+        ConfigurationMistake::at(
             value.span(),
             format!("`{key}` must be a text in quotes, and this is of type {found}"),
         )
@@ -67,7 +75,7 @@ pub(crate) fn read<T: DeserializeOwned>(
     span: Range<usize>,
     whose: &str,
     further: &[&str],
-) -> Result<T, Mistake> {
+) -> Result<T, ConfigurationMistake> {
     let spanned = Spanned::new(span.clone(), table.clone());
     T::deserialize(spanned.into_deserializer()).map_err(|error| mistake(&error, span, whose, further))
 }
@@ -79,15 +87,15 @@ pub(crate) fn mistake(
     otherwise: Range<usize>,
     whose: &str,
     further: &[&str],
-) -> Mistake {
+) -> ConfigurationMistake {
     let span = error.span().unwrap_or(otherwise);
     let message = error.message().trim_end().replace('\n', "; ");
     match unknown_field(&message) {
         Some((key, mut known)) => {
             known.extend(further);
-            Mistake::unknown_key(span, key, whose, &known)
+            ConfigurationMistake::unknown_key(span, key, whose, &known)
         }
-        None => Mistake::at(span, message),
+        None => ConfigurationMistake::at(span, message),
     }
 }
 
@@ -109,7 +117,7 @@ mod tests {
 
     #[derive(Debug, Deserialize)]
     #[serde(deny_unknown_fields)]
-    struct Keys {
+    struct KnownKeys {
         #[expect(dead_code, reason = "only its name is looked at")]
         check: Option<String>,
         #[expect(dead_code, reason = "only its name is looked at")]
@@ -118,7 +126,7 @@ mod tests {
 
     fn mistake_in(text: &str) -> (String, String) {
         let document = DeTable::parse(text).unwrap();
-        let mistake = read::<Keys>(document.get_ref(), 0..text.len(), "of it", &[]).unwrap_err();
+        let mistake = read::<KnownKeys>(document.get_ref(), 0..text.len(), "of it", &[]).unwrap_err();
         (text[mistake.span].to_owned(), mistake.message)
     }
 

@@ -17,5 +17,5 @@ pub use json::write as write_json;
 pub use page::OverviewPage;
 pub use program_call::{PartAccess, part_of_program};
 pub use results::{ComparedResult, DialectResults, SignatureResults, gather};
-pub use statements::{QuestionNumber, Statement, Statements, StatementsBuilder};
-pub use values::{Call, ValueError, calls};
+pub use statements::{CaseStatement, QuestionNumber, Statements, StatementsBuilder};
+pub use values::{CallOperands, ValueError, calls};

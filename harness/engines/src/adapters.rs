@@ -33,7 +33,7 @@ pub(crate) use plain::without_colours;
 pub(crate) use probe_variable::ProbeVariable;
 pub use rename::declared;
 use rusty::Rusty;
-pub use source::{Token, Tokens, Word, tokens};
+pub use source::{SourceToken, Tokens, Word, tokens};
 use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.

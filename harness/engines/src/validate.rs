@@ -10,7 +10,7 @@ mod smoke;
 use crate::process::{CommandLine, Connection, Failure, ProcessLimits};
 use crate::protocol::{ObserveMessage, ProgramRequest, Reply, Request, RunMessage};
 use crate::{Ability, EngineError, Identity, Outcome};
-use smoke::{Ask, Expect, PLAIN, QUESTIONS, Question};
+use smoke::{Ask, PLAIN, QUESTIONS, Question, SmokeExpectation};
 use std::path::Path;
 use stickler_types::DialectName;
 
@@ -130,7 +130,7 @@ impl Conversation<'_> {
         }
         self.id += 1;
         let (line, verb) = request(&Ask::Check(PLAIN), self.id, dialect);
-        self.ask(rule, line, verb, &Expect::Accepted, &[])
+        self.ask(rule, line, verb, &SmokeExpectation::Accepted, &[])
     }
 
     /// Checks whether a second process can run beside the first: a run has one for each worker.
@@ -142,8 +142,8 @@ impl Conversation<'_> {
                 self.id += 1;
                 let (asked, verb) = request(&Ask::Check(PLAIN), self.id, self.identity.dialects[0]);
                 let expect = match self.identity.can(Ability::Check) {
-                    true => Expect::Accepted,
-                    false => Expect::Refused,
+                    true => SmokeExpectation::Accepted,
+                    false => SmokeExpectation::Refused,
                 };
                 let check = self.ask(rule, asked, verb, &expect, &[]);
                 // Whether a process ends at `bye` is judged by the second; a process that is killed may leave folders behind.
@@ -174,7 +174,7 @@ impl Conversation<'_> {
         rule: String,
         sent: Vec<u8>,
         verb: &str,
-        expect: &Expect,
+        expect: &SmokeExpectation,
         types: &[(String, &str)],
     ) -> Check {
         let shown = String::from_utf8_lossy(&sent).trim_end().to_owned();
@@ -220,7 +220,7 @@ impl Conversation<'_> {
         rule: String,
         line: &[u8],
         verb: &str,
-        expect: &Expect,
+        expect: &SmokeExpectation,
         types: &[(String, &str)],
     ) -> Check {
         let received = Some(String::from_utf8_lossy(line).trim_end().to_owned());
@@ -253,8 +253,8 @@ impl Conversation<'_> {
     }
 
     /// Checks whether the reply repeats the `id`. A line that is no request has no `id` that must be read.
-    fn answers(&self, reply: &Reply, expect: &Expect) -> bool {
-        matches!(expect, Expect::Error) || reply.id() == Some(self.id)
+    fn answers(&self, reply: &Reply, expect: &SmokeExpectation) -> bool {
+        matches!(expect, SmokeExpectation::Error) || reply.id() == Some(self.id)
     }
 }
 
@@ -342,7 +342,7 @@ fn observed(ask: &Ask) -> Vec<(String, &'static str)> {
     let Ask::Run { observe, .. } = ask else {
         return Vec::new();
     };
-    let key = |(name, type_name, after): &smoke::Observed| {
+    let key = |(name, type_name, after): &smoke::SmokeVariable| {
         let key = after.map_or((*name).to_owned(), |scan| format!("{name}@{scan}"));
         (key, *type_name)
     };

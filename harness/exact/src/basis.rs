@@ -36,7 +36,7 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
     let choices = choices_of(dialect);
     let basis = match (&signature.operands[..], operands) {
         (&[from], [operand]) if signature.takes(operands) => {
-            let call = Call {
+            let call = UnaryCall {
                 signature,
                 from,
                 to: signature.result,
@@ -63,7 +63,7 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
         return false;
     };
     match (&signature.operands[..], operands) {
-        (&[from], [operand]) if signature.takes(operands) => Call {
+        (&[from], [operand]) if signature.takes(operands) => UnaryCall {
             signature,
             from,
             to: signature.result,
@@ -140,14 +140,14 @@ impl Rules {
 
 /// A call with one argument.
 #[derive(Clone, Copy)]
-struct Call<'s> {
+struct UnaryCall<'s> {
     signature: &'s Signature,
     from: ElementaryType,
     to: ElementaryType,
     rules: Rules,
 }
 
-impl Call<'_> {
+impl UnaryCall<'_> {
     fn basis(self, operand: &Value) -> Option<&'static str> {
         let name = &self.signature.function[..];
         match (self.signature.operation, operand) {

@@ -23,14 +23,14 @@ use stickler_types::{
 /// One conversion, applied to many raw forms at a time.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bulk {
-    rule: Rule,
+    rule: BulkRule,
     from: ElementaryType,
     to: ElementaryType,
 }
 
 /// The arithmetic rule of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Rule {
+enum BulkRule {
     /// The number modulo 2^n.
     Modulo,
     /// The number, and `?` where CHAR does not have the character.
@@ -72,8 +72,8 @@ impl Bulk {
             return None;
         }
         let rule = match signature.operation {
-            Operation::FromBcd => Rule::Digits,
-            Operation::ToBcd => Rule::Decimal,
+            Operation::FromBcd => BulkRule::Digits,
+            Operation::ToBcd => BulkRule::Decimal,
             Operation::Concatenate => return None,
             operation if from.is_real() => of_real(to, operation, choices)?,
             _ => of_number(from, to, choices),
@@ -86,59 +86,59 @@ impl Bulk {
     pub fn fill(&self, operands: &[u64], results: &mut [u64]) {
         let Bulk { rule, from, to } = *self;
         match rule {
-            Rule::Modulo => integer::modulo(operands, results, to),
-            Rule::Replaced => integer::replaced(operands, results),
-            Rule::Truth => integer::truth(operands, results),
-            Rule::RealTruth => real::truth(operands, results),
-            Rule::Nearest(result) => real::nearest(operands, results, result),
-            Rule::Same => real::same(operands, results),
-            Rule::Lengthened => real::lengthened(operands, results),
-            Rule::Integral(rounding, out_of_range) => {
+            BulkRule::Modulo => integer::modulo(operands, results, to),
+            BulkRule::Replaced => integer::replaced(operands, results),
+            BulkRule::Truth => integer::truth(operands, results),
+            BulkRule::RealTruth => real::truth(operands, results),
+            BulkRule::Nearest(result) => real::nearest(operands, results, result),
+            BulkRule::Same => real::same(operands, results),
+            BulkRule::Lengthened => real::lengthened(operands, results),
+            BulkRule::Integral(rounding, out_of_range) => {
                 real::integral(operands, results, to, rounding, out_of_range)
             }
-            Rule::Units(calendar) => moment::units(operands, results, to, calendar),
-            Rule::RealUnits(calendar) => moment::real_units(operands, results, to, calendar),
-            Rule::Copied => each(operands, results, |operand| operand),
-            Rule::Digits => decimal::number(operands, results, to),
-            Rule::Decimal => decimal::digits(operands, results, from, to),
+            BulkRule::Units(calendar) => moment::units(operands, results, to, calendar),
+            BulkRule::RealUnits(calendar) => moment::real_units(operands, results, to, calendar),
+            BulkRule::Copied => each(operands, results, |operand| operand),
+            BulkRule::Digits => decimal::number(operands, results, to),
+            BulkRule::Decimal => decimal::digits(operands, results, from, to),
         }
     }
 }
 
-fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Option<Rule> {
+fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Option<BulkRule> {
     let calendar = choices.calendar_units;
     Some(match to.family() {
-        Family::Boolean => Rule::RealTruth,
-        Family::Real if to == ElementaryType::Real => Rule::Same,
-        Family::Real => Rule::Lengthened,
+        Family::Boolean => BulkRule::RealTruth,
+        Family::Real if to == ElementaryType::Real => BulkRule::Same,
+        Family::Real => BulkRule::Lengthened,
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
-            return moment::has_real_units(to, calendar).then_some(Rule::RealUnits(calendar));
+            return moment::has_real_units(to, calendar).then_some(BulkRule::RealUnits(calendar));
         }
-        Family::BitString if choices.bits_as_real == BitsAsReal::Copy && to.bits() == 32 => Rule::Copied,
-        _ => Rule::Integral(operation.rounding(choices), choices.out_of_range),
+        Family::BitString if choices.bits_as_real == BitsAsReal::Copy && to.bits() == 32 => BulkRule::Copied,
+        _ => BulkRule::Integral(operation.rounding(choices), choices.out_of_range),
     })
 }
 
-fn of_number(from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> Rule {
+fn of_number(from: ElementaryType, to: ElementaryType, choices: &ConversionChoices) -> BulkRule {
     let is_bit_string = from.is_bit_string();
     match to.family() {
         Family::Boolean if is_bit_string && choices.bit_string_as_bool == BitStringAsBool::LowestBit => {
-            Rule::Modulo
+            BulkRule::Modulo
         }
         Family::Real
             if is_bit_string && choices.bits_as_real == BitsAsReal::Copy && from.bits() == to.bits() =>
         {
-            Rule::Copied
+            BulkRule::Copied
         }
-        Family::Boolean if from == ElementaryType::Bool => Rule::Modulo,
-        Family::Boolean => Rule::Truth,
-        Family::Real if to == ElementaryType::Real => Rule::Nearest(RealResult::Single),
-        Family::Real => Rule::Nearest(RealResult::Double),
+        Family::Boolean if from == ElementaryType::Bool => BulkRule::Modulo,
+        Family::Boolean => BulkRule::Truth,
+        Family::Real if to == ElementaryType::Real => BulkRule::Nearest(RealResult::Single),
+        Family::Real => BulkRule::Nearest(RealResult::Double),
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
-            Rule::Units(choices.calendar_units)
+            BulkRule::Units(choices.calendar_units)
         }
-        Family::Character if from.is_character() && to == ElementaryType::Char => Rule::Replaced,
-        _ => Rule::Modulo,
+        Family::Character if from.is_character() && to == ElementaryType::Char => BulkRule::Replaced,
+        _ => BulkRule::Modulo,
     }
 }
 

@@ -24,30 +24,30 @@ pub(crate) const TEMPLATE: &str = "\
 
 /// The outcome of a case that a person observed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Answer {
+pub(crate) enum ReportedOutcome {
     Accepted,
     Rejected,
     Crashed,
 }
 
 /// The answers of a person, by the id of the case, each with its place in the file.
-pub(crate) type Answers = BTreeMap<String, (Answer, String)>;
+pub(crate) type ReportedOutcomes = BTreeMap<String, (ReportedOutcome, String)>;
 
 /// Reads the answers of a folder for cases of a dialect; none where there is no file of answers.
 ///
 /// # Errors
-/// [`ExportError::Read`]; [`ExportError::Answer`] with the line of a malformed answer, or of one that contradicts another.
-pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
+/// [`ExportError::Read`]; [`ExportError::ReportedOutcome`] with the line of a malformed answer, or of one that contradicts another.
+pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<ReportedOutcomes, ExportError> {
     let path = folder.join(ANSWERS);
     match fs::read(&path) {
         Ok(bytes) => parse(&decoded(&bytes), &path, dialect),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(Answers::new()),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(ReportedOutcomes::new()),
         Err(error) => Err(ExportError::Read(path, error)),
     }
 }
 
-fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<Answers, ExportError> {
-    let mut answers = Answers::new();
+fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<ReportedOutcomes, ExportError> {
+    let mut answers = ReportedOutcomes::new();
     // Reports write the dialect after each id.
     let dialect = format!("@{dialect}");
     for (number, line) in text.lines().enumerate() {
@@ -61,9 +61,9 @@ fn parse(text: &str, path: &Path, dialect: DialectName) -> Result<Answers, Expor
             .split_once(char::is_whitespace)
             .ok_or_else(|| broken("a word and the id of a case are missing; such as `rejected widening/integer::assignment(SINT,INT,0)`"))?;
         let answer = match word.to_ascii_lowercase().as_str() {
-            "accepted" => Answer::Accepted,
-            "rejected" => Answer::Rejected,
-            "crashed" => Answer::Crashed,
+            "accepted" => ReportedOutcome::Accepted,
+            "rejected" => ReportedOutcome::Rejected,
+            "crashed" => ReportedOutcome::Crashed,
             _ => {
                 return Err(broken(&format!(
                     "`{word}` is no answer; the answers are `accepted`, `rejected` and `crashed`"
@@ -90,14 +90,14 @@ mod tests {
     fn answers_are_a_word_and_an_id() {
         let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y@matiec\naccepted z\n");
         let answers = parse(&text, Path::new("answers.txt"), DialectName::Matiec).expect("answers");
-        let told: Vec<(&str, Answer)> = answers
+        let told: Vec<(&str, ReportedOutcome)> = answers
             .iter()
             .map(|(id, (answer, _))| (id.as_str(), *answer))
             .collect();
         let expected = [
-            ("a/b::c(INT,*,1)", Answer::Rejected),
-            ("x/y", Answer::Crashed),
-            ("z", Answer::Accepted),
+            ("a/b::c(INT,*,1)", ReportedOutcome::Rejected),
+            ("x/y", ReportedOutcome::Crashed),
+            ("z", ReportedOutcome::Accepted),
         ];
         assert_eq!(told, expected);
     }
@@ -113,7 +113,7 @@ mod tests {
         ] {
             fs::write(folder.path().join(ANSWERS), bytes).expect("written");
             let answers = read(folder.path(), DialectName::Matiec).expect("answers");
-            assert_eq!(answers["a/b"].0, Answer::Rejected);
+            assert_eq!(answers["a/b"].0, ReportedOutcome::Rejected);
         }
     }
 

@@ -4,14 +4,14 @@
 //! was accepted, if the list is complete: so the first statement of the page and its last are wrong on purpose, and a list that
 //! lacks either shows nothing about any case.
 
-use crate::page::{Page, counted, shown};
+use crate::page::{PageText, counted, shown};
 use std::fmt::Write;
 
 /// The statement at the beginning and the end of a page. Its types are wrong, as in most cases: compilers check types last, and
 /// some that stop before that check would report an undeclared name.
 const WRONG: &str = "    stickler_wrong := T#1s;\n";
 
-impl Page<'_, '_> {
+impl PageText<'_, '_> {
     /// Writes the declarations and the statements.
     pub(crate) fn write_compiled(&mut self, pages: usize, export: &str) {
         (self.steps, self.elements) = (Vec::new(), 0);

@@ -5,7 +5,7 @@
 
 use crate::answers::{self, ANSWERS, TEMPLATE};
 use crate::manifest::{MANIFEST, Manifest, PageRecord};
-use crate::page::{Page, elements_of};
+use crate::page::{PageText, elements_of};
 use crate::page_case::{ExtraCases, PageCase, PageKind};
 use crate::{ExportError, Reason};
 use std::collections::{BTreeMap, BTreeSet};
@@ -96,7 +96,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     );
     let mut taken = BTreeSet::new();
     for (number, chunk) in chunks.iter().enumerate() {
-        let page = Page::write((number + 1, chunks.len()), chunk, &told, &mut taken);
+        let page = PageText::write((number + 1, chunks.len()), chunk, &told, &mut taken);
         let stem = format!("page-{:03}", page.number);
         write(&folder.join(format!("{stem}.st")), &page.text())?;
         if plan.panes {
@@ -164,7 +164,7 @@ fn write(path: &Path, text: &str) -> Result<(), ExportError> {
     fs::write(path, text).map_err(|error| ExportError::Write(path.to_owned(), error))
 }
 
-fn write_panes(page: &Page<'_, '_>, folder: &Path, stem: &str) -> Result<(), ExportError> {
+fn write_panes(page: &PageText<'_, '_>, folder: &Path, stem: &str) -> Result<(), ExportError> {
     let parts = [&page.declarations, &page.statements, &page.units];
     for (text, ending) in parts.into_iter().zip(&ENDINGS[1..]) {
         if !text.is_empty() {

@@ -3,11 +3,11 @@
 //! A case for which no result was copied is not judged, and a run that lacks a case has no footer: every reader of its reports
 //! says that it was cut short.
 
-use crate::answers::{self, ANSWERS, Answer, Answers};
+use crate::answers::{self, ANSWERS, ReportedOutcome, ReportedOutcomes};
 use crate::manifest::Manifest;
 use crate::messages::{MessageList, Messages};
 use crate::paste;
-use crate::result_arrays::{CaseResult, ResultArrays};
+use crate::result_arrays::{PageResult, ResultArrays};
 use crate::unjudged::{PagesWithoutResults, UnjudgedCases, shortened};
 use crate::{ExportError, ExtraCases, MANIFEST};
 use std::collections::BTreeSet;
@@ -15,8 +15,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use stickler_engines::{Diagnostic, Outcome};
 use stickler_run::{
-    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, SourceHeader,
-    Summary, dialect_headers,
+    CaseJudge, DefinedHeader, EngineHeader, EngineTotals, Event, FORMAT, Fact, Footer, Header, RunSummary,
+    SourceHeader, dialect_headers,
 };
 use stickler_suite::{Acceptance, Case};
 use stickler_types::DialectName;
@@ -29,7 +29,7 @@ pub struct Export {
     dialect: DialectName,
     /// The cases of each page.
     cases: Vec<Vec<Case>>,
-    answers: Answers,
+    answers: ReportedOutcomes,
 }
 
 /// A text that a person copied out of an editor.
@@ -45,7 +45,7 @@ pub struct CopiedText {
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Imported {
     /// The summary of the verdicts; it is marked as cancelled where cases were not judged.
-    pub summary: Summary,
+    pub summary: RunSummary,
     /// The number of cases that were not judged.
     pub unjudged: u64,
     /// The notes on the texts, the pages and the answers, a sentence each, in their order.
@@ -177,7 +177,7 @@ impl Export {
         };
         // The programs of these cases were not on the page.
         for case in &page.answered {
-            given.cases[*case] = CaseResult::NotRun;
+            given.cases[*case] = PageResult::NotRun;
         }
         given
     }
@@ -220,7 +220,7 @@ impl Export {
     fn compiled(&self, at: usize, messages: &Messages) -> PageResults {
         let page = &self.manifest.pages[at];
         let missing = |without, state| PageResults {
-            cases: page.cases.iter().map(|_| CaseResult::Missing).collect(),
+            cases: page.cases.iter().map(|_| PageResult::Missing).collect(),
             without,
             state,
         };
@@ -259,8 +259,8 @@ impl Export {
         for (case, told) in self.cases[at].iter().zip(given.cases) {
             let answer = self.answers.get(&*case.id);
             let (outcome, untold) = match (told, answer) {
-                (CaseResult::Outcome(outcome, untold), None) => (outcome, untold),
-                (CaseResult::Outcome(outcome, untold), Some((_, place))) => {
+                (PageResult::Outcome(outcome, untold), None) => (outcome, untold),
+                (PageResult::Outcome(outcome, untold), Some((_, place))) => {
                     imported
                         .notes
                         .push(format!("{place}: {} has results, which count", case.id));
@@ -344,7 +344,7 @@ fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
 /// The results of the cases of a page.
 struct PageResults {
     /// The result of each case.
-    cases: Vec<CaseResult>,
+    cases: Vec<PageResult>,
     /// Whether no result of the page was pasted.
     without: bool,
     /// A sentence on how far the page ran, where there is something to say.
@@ -352,7 +352,7 @@ struct PageResults {
 }
 
 /// Returns the outcome of a case that is only compiled, by its first message, whose line number is of the page and not of the case.
-fn compiled_outcome(message: Option<String>) -> CaseResult {
+fn compiled_outcome(message: Option<String>) -> PageResult {
     let outcome = match message {
         None => Outcome::Accepted,
         Some(message) => Outcome::Rejected {
@@ -362,19 +362,19 @@ fn compiled_outcome(message: Option<String>) -> CaseResult {
             }],
         },
     };
-    CaseResult::Outcome(outcome, Vec::new())
+    PageResult::Outcome(outcome, Vec::new())
 }
 
-fn answered(answer: Answer, place: &str) -> Outcome {
+fn answered(answer: ReportedOutcome, place: &str) -> Outcome {
     match answer {
-        Answer::Accepted => Outcome::Accepted,
-        Answer::Rejected => Outcome::Rejected {
+        ReportedOutcome::Accepted => Outcome::Accepted,
+        ReportedOutcome::Rejected => Outcome::Rejected {
             diagnostics: vec![Diagnostic {
                 message: format!("rejected, as noted at {place}"),
                 ..Diagnostic::default()
             }],
         },
-        Answer::Crashed => Outcome::Crashed {
+        ReportedOutcome::Crashed => Outcome::Crashed {
             reason: format!("as noted at {place}"),
         },
     }

@@ -2,7 +2,7 @@
 //! case.
 
 use crate::ExportError;
-use crate::page::{FIRST_OBSERVATION, Page};
+use crate::page::{FIRST_OBSERVATION, PageText};
 use crate::record::CaseRecord;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -181,7 +181,7 @@ impl PageRecord {
         self.identity == 0
     }
 
-    pub(crate) fn of(page: &Page<'_, '_>, file: String) -> PageRecord {
+    pub(crate) fn of(page: &PageText<'_, '_>, file: String) -> PageRecord {
         let steps = page.steps.iter().map(|step| StepRecord {
             case: step.case,
             observe: step.observe,

@@ -24,7 +24,7 @@ use crate::page_case::{PageCase, PageKind, expected};
 use crate::rename::Renaming;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use stickler_engines::{Token, tokens};
+use stickler_engines::{SourceToken, tokens};
 use stickler_types::{ElementaryType, Fnv1a, Value};
 
 /// The first element of every array of results: `STK1` in ASCII.
@@ -50,7 +50,7 @@ pub(crate) struct PageStep {
 }
 
 /// The text of a page, and the places of its cases in it.
-pub(crate) struct Page<'c, 'r> {
+pub(crate) struct PageText<'c, 'r> {
     /// The number of the page, from 1.
     pub(crate) number: usize,
     pub(crate) kind: PageKind,
@@ -78,7 +78,7 @@ pub(crate) fn elements_of(ready: &PageCase<'_>) -> usize {
     encodings.sum::<usize>().max(2)
 }
 
-impl<'c, 'r> Page<'c, 'r> {
+impl<'c, 'r> PageText<'c, 'r> {
     /// Writes a page of cases. `export` is a line that names the export; `taken` contains the identities of other pages, to which
     /// the page adds its own.
     pub(crate) fn write(
@@ -86,10 +86,10 @@ impl<'c, 'r> Page<'c, 'r> {
         cases: &'r [PageCase<'c>],
         export: &str,
         taken: &mut BTreeSet<i32>,
-    ) -> Page<'c, 'r> {
+    ) -> PageText<'c, 'r> {
         let kind = cases[0].kind;
         let (steps, end) = steps(cases);
-        let mut page = Page {
+        let mut page = PageText {
             number,
             kind,
             cases,
@@ -132,7 +132,7 @@ impl<'c, 'r> Page<'c, 'r> {
     }
 
     fn head(&self, pages: usize, export: &str) -> String {
-        let Page { number, cases, .. } = self;
+        let PageText { number, cases, .. } = self;
         let last = self.elements - 1;
         format!(
             "(* Stickler: page {number} of {pages}, {}. {export}\n   \
@@ -380,7 +380,7 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
 fn declares_in_place(ready: &PageCase<'_>) -> bool {
     let words: BTreeSet<String> = tokens(&ready.parts.units)
         .filter_map(|token| match token {
-            Token::Word(word) => Some(word.text.to_ascii_uppercase()),
+            SourceToken::Word(word) => Some(word.text.to_ascii_uppercase()),
             _ => None,
         })
         .collect();

@@ -6,7 +6,7 @@
 
 use crate::Reason;
 use std::collections::HashSet;
-use stickler_engines::{Token, declared, tokens};
+use stickler_engines::{SourceToken, declared, tokens};
 
 /// The parts of a program. All text is as the case has it, without the marks of the suite.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -16,7 +16,7 @@ pub(crate) struct ProgramParts {
     /// The global names of the text, in capitals, without that of the main program.
     pub(crate) unit_names: HashSet<String>,
     /// The declarations of the main program's sections of variables, by section.
-    pub(crate) variables: Vec<Section>,
+    pub(crate) variables: Vec<DeclaredSection>,
     /// The names of the main program's variables, in capitals.
     pub(crate) variable_names: HashSet<String>,
     /// The statements of the main program.
@@ -25,7 +25,7 @@ pub(crate) struct ProgramParts {
 
 /// A section of variables.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct Section {
+pub(crate) struct DeclaredSection {
     /// Whether the variables are constants.
     pub(crate) constant: bool,
     /// The text between the section's keywords.
@@ -40,7 +40,7 @@ impl ProgramParts {
     pub(crate) fn of(source: &str) -> Result<ProgramParts, Reason> {
         let source = without_marks(source);
         let mut unit_names = declared(&source, &HashSet::new()).ok_or(Reason::Shares)?;
-        let mut reader = Reader::new(&source);
+        let mut reader = PartsReader::new(&source);
         let main = reader.main()?;
         let mut parts = ProgramParts {
             units: [&source[..main.begins], &source[main.ends..]]
@@ -65,30 +65,30 @@ impl ProgramParts {
 }
 
 /// The places of the main program's parts in the text.
-struct Main {
+struct MainParts {
     /// The name of the program, in capitals.
     name: String,
     begins: usize,
     ends: usize,
-    sections: Vec<Section>,
+    sections: Vec<DeclaredSection>,
     statements: usize,
     statements_end: usize,
 }
 
 /// A reader that goes through a text word by word.
-struct Reader<'s> {
+struct PartsReader<'s> {
     source: &'s str,
     words: Vec<(&'s str, usize)>,
     next: usize,
 }
 
-impl<'s> Reader<'s> {
-    fn new(source: &'s str) -> Reader<'s> {
+impl<'s> PartsReader<'s> {
+    fn new(source: &'s str) -> PartsReader<'s> {
         let words = tokens(source).filter_map(|token| match token {
-            Token::Word(word) => Some((word.text, word.at)),
+            SourceToken::Word(word) => Some((word.text, word.at)),
             _ => None,
         });
-        Reader {
+        PartsReader {
             source,
             words: words.collect(),
             next: 0,
@@ -111,7 +111,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Finds the only program of the text.
-    fn main(&mut self) -> Result<Main, Reason> {
+    fn main(&mut self) -> Result<MainParts, Reason> {
         let begins = self.seek("PROGRAM").ok_or(Reason::NoProgram)?;
         let (name, at) = self.word().ok_or(Reason::NoProgram)?;
         let mut sections = Vec::new();
@@ -135,7 +135,7 @@ impl<'s> Reader<'s> {
         if self.seek("PROGRAM").is_some() {
             return Err(Reason::SeveralPrograms);
         }
-        Ok(Main {
+        Ok(MainParts {
             name: name.to_ascii_uppercase(),
             begins,
             ends,
@@ -146,7 +146,7 @@ impl<'s> Reader<'s> {
     }
 
     /// Reads a section of variables, if one comes next; also returns the place of its end.
-    fn section(&mut self) -> Result<Option<(Section, usize)>, Reason> {
+    fn section(&mut self) -> Result<Option<(DeclaredSection, usize)>, Reason> {
         let Some(&(word, at)) = self.words.get(self.next) else {
             return Ok(None);
         };
@@ -175,7 +175,7 @@ impl<'s> Reader<'s> {
         }
         let end = self.seek("END_VAR").ok_or(Reason::NoProgram)?;
         let text = self.source[inside..end].trim_matches(['\n', '\r']).trim_end();
-        let section = Section {
+        let section = DeclaredSection {
             constant,
             text: text.to_owned(),
         };
@@ -200,13 +200,13 @@ fn names(section: &str) -> HashSet<String> {
     let mut depth = 0_u32;
     for token in tokens(section) {
         match token {
-            Token::Word(word) if in_names => {
+            SourceToken::Word(word) if in_names => {
                 names.insert(word.text.to_ascii_uppercase());
             }
-            Token::Sign(b'(' | b'[') => depth += 1,
-            Token::Sign(b')' | b']') => depth = depth.saturating_sub(1),
-            Token::Sign(b':') => in_names = false,
-            Token::Sign(b';') if depth == 0 => in_names = true,
+            SourceToken::Sign(b'(' | b'[') => depth += 1,
+            SourceToken::Sign(b')' | b']') => depth = depth.saturating_sub(1),
+            SourceToken::Sign(b':') => in_names = false,
+            SourceToken::Sign(b';') if depth == 0 => in_names = true,
             _ => {}
         }
     }

@@ -15,7 +15,7 @@ pub(crate) struct CaseRecord {
     line: u32,
     area: String,
     source: String,
-    accepted: Accepted,
+    accepted: RequiredAcceptance,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     diagnostics: Vec<(u32, String)>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -27,7 +27,7 @@ pub(crate) struct CaseRecord {
 /// The demand on the acceptance of the program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Accepted {
+enum RequiredAcceptance {
     Required,
     Rejected,
     Open,
@@ -77,9 +77,9 @@ impl CaseRecord {
             area: case.area.to_string(),
             source: case.source.to_string(),
             accepted: match expectation.accepted {
-                Acceptance::Required => Accepted::Required,
-                Acceptance::Rejected => Accepted::Rejected,
-                Acceptance::Observed => Accepted::Open,
+                Acceptance::Required => RequiredAcceptance::Required,
+                Acceptance::Rejected => RequiredAcceptance::Rejected,
+                Acceptance::Observed => RequiredAcceptance::Open,
             },
             diagnostics: diagnostics
                 .map(|told| (told.line, told.code.as_str().to_owned()))
@@ -124,9 +124,9 @@ impl CaseRecord {
             line: self.line,
             expectation: Arc::new(Expectation {
                 accepted: match self.accepted {
-                    Accepted::Required => Acceptance::Required,
-                    Accepted::Rejected => Acceptance::Rejected,
-                    Accepted::Open => Acceptance::Observed,
+                    RequiredAcceptance::Required => Acceptance::Required,
+                    RequiredAcceptance::Rejected => Acceptance::Rejected,
+                    RequiredAcceptance::Open => Acceptance::Observed,
                 },
                 diagnostics: diagnostics.collect::<Result<_, String>>()?,
                 values: values.collect::<Result<_, String>>()?,

@@ -1,7 +1,7 @@
 //! Renames the names of a case, so that they differ from those of every other case of its page.
 
 use std::collections::HashSet;
-use stickler_engines::{Token, tokens};
+use stickler_engines::{SourceToken, tokens};
 
 /// The suffixes for the names of a case.
 pub(crate) struct Renaming<'n> {
@@ -21,7 +21,7 @@ impl Renaming<'_> {
         let mut written = 0;
         let mut before = Before::default();
         for token in tokens(text) {
-            if let Token::Word(word) = token {
+            if let SourceToken::Word(word) = token {
                 let name = word.text.to_ascii_uppercase();
                 let suffix = self.suffix(&name, &before, &text[word.end()..]);
                 if let Some(suffix) = suffix {
@@ -67,15 +67,15 @@ struct Before {
 }
 
 impl Before {
-    fn take(&mut self, token: &Token<'_>) {
+    fn take(&mut self, token: &SourceToken<'_>) {
         self.last_but_one = self.last;
         self.last = match token {
-            Token::Sign(sign) => Some(*sign),
+            SourceToken::Sign(sign) => Some(*sign),
             _ => None,
         };
         match token {
-            Token::Sign(b'(') => self.depth += 1,
-            Token::Sign(b')') => self.depth = self.depth.saturating_sub(1),
+            SourceToken::Sign(b'(') => self.depth += 1,
+            SourceToken::Sign(b')') => self.depth = self.depth.saturating_sub(1),
             _ => {}
         }
     }

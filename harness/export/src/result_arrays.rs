@@ -17,7 +17,7 @@ pub(crate) struct ResultArrays {
 
 /// The result of a case in the array of its page.
 #[derive(Clone, PartialEq, Debug)]
-pub(crate) enum CaseResult {
+pub(crate) enum PageResult {
     /// The outcome on the engine, and the keys of the values that differ from the expected ones and that no numbers show.
     Outcome(Outcome, Vec<String>),
     /// No element of the case was pasted.
@@ -64,9 +64,9 @@ impl ResultArrays {
     }
 
     /// Returns the result of one of the cases of a page from its array.
-    pub(crate) fn result(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> CaseResult {
+    pub(crate) fn result(&self, at: usize, page: &PageRecord, number: usize, case: &Case) -> PageResult {
         let Some(elements) = self.pages.get(&at) else {
-            return CaseResult::Missing;
+            return PageResult::Missing;
         };
         let mut reading = Reading {
             values: Vec::new(),
@@ -84,8 +84,8 @@ impl ResultArrays {
             }
         }
         match reading.contradiction {
-            Some(message) => CaseResult::Outcome(Outcome::Error { message }, Vec::new()),
-            None => CaseResult::Outcome(
+            Some(message) => PageResult::Outcome(Outcome::Error { message }, Vec::new()),
+            None => PageResult::Outcome(
                 Outcome::Executed {
                     values: reading.values,
                 },
@@ -187,15 +187,15 @@ impl Reading {
         page: &PageRecord,
         (place, step): (usize, &StepRecord),
         case: &Case,
-    ) -> Result<(), CaseResult> {
-        let element = |index: usize| elements.get(&index).copied().ok_or(CaseResult::Missing);
-        let strange = |index: usize, value: i32| CaseResult::Nonsense(format!("results[{index}] is {value}"));
+    ) -> Result<(), PageResult> {
+        let element = |index: usize| elements.get(&index).copied().ok_or(PageResult::Missing);
+        let strange = |index: usize, value: i32| PageResult::Nonsense(format!("results[{index}] is {value}"));
         let marker = element(step.place)?;
         let own = page
             .identity
             .saturating_add(i32::try_from(place + 1).unwrap_or(i32::MAX));
         match marker {
-            0 => return Err(CaseResult::NotRun),
+            0 => return Err(PageResult::NotRun),
             _ if marker != own => return Err(strange(step.place, marker)),
             _ => {}
         }
@@ -214,7 +214,7 @@ impl Reading {
         let encoding = ValueEncoding::of(&observe.type_name);
         let numbers: Vec<i32> = (0..encoding.pieces())
             .map(|piece| element(step.place + 2 + piece))
-            .collect::<Result<_, CaseResult>>()?;
+            .collect::<Result<_, PageResult>>()?;
         let decoded = match encoding {
             ValueEncoding::Numbers(ty) => encoding::decode(ty, &numbers),
             ValueEncoding::Compared => DecodedValue::Unknown,
@@ -222,7 +222,7 @@ impl Reading {
         let key = observe.key().to_string();
         match (decoded, equal, must_be) {
             (DecodedValue::Invalid, ..) => {
-                return Err(CaseResult::Nonsense(format!(
+                return Err(PageResult::Nonsense(format!(
                     "results[{}] and those behind it are {numbers:?}",
                     step.place + 2
                 )));

@@ -112,14 +112,14 @@ fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec
 }
 
 /// An export in a folder of its own, with the arrays of its pages.
-struct Exported {
+struct ExportFolder {
     folder: tempfile::TempDir,
     arrays: Vec<Vec<i32>>,
     cases: usize,
 }
 
-impl Exported {
-    fn of(plan: &ExportPlan, cases: &[Case]) -> Exported {
+impl ExportFolder {
+    fn of(plan: &ExportPlan, cases: &[Case]) -> ExportFolder {
         let folder = tempfile::tempdir().expect("a folder");
         let cases: Vec<&Case> = cases.iter().collect();
         let told = export(plan, &cases, folder.path()).expect("exported");
@@ -132,7 +132,7 @@ impl Exported {
                 let text = fs::read_to_string(folder.path().join(&page.file)).expect("a page");
                 array(&text, plan.dialect, page.elements, page.steps.len())
             });
-        Exported {
+        ExportFolder {
             arrays: arrays.collect(),
             cases: told.cases,
             folder,

@@ -2,7 +2,7 @@
 
 use crate::ANSWERS;
 use crate::manifest::PageRecord;
-use crate::result_arrays::CaseResult;
+use crate::result_arrays::PageResult;
 
 /// The maximum number of cases that a note names.
 const MAX_NAMED_CASES: usize = 5;
@@ -17,11 +17,11 @@ pub(crate) struct UnjudgedCases {
 
 impl UnjudgedCases {
     /// Adds a case that cannot be judged, by its result.
-    pub(crate) fn add(&mut self, id: &str, told: CaseResult) {
+    pub(crate) fn add(&mut self, id: &str, told: PageResult) {
         match told {
-            CaseResult::Missing | CaseResult::Outcome(..) => self.missing.push(id.to_owned()),
-            CaseResult::NotRun => self.not_run.push(id.to_owned()),
-            CaseResult::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),
+            PageResult::Missing | PageResult::Outcome(..) => self.missing.push(id.to_owned()),
+            PageResult::NotRun => self.not_run.push(id.to_owned()),
+            PageResult::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),
         }
     }
 

@@ -7,18 +7,18 @@ use serde::Deserialize;
 const TEXT: &str = include_str!("../survivors.toml");
 
 /// The mutants that survive for a reason.
-pub struct Explained(Vec<Entry>);
+pub struct Explained(Vec<ExplainedSurvivor>);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    survivor: Vec<Entry>,
+struct ExplainedFile {
+    survivor: Vec<ExplainedSurvivor>,
 }
 
 /// Mutants of one file that survive for one reason.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
+struct ExplainedSurvivor {
     /// The file, below `harness/`.
     file: String,
     /// The changes, as cargo-mutants words them behind the place: `replace X with Y in F`. Lines move, so none is named: a
@@ -53,7 +53,7 @@ impl Explained {
     }
 
     fn from_text(text: &str) -> anyhow::Result<Explained> {
-        let file: File = toml::from_str(text)?;
+        let file: ExplainedFile = toml::from_str(text)?;
         for entry in &file.survivor {
             anyhow::ensure!(
                 !entry.reason.trim().is_empty(),
@@ -68,7 +68,7 @@ impl Explained {
     /// that is listed once explains one survivor.
     #[must_use]
     pub fn kinds(&self, outcomes: &[MutantOutcome]) -> Vec<Option<ExplanationKind>> {
-        let mut left: Vec<(&Entry, &str)> = self.changes().collect();
+        let mut left: Vec<(&ExplainedSurvivor, &str)> = self.changes().collect();
         let mut kind = |outcome: &MutantOutcome| {
             let at = left
                 .iter()
@@ -100,14 +100,14 @@ impl Explained {
             .collect()
     }
 
-    fn changes(&self) -> impl Iterator<Item = (&Entry, &str)> {
+    fn changes(&self) -> impl Iterator<Item = (&ExplainedSurvivor, &str)> {
         self.0
             .iter()
             .flat_map(|entry| entry.mutants.iter().map(move |change| (entry, change.as_str())))
     }
 }
 
-fn explains(entry: &Entry, change: &str, outcome: &MutantOutcome) -> bool {
+fn explains(entry: &ExplainedSurvivor, change: &str, outcome: &MutantOutcome) -> bool {
     outcome.file.strip_prefix("harness/") == Some(&entry.file) && outcome.change() == change
 }
 

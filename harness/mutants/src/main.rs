@@ -91,7 +91,7 @@ fn run(arguments: &Arguments) -> Result<u8, RunFailure> {
     for stale in explained.stale(judged.iter().map(|mutant| &mutant.outcome)) {
         println!("note: survivors.toml explains a mutant that does not survive: {stale}");
     }
-    let open: Vec<&table::Judged> = judged.iter().filter(|mutant| mutant.is_unexplained()).collect();
+    let open: Vec<&table::JudgedMutant> = judged.iter().filter(|mutant| mutant.is_unexplained()).collect();
     let focused = open.iter().filter(|mutant| mutant.topic.is_some()).count();
     for mutant in open
         .iter()

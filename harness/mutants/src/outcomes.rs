@@ -63,12 +63,12 @@ fn text(folder: &Path) -> anyhow::Result<String> {
 
 /// The parts of `outcomes.json` that are read; cargo-mutants 27 writes more.
 #[derive(Deserialize)]
-struct File {
-    outcomes: Vec<Entry>,
+struct OutcomesFile {
+    outcomes: Vec<OutcomeEntry>,
 }
 
 #[derive(Deserialize)]
-struct Entry {
+struct OutcomeEntry {
     scenario: Scenario,
     summary: String,
 }
@@ -86,12 +86,12 @@ struct Mutant {
 }
 
 fn read(text: &str) -> anyhow::Result<Vec<MutantOutcome>> {
-    let file: File = serde_json::from_str(text)?;
+    let file: OutcomesFile = serde_json::from_str(text)?;
     Ok(file.outcomes.into_iter().filter_map(outcome).collect())
 }
 
 /// A run that was interrupted leaves mutants without a verdict; they are left out, like the baseline.
-fn outcome(entry: Entry) -> Option<MutantOutcome> {
+fn outcome(entry: OutcomeEntry) -> Option<MutantOutcome> {
     let Scenario::Mutant(Mutant { name, file }) = entry.scenario else {
         return None;
     };

@@ -11,23 +11,23 @@ use stickler_types::Observation;
 /// Returns the file of all cases.
 #[must_use]
 pub fn prepare(cases: &[Case]) -> Vec<u8> {
-    let texts: Vec<Texts> = cases.iter().map(Texts::of).collect();
+    let texts: Vec<CaseTexts> = cases.iter().map(CaseTexts::of).collect();
     let ordered = order(cases);
     let case = |&index: &usize| texts[index].case(&cases[index]);
     prepared::write(ordered.iter().map(case))
 }
 
 /// The texts of what a case has only as numbers and values.
-struct Texts {
+struct CaseTexts {
     key: String,
     set: Vec<String>,
     values: Vec<(String, String)>,
 }
 
-impl Texts {
-    fn of(case: &Case) -> Texts {
+impl CaseTexts {
+    fn of(case: &Case) -> CaseTexts {
         let value = |expected: &ExpectedValue| (expected.key().to_string(), expected.value.to_string());
-        Texts {
+        CaseTexts {
             key: case.key(),
             set: case.set.iter().map(|setting| setting.value.to_string()).collect(),
             values: case.expectation.values.iter().map(value).collect(),

@@ -37,7 +37,7 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
 ];
 
 /// A mutant with its result, its explanation and its topic.
-pub struct Judged {
+pub struct JudgedMutant {
     /// The result of the mutant.
     pub outcome: MutantOutcome,
     /// The reason for which the mutant survives, where it is listed.
@@ -46,7 +46,7 @@ pub struct Judged {
     pub topic: Option<&'static str>,
 }
 
-impl Judged {
+impl JudgedMutant {
     /// Returns whether the mutant survives and nobody has said why.
     #[must_use]
     pub fn is_unexplained(&self) -> bool {
@@ -56,9 +56,9 @@ impl Judged {
 
 /// Looks every survivor up in the list.
 #[must_use]
-pub fn judge(outcomes: Vec<MutantOutcome>, explained: &Explained) -> Vec<Judged> {
+pub fn judge(outcomes: Vec<MutantOutcome>, explained: &Explained) -> Vec<JudgedMutant> {
     let kinds = explained.kinds(&outcomes);
-    let judged = |(outcome, kind): (MutantOutcome, _)| Judged {
+    let judged = |(outcome, kind): (MutantOutcome, _)| JudgedMutant {
         topic: topic(&outcome),
         outcome,
         kind,
@@ -102,7 +102,7 @@ struct MutantCounts {
 }
 
 impl MutantCounts {
-    fn add(&mut self, mutant: &Judged) {
+    fn add(&mut self, mutant: &JudgedMutant) {
         match (mutant.outcome.fate, mutant.kind) {
             (MutantFate::Unviable, _) => {}
             (MutantFate::Killed, _) => self.killed += 1,
@@ -137,7 +137,7 @@ fn percentage(part: usize, all: usize) -> String {
 
 /// Returns the table: modules, then topics, then all.
 #[must_use]
-pub fn table(mutants: &[Judged], by_file: bool) -> String {
+pub fn table(mutants: &[JudgedMutant], by_file: bool) -> String {
     let mut modules: BTreeMap<String, MutantCounts> = BTreeMap::new();
     let mut topics: BTreeMap<&str, MutantCounts> = BTreeMap::new();
     let mut all = MutantCounts::default();
@@ -178,13 +178,13 @@ fn heading(first: &str) -> String {
 mod tests {
     use super::*;
 
-    fn judged(file: &str, fate: MutantFate, kind: Option<ExplanationKind>) -> Judged {
+    fn judged(file: &str, fate: MutantFate, kind: Option<ExplanationKind>) -> JudgedMutant {
         let outcome = MutantOutcome {
             name: format!("{file}:1:1: replace < with == in f"),
             file: file.to_owned(),
             fate,
         };
-        Judged {
+        JudgedMutant {
             topic: topic(&outcome),
             outcome,
             kind,

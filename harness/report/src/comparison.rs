@@ -119,10 +119,10 @@ pub struct Comparison {
 pub enum ComparisonError {
     /// The older run cannot be read, or is incomplete.
     #[error("the older run cannot be compared")]
-    Old(#[source] RunError),
+    Old(#[source] IncomparableRun),
     /// The newer run cannot be read, or is incomplete.
     #[error("the newer run cannot be compared")]
-    New(#[source] RunError),
+    New(#[source] IncomparableRun),
     /// No engine took part in both.
     #[error("no engine took part in both runs: in the older one there is {old}, in the newer one {new}")]
     NoEngine {
@@ -145,7 +145,7 @@ pub enum ComparisonError {
 
 /// The reason why a run cannot be compared.
 #[derive(Debug, thiserror::Error)]
-pub enum RunError {
+pub enum IncomparableRun {
     /// The event log cannot be read.
     #[error(transparent)]
     Log(#[from] LogError),
@@ -192,10 +192,10 @@ impl Comparison {
     }
 }
 
-fn whole(reader: &Reader<impl BufRead>) -> Result<(), RunError> {
+fn whole(reader: &Reader<impl BufRead>) -> Result<(), IncomparableRun> {
     match reader.completeness() {
         Completeness::Complete => Ok(()),
-        truncated => Err(RunError::Truncated(truncated)),
+        truncated => Err(IncomparableRun::Truncated(truncated)),
     }
 }
 
@@ -343,7 +343,7 @@ fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, Comparison
 /// Serializes the expected text and the text of each run's result, for other programs.
 fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
-    struct Texts<'a> {
+    struct ChangedTexts<'a> {
         title: &'a str,
         basis: &'a str,
         expected: Option<&'a str>,
@@ -351,7 +351,7 @@ fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S
         new: &'a str,
         rerun: &'a str,
     }
-    let texts = detail.as_deref().map(|detail| Texts {
+    let texts = detail.as_deref().map(|detail| ChangedTexts {
         title: &detail.case.title,
         basis: &detail.case.basis,
         expected: detail.expected.as_deref(),

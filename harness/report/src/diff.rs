@@ -100,7 +100,7 @@ fn plain(side: Side, line: &str) -> DiffLine {
 
 /// Returns the lines of a replacement. The words that differ are marked, unless most of them do.
 fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
-    let (old, new) = (Words::of(expected), Words::of(got));
+    let (old, new) = (DiffWords::of(expected), DiffWords::of(got));
     let operations = compare(&old.words, &new.words);
     let equal: usize = operations
         .iter()
@@ -124,15 +124,15 @@ fn replaced(expected: &[&str], got: &[&str]) -> Vec<DiffLine> {
 }
 
 /// The words of several lines and the white space between them, in their order.
-struct Words<'t> {
+struct DiffWords<'t> {
     words: Vec<&'t str>,
     /// The end of each line, as an index into `words`.
     ends: Vec<usize>,
 }
 
-impl<'t> Words<'t> {
+impl<'t> DiffWords<'t> {
     /// Splits lines into words.
-    fn of(lines: &[&'t str]) -> Words<'t> {
+    fn of(lines: &[&'t str]) -> DiffWords<'t> {
         let (mut words, mut ends) = (Vec::new(), Vec::new());
         for line in lines {
             let mut rest = *line;
@@ -144,7 +144,7 @@ impl<'t> Words<'t> {
             }
             ends.push(words.len());
         }
-        Words { words, ends }
+        DiffWords { words, ends }
     }
 
     /// Joins the words into lines again, each word marked as `differs` states. Neighbouring words with the same mark become

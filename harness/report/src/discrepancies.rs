@@ -32,15 +32,15 @@ const MAX_CLUSTERS: usize = 300;
 /// The clusters of a run, gathered until their pages are written.
 pub(crate) struct Discrepancies {
     folder: PathBuf,
-    engines: BTreeMap<String, Engine>,
+    engines: BTreeMap<String, EngineClusters>,
 }
 
 /// The deviations of one engine.
 #[derive(Default)]
-struct Engine {
+struct EngineClusters {
     /// The worst grade of a rejection by the engine that still passed.
     strict: Grade,
-    clusters: BTreeMap<Key, Cluster>,
+    clusters: BTreeMap<ClusterKey, Cluster>,
     /// The causes of its failing cases, those that explain most cases first; none where they were not searched for.
     causes: Vec<Cause>,
     /// The number of failing cases.
@@ -51,7 +51,7 @@ struct Engine {
 
 /// The common properties of the cases of a cluster.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
-struct Key {
+struct ClusterKey {
     basis: String,
     /// The beginning that the ids of the case file's cases share.
     file: String,
@@ -106,7 +106,7 @@ impl Discrepancies {
         let file = case.id.split("::").next().unwrap_or(&case.id);
         let engine = entry(&mut self.engines, &case.engine);
         engine.failing += 1;
-        let key = Key {
+        let key = ClusterKey {
             basis: case.basis.clone(),
             file: file.to_owned(),
             symptom: Symptom::of(case, engine.strict),
@@ -144,7 +144,7 @@ impl Discrepancies {
             }
             let about = header.engines.iter().find(|engine| engine.name == *name);
             // The cluster with the most cases comes first.
-            let mut clusters: Vec<(&Key, &Cluster)> = engine.clusters.iter().collect();
+            let mut clusters: Vec<(&ClusterKey, &Cluster)> = engine.clusters.iter().collect();
             clusters.sort_by_key(|(_, cluster)| std::cmp::Reverse(cluster.number()));
             let mut index = page::index(name, about, clusters.len(), engine.left_out);
             for (number, (key, cluster)) in clusters.into_iter().enumerate() {
@@ -158,7 +158,7 @@ impl Discrepancies {
     }
 }
 
-impl Engine {
+impl EngineClusters {
     /// Writes a page for each cause, and the lists of them: causes that contradict no source that binds the engine have a folder
     /// of their own.
     fn write_causes(&self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
@@ -222,7 +222,7 @@ fn write(path: PathBuf, text: &str) -> Result<(), ReportError> {
 }
 
 /// Returns the name of a page's file, such as `03-bit-access-outside-short-line-of-P4025.md`.
-fn page_name(number: usize, key: &Key) -> String {
+fn page_name(number: usize, key: &ClusterKey) -> String {
     let mut name = file_name(&format!("{}-{}", key.file, key.symptom.word()));
     name.truncate(80);
     format!("{number:02}-{name}.md")

@@ -7,7 +7,7 @@ mod record;
 
 use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
-use record::{CaseRecord, Decoder, Frame, GroupRecord};
+use record::{CaseObject, Decoder, GroupLine, RunLine};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
@@ -47,16 +47,16 @@ impl Encoder {
     /// Adds the lines of an event, and returns the group of a case.
     fn encode(&mut self, event: &Event) -> serde_json::Result<Option<GroupNumber>> {
         match event {
-            Event::Header(header) => self.line(&Frame::Header(Cow::Borrowed(header)))?,
-            Event::Cause(cause) => self.line(&Frame::Cause(Box::new(Cow::Borrowed(cause))))?,
-            Event::Footer(footer) => self.line(&Frame::Footer(Cow::Borrowed(footer)))?,
+            Event::Header(header) => self.line(&RunLine::Header(Cow::Borrowed(header)))?,
+            Event::Cause(cause) => self.line(&RunLine::Cause(Box::new(Cow::Borrowed(cause))))?,
+            Event::Footer(footer) => self.line(&RunLine::Footer(Cow::Borrowed(footer)))?,
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
                 if is_new {
                     let group = &self.groups.all()[number];
-                    push_line(&mut self.lines, &Frame::Group(GroupRecord::new(number, group)))?;
+                    push_line(&mut self.lines, &RunLine::Group(GroupLine::new(number, group)))?;
                 }
-                self.line(&CaseRecord::new(case, number))?;
+                self.line(&CaseObject::new(case, number))?;
                 return Ok(Some(number));
             }
         }

@@ -22,13 +22,13 @@ use std::io;
 use std::path::PathBuf;
 use std::time::Duration;
 use stickler_run::{CaseEvent, EngineHeader, Event, Verdict};
-use suite::{Kind, Problem, Suite, Test};
-use tally::Tally;
+use suite::{JunitSuite, JunitTest, Problem, TestResult};
+use tally::ProbeTally;
 
 /// The tests of a run, gathered because the file separates test suites whose cases alternate in the stream of events.
 pub(crate) struct Junit {
     file: PendingFile,
-    suites: BTreeMap<String, Suite>,
+    suites: BTreeMap<String, JunitSuite>,
     groups: Vec<GroupTally>,
     engines: Vec<EngineHeader>,
 }
@@ -36,8 +36,8 @@ pub(crate) struct Junit {
 /// The counts of those cases of a group that share a test.
 #[derive(Default)]
 struct GroupTally {
-    passed: Tally,
-    unsupported: Tally,
+    passed: ProbeTally,
+    unsupported: ProbeTally,
 }
 
 impl Junit {
@@ -123,9 +123,9 @@ impl Junit {
         let mut report = Report::new("stickler");
         report.set_time(Duration::from_millis(footer.duration_ms));
         report.add_test_suite(claims(overview).finish());
-        report.add_test_suites(broken_files(overview).map(Suite::finish));
-        report.add_test_suites(outdated_entries(overview).map(Suite::finish));
-        report.add_test_suites(self.suites.into_values().map(Suite::finish));
+        report.add_test_suites(broken_files(overview).map(JunitSuite::finish));
+        report.add_test_suites(outdated_entries(overview).map(JunitSuite::finish));
+        report.add_test_suites(self.suites.into_values().map(JunitSuite::finish));
         report
             .serialize(&mut self.file)
             .map_err(io::Error::other)
@@ -139,13 +139,15 @@ fn suite_name(engine: &str, dialect: &str, area: &str) -> String {
     format!("{engine}.{dialect}.{area}")
 }
 
-fn suite_of(suites: &mut BTreeMap<String, Suite>, name: String) -> &mut Suite {
-    suites.entry(name).or_insert_with_key(|name| Suite::new(name))
+fn suite_of(suites: &mut BTreeMap<String, JunitSuite>, name: String) -> &mut JunitSuite {
+    suites
+        .entry(name)
+        .or_insert_with_key(|name| JunitSuite::new(name))
 }
 
 /// Returns the test suite of claims. A claim that fails only where a baseline expects it is skipped, as its cases are.
-fn claims(overview: &Overview) -> Suite {
-    let mut suite = Suite::new("claims");
+fn claims(overview: &Overview) -> JunitSuite {
+    let mut suite = JunitSuite::new("claims");
     for claim in overview.claims.iter() {
         let standing = claim.standing;
         let mut output = format!(
@@ -159,11 +161,11 @@ fn claims(overview: &Overview) -> Suite {
         let fail = format!("{} of {} cases fail", standing.failed, standing.cases());
         let problem = match (standing.failed, standing.unexpected()) {
             (0, _) => None,
-            (_, 0) => Some((Kind::Skipped, format!("{fail}, as the baseline expects"))),
-            _ => Some((Kind::Failure, fail)),
+            (_, 0) => Some((TestResult::Skipped, format!("{fail}, as the baseline expects"))),
+            _ => Some((TestResult::Failure, fail)),
         };
         let name = claim_name(&claim, overview.totals.len() > 1);
-        suite.add(Test {
+        suite.add(JunitTest {
             name: &name,
             problem: problem.map(|(kind, message)| Problem {
                 kind,
@@ -172,46 +174,46 @@ fn claims(overview: &Overview) -> Suite {
                 text: output.clone(),
             }),
             output,
-            ..Test::default()
+            ..JunitTest::default()
         });
     }
     suite
 }
 
 /// Returns the test suite of the mistakes in case files, where there are any: a CI service must not show a clean run.
-fn broken_files(overview: &Overview) -> Option<Suite> {
+fn broken_files(overview: &Overview) -> Option<JunitSuite> {
     let broken = overview.header.as_ref().map(|header| &header.broken_files)?;
-    let mut suite = (!broken.is_empty()).then(|| Suite::new("case-files"))?;
+    let mut suite = (!broken.is_empty()).then(|| JunitSuite::new("case-files"))?;
     for mistake in broken {
         let problem = Problem {
-            kind: Kind::Error,
+            kind: TestResult::Error,
             type_name: "case-file",
             message: "some cases were not run".to_owned(),
             text: mistake.clone(),
         };
-        suite.add(Test {
+        suite.add(JunitTest {
             name: mistake,
             problem: Some(problem),
-            ..Test::default()
+            ..JunitTest::default()
         });
     }
     Some(suite)
 }
 
 /// Returns the test suite of the baseline entries that are out of date, where there are any: each of them fails.
-fn outdated_entries(overview: &Overview) -> Option<Suite> {
-    let mut suite = overview.outdated().next().map(|_| Suite::new("baselines"))?;
+fn outdated_entries(overview: &Overview) -> Option<JunitSuite> {
+    let mut suite = overview.outdated().next().map(|_| JunitSuite::new("baselines"))?;
     for entry in overview.outdated() {
         let text = outdated(entry);
-        suite.add(Test {
+        suite.add(JunitTest {
             name: &entry.at,
             problem: Some(Problem {
-                kind: Kind::Failure,
+                kind: TestResult::Failure,
                 type_name: "baseline",
                 message: text.clone(),
                 text,
             }),
-            ..Test::default()
+            ..JunitTest::default()
         });
     }
     Some(suite)
@@ -271,7 +273,7 @@ mod tests {
 
     #[test]
     fn what_a_baseline_says_is_told_and_what_of_it_is_out_of_date_fails() {
-        let report = document_of(&sample::run_with_baseline().0);
+        let report = document_of(&sample::run_with_baseline());
         let [_claims, baselines, suite] = &report.test_suites[..] else {
             panic!("three suites: {report:?}")
         };

@@ -21,8 +21,8 @@ use crate::ReportError;
 use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use answers::{Answers, AnswersData};
-use cases::FailedCases;
+use answers::{AnswersData, PageAnswers};
+use cases::MissedCases;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -34,9 +34,9 @@ pub(crate) struct Page {
     file: PendingFile,
     /// The verdict counts of each group of cases, by the number of the group.
     totals: Vec<Totals>,
-    cases: FailedCases,
+    cases: MissedCases,
     statements: Statements,
-    answers: Answers,
+    answers: PageAnswers,
 }
 
 /// The data of the page about conversions.
@@ -55,9 +55,9 @@ impl Page {
         Ok(Page {
             file: PendingFile::create(path)?,
             totals: Vec::new(),
-            cases: FailedCases::default(),
+            cases: MissedCases::default(),
             statements,
-            answers: Answers::default(),
+            answers: PageAnswers::default(),
         })
     }
 

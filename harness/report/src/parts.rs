@@ -48,7 +48,7 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
         shard: None,
         ..header.clone()
     }));
-    streams.iter_mut().for_each(Stream::advance);
+    streams.iter_mut().for_each(PartReader::advance);
     while let Some(next) = first_by_file(&mut streams) {
         if let Some(case) = next.case.take() {
             sink(Event::Case(case));
@@ -67,9 +67,9 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
 
 /// Opens the parts, and returns the header that all of them share but for the part, and those parts that belong to that run,
 /// each once, in their order.
-fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<Header>, Vec<Stream<R>>) {
+fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<Header>, Vec<PartReader<R>>) {
     let mut first: Option<(Header, u32, String)> = None;
-    let mut streams: Vec<Stream<R>> = Vec::with_capacity(parts.len());
+    let mut streams: Vec<PartReader<R>> = Vec::with_capacity(parts.len());
     for Part { name, log } in parts {
         let read = log.and_then(|mut reader| reader.header().map(|header| (reader, header)));
         let (reader, header) = match read {
@@ -98,7 +98,7 @@ fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<H
                 other.name
             ));
         } else {
-            streams.push(Stream::new(name, reader, shard, header));
+            streams.push(PartReader::new(name, reader, shard, header));
         }
     }
     streams.sort_by_key(|stream| stream.shard.index());
@@ -116,7 +116,7 @@ fn describe_error(error: &dyn std::error::Error) -> String {
 }
 
 /// A part of a run while it is read.
-struct Stream<R> {
+struct PartReader<R> {
     name: String,
     reader: Reader<R>,
     shard: Shard,
@@ -132,16 +132,16 @@ struct Stream<R> {
     trouble: Option<String>,
 }
 
-impl<R> Stream<R> {
+impl<R> PartReader<R> {
     /// Returns the file of the next case.
     fn file(&self) -> Option<&str> {
         self.case.as_ref().map(|case| case.file.as_str())
     }
 }
 
-impl<R: BufRead> Stream<R> {
-    fn new(name: String, reader: Reader<R>, shard: Shard, header: Header) -> Stream<R> {
-        Stream {
+impl<R: BufRead> PartReader<R> {
+    fn new(name: String, reader: Reader<R>, shard: Shard, header: Header) -> PartReader<R> {
+        PartReader {
             name,
             reader,
             shard,
@@ -192,13 +192,13 @@ impl<R: BufRead> Stream<R> {
 
 /// Returns the part whose next case comes first; the suite is sorted by file. Of parts at the same file the first is
 /// returned.
-fn first_by_file<R>(streams: &mut [Stream<R>]) -> Option<&mut Stream<R>> {
+fn first_by_file<R>(streams: &mut [PartReader<R>]) -> Option<&mut PartReader<R>> {
     let waiting = streams.iter_mut().filter(|stream| stream.case.is_some());
     waiting.min_by(|one, other| one.file().cmp(&other.file()))
 }
 
 /// Merges the causes of all parts, those that explain most cases first.
-fn causes<R>(streams: &mut [Stream<R>]) -> Vec<Cause> {
+fn causes<R>(streams: &mut [PartReader<R>]) -> Vec<Cause> {
     let mut whole: Vec<Cause> = Vec::new();
     for cause in streams.iter_mut().flat_map(|stream| stream.causes.drain(..)) {
         match whole.iter_mut().find(|one| one.is_same(&cause)) {
@@ -211,7 +211,7 @@ fn causes<R>(streams: &mut [Stream<R>]) -> Vec<Cause> {
 }
 
 /// Adds the footers up. Parts run side by side, so the whole run took as long as the longest of them.
-fn footer<R>(header: &Header, streams: &[Stream<R>]) -> Footer {
+fn footer<R>(header: &Header, streams: &[PartReader<R>]) -> Footer {
     let mut whole = Footer {
         engines: header
             .engines

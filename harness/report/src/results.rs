@@ -24,7 +24,7 @@ use stickler_run::{
 pub(crate) struct Results {
     file: PendingFile,
     engines: Vec<EngineHeader>,
-    cases: List,
+    cases: JsonList,
     passed: Passed,
 }
 
@@ -37,7 +37,7 @@ impl Results {
         Ok(Results {
             file: PendingFile::create(path)?,
             engines: Vec::new(),
-            cases: List::default(),
+            cases: JsonList::default(),
             passed: Passed::default(),
         })
     }
@@ -95,7 +95,7 @@ impl Results {
         key(out, "baselines", &header.baselines)?;
         key(out, "defined", &header.defined)?;
         key(out, "sources", &header.sources)?;
-        let mut list = List::default();
+        let mut list = JsonList::default();
         for claim in overview.claims.iter() {
             list.push(&ClaimResult {
                 engine: claim.engine,
@@ -105,7 +105,7 @@ impl Results {
             })?;
         }
         list.write(out, "claims")?;
-        let mut causes = List::default();
+        let mut causes = JsonList::default();
         for cause in &overview.causes {
             causes.push(cause)?;
         }
@@ -125,11 +125,11 @@ fn key(out: &mut impl Write, name: &str, value: &impl Serialize) -> io::Result<(
 
 /// A JSON array that grows, with one element per line.
 #[derive(Default)]
-struct List {
+struct JsonList {
     spool: Spool,
 }
 
-impl List {
+impl JsonList {
     fn push(&mut self, element: &impl Serialize) -> serde_json::Result<()> {
         let json = serde_json::to_vec(element)?;
         if !self.spool.is_empty() {

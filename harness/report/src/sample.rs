@@ -125,18 +125,22 @@ pub(crate) fn run() -> Vec<Event> {
     ])
 }
 
-/// Returns a run of an unexpected pass and an expected failure, with a baseline of which one entry is out of date; and the
-/// note on both cases.
-pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
-    let note = BaselineNote {
+/// Returns the note of a baseline on a case.
+pub(crate) fn baseline_note() -> BaselineNote {
+    BaselineNote {
         at: "b/reference.toml:7".to_owned(),
         verdict: Verdict::Fail,
         others: Vec::new(),
         reason: "rounds".to_owned(),
         link: Some("https://example.org/1".to_owned()),
-    };
+    }
+}
+
+/// Returns a run of an unexpected pass and an expected failure, both with a note of a baseline of which one entry is out of
+/// date.
+pub(crate) fn run_with_baseline() -> Vec<Event> {
     let noted = |id, verdict| CaseEvent {
-        baseline: Some(note.clone()),
+        baseline: Some(baseline_note()),
         ..case(id, verdict)
     };
     let mut events = run_of(vec![
@@ -155,7 +159,7 @@ pub(crate) fn run_with_baseline() -> (Vec<Event>, BaselineNote) {
             }],
         }];
     }
-    (events, note)
+    events
 }
 
 /// The lines that every report shows for the one case of [`run_by_line`].

@@ -61,7 +61,7 @@ impl Summary {
 
 /// Returns the summary as Markdown, at most `MAX_BYTES` long.
 pub fn markdown(overview: &Overview) -> String {
-    let mut page = Page {
+    let mut page = BoundedMarkdown {
         text: String::new(),
         left_out: 0,
     };
@@ -74,12 +74,12 @@ pub fn markdown(overview: &Overview) -> String {
 }
 
 /// A Markdown text that grows up to its limit; further sections are only counted.
-struct Page {
+struct BoundedMarkdown {
     text: String,
     left_out: u64,
 }
 
-impl Page {
+impl BoundedMarkdown {
     fn add(&mut self, part: &str) {
         if self.left_out > 0 || self.text.len() + part.len() > MAX_BYTES {
             self.left_out += 1;
@@ -139,7 +139,7 @@ fn heading(overview: &Overview) -> String {
     text
 }
 
-fn totals(overview: &Overview, page: &mut Page) {
+fn totals(overview: &Overview, page: &mut BoundedMarkdown) {
     let areas = overview.areas();
     page.add("\n## Cases\n\n| engine | dialect |");
     areas
@@ -174,7 +174,7 @@ fn total_cell(totals: Option<&Totals>) -> String {
     }
 }
 
-fn failures(overview: &Overview, page: &mut Page) {
+fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
     if overview.failed == 0 {
         return;
     }
@@ -197,7 +197,7 @@ fn failures(overview: &Overview, page: &mut Page) {
 }
 
 /// Adds the causes that explain most of the cases that are not as expected, where causes were searched for.
-fn causes(overview: &Overview, page: &mut Page) {
+fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
     let found = overview.causes.iter().filter(|cause| cause.unexpected() > 0);
     let found: Vec<&Cause> = found.collect();
     if found.is_empty() {
@@ -436,7 +436,7 @@ mod tests {
 
     #[test]
     fn what_a_baseline_says_is_on_the_page() {
-        let (mut events, _) = sample::run_with_baseline();
+        let mut events = sample::run_with_baseline();
         let text = page(&events);
         assert!(
             text.contains("- baseline: b/reference.toml:7 expects fail: rounds (https://example.org/1)\n"),

@@ -6,7 +6,7 @@ use std::io::{self, Write};
 
 /// The alignment of a cell in its column.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Align {
+pub(crate) enum Alignment {
     Left,
     Right,
 }
@@ -16,7 +16,7 @@ pub(crate) enum Align {
 pub(crate) struct Cell {
     text: String,
     style: Style,
-    align: Align,
+    align: Alignment,
 }
 
 impl Cell {
@@ -25,7 +25,7 @@ impl Cell {
         Cell {
             text: text.to_string(),
             style: Style::new(),
-            align: Align::Left,
+            align: Alignment::Left,
         }
     }
 
@@ -39,7 +39,7 @@ impl Cell {
         Cell {
             text: text.to_string(),
             style,
-            align: Align::Right,
+            align: Alignment::Right,
         }
     }
 
@@ -49,15 +49,15 @@ impl Cell {
 }
 
 /// A table: a head and rows; a row may be shorter than the head.
-pub(crate) struct Table {
+pub(crate) struct AlignedTable {
     head: Vec<Cell>,
     rows: Vec<Vec<Cell>>,
 }
 
-impl Table {
+impl AlignedTable {
     /// Creates a table without rows.
-    pub(crate) fn new(head: Vec<Cell>) -> Table {
-        Table {
+    pub(crate) fn new(head: Vec<Cell>) -> AlignedTable {
+        AlignedTable {
             head,
             rows: Vec::new(),
         }
@@ -99,8 +99,8 @@ impl Table {
                 let gap = if column == 0 { "" } else { "  " };
                 let padding = width - cell.width();
                 match cell.align {
-                    Align::Left => write!(out, "{gap}{style}{}{style:#}{:padding$}", cell.text, "")?,
-                    Align::Right => write!(out, "{gap}{:padding$}{style}{}{style:#}", "", cell.text)?,
+                    Alignment::Left => write!(out, "{gap}{style}{}{style:#}{:padding$}", cell.text, "")?,
+                    Alignment::Right => write!(out, "{gap}{:padding$}{style}{}{style:#}", "", cell.text)?,
                 }
             }
             writeln!(out)?;
@@ -111,12 +111,12 @@ impl Table {
 
 #[cfg(test)]
 mod tests {
-    use super::{Cell, Table};
+    use super::{AlignedTable, Cell};
     use anstyle::Style;
 
     #[test]
     fn columns_are_as_wide_as_their_widest_cell_and_styles_take_no_room() {
-        let mut table = Table::new(vec![Cell::left("Claims"), Cell::plain("ok")]);
+        let mut table = AlignedTable::new(vec![Cell::left("Claims"), Cell::plain("ok")]);
         table.row(vec![
             Cell::left("a"),
             Cell::styled(12345, Style::new().underline()),

@@ -388,7 +388,7 @@ Claims                      kind      passed  failed  open
 
     #[test]
     fn what_a_baseline_says_stands_with_the_case_and_what_is_out_of_date_with_the_end() {
-        let (mut events, _) = sample::run_with_baseline();
+        let mut events = sample::run_with_baseline();
         let text = shown(&events);
         let note =
             "     baseline b/reference.toml:7 expects fail: rounds (https://example.org/1)\n     rerun    ";

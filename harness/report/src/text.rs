@@ -140,7 +140,7 @@ mod tests {
 
     #[test]
     fn of_a_baseline_all_that_it_expects_is_told() {
-        let (_, note) = sample::run_with_baseline();
+        let note = sample::baseline_note();
         assert_eq!(
             noted(&note),
             "b/reference.toml:7 expects fail: rounds (https://example.org/1)"

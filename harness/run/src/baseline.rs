@@ -11,7 +11,7 @@ mod owned;
 mod read;
 mod write;
 
-pub use bless::{Blessing, Change, ChangeKind, EngineRun, bless};
+pub use bless::{Blessing, ChangeKind, EngineRun, EntryChange, bless};
 pub use matched::MatchedBaseline;
 pub use read::BaselineError;
 

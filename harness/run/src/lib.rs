@@ -26,7 +26,7 @@ mod symptom;
 pub use answer_store::{AnswerStore, ask_stored, question};
 pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
-    Baseline, BaselineError, Blessing, Change, ChangeKind, EngineRun, Entry, MatchedBaseline, bless,
+    Baseline, BaselineError, Blessing, ChangeKind, EngineRun, Entry, EntryChange, MatchedBaseline, bless,
 };
 pub use binding::{binds, promises};
 pub use case_judge::CaseJudge;
@@ -39,7 +39,7 @@ pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};
 pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
 pub use pack::breaks_reading;
-pub use plan::{Plan, RunError, Summary};
+pub use plan::{Plan, RunError, RunSummary};
 pub use schedule::{run, run_with};
 pub use select::select;
 pub use stickler_engines::Grade;

@@ -68,7 +68,7 @@ impl Default for Plan {
 
 /// The summary of a run that ended.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Summary {
+pub struct RunSummary {
     /// The verdict counts of all case events that reached the sink.
     pub totals: Totals,
     /// The number of case events that reached the sink.

@@ -8,10 +8,10 @@ use crate::answer_store::AnswerStore;
 use crate::event::{
     CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM, SourceHeader,
 };
-use crate::{MatchedBaseline, Plan, RunError, Summary, Totals, select};
+use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, select};
 use batches::Batches;
 use context::RunContext;
-use known::Known;
+use known::KnownAnswers;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
@@ -35,7 +35,7 @@ pub fn run(
     engines: &[&dyn Engine],
     sink: &mut dyn FnMut(Event),
     cancel: &Cancellation,
-) -> Result<Summary, RunError> {
+) -> Result<RunSummary, RunError> {
     run_with(plan, suite, engines, &[], sink, cancel)
 }
 
@@ -52,7 +52,7 @@ pub fn run_with(
     stores: &[Option<&dyn AnswerStore>],
     sink: &mut dyn FnMut(Event),
     cancel: &Cancellation,
-) -> Result<Summary, RunError> {
+) -> Result<RunSummary, RunError> {
     let begun = Instant::now();
     let jobs = jobs(&select(plan, &suite.cases), engines);
     if jobs.is_empty() {
@@ -76,7 +76,7 @@ pub fn run_with(
         .map(|baseline| baseline.outdated.len() as u64)
         .sum();
     sink(Event::Header(header));
-    let mut known = Known::of(&jobs, stores);
+    let mut known = KnownAnswers::of(&jobs, stores);
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
@@ -88,7 +88,7 @@ pub fn run_with(
         cancel,
         is_broken: AtomicBool::new(false),
     };
-    let mut tally = Tally::new(engines);
+    let mut tally = VerdictTally::new(engines);
     let mut give = |job: &Job<'_>, event: CaseEvent| {
         tally.count(job.engine, &event);
         sink(Event::Case(event));
@@ -125,7 +125,7 @@ pub fn run_with(
             duration_ms,
         }));
     }
-    Ok(Summary {
+    Ok(RunSummary {
         totals: tally.totals,
         cases: tally.cases,
         from_cache: known.given,
@@ -209,20 +209,20 @@ impl Supervisor<(usize, Range<usize>), Batch> for Schedule<'_, '_> {
 }
 
 /// The verdict counts of the events that were passed on.
-struct Tally {
+struct VerdictTally {
     totals: Totals,
     engines: Vec<EngineTotals>,
     cases: u64,
 }
 
-impl Tally {
-    fn new(engines: &[&dyn Engine]) -> Tally {
+impl VerdictTally {
+    fn new(engines: &[&dyn Engine]) -> VerdictTally {
         let name = |engine: &&dyn Engine| engine.identity().name.clone();
         let none = |engine| EngineTotals {
             name: name(engine),
             totals: Totals::default(),
         };
-        Tally {
+        VerdictTally {
             totals: Totals::default(),
             engines: engines.iter().map(none).collect(),
             cases: 0,

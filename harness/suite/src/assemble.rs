@@ -5,7 +5,7 @@ use std::sync::Arc;
 use stickler_types::{ClockSetting, Observation, Setting, Value};
 
 use crate::assembly::{Assembly, AssemblyMistake, TypeNames, contradiction, shared};
-use crate::mark::{Claim, Mark, ValueLine};
+use crate::mark::{Mark, MarkClaim, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
 
@@ -55,7 +55,7 @@ impl<'n> Assembler<'n> {
             message,
         };
         match &mark.claim {
-            Claim::Values { after, values } => {
+            MarkClaim::Values { after, values } => {
                 for value in values {
                     self.value_line(value, *after, file_line(value.line), texts)?;
                 }
@@ -87,10 +87,10 @@ impl<'n> Assembler<'n> {
         Ok(())
     }
 
-    fn claim(&mut self, claim: &Claim, line: u32, texts: &[&str]) -> Result<(), String> {
+    fn claim(&mut self, claim: &MarkClaim, line: u32, texts: &[&str]) -> Result<(), String> {
         let scratch = &mut self.scratch;
         match claim {
-            Claim::Error(codes) => {
+            MarkClaim::Error(codes) => {
                 self.expectation.accepted = Acceptance::Rejected;
                 for code in codes {
                     let code = code.get(scratch, texts)?;
@@ -99,8 +99,8 @@ impl<'n> Assembler<'n> {
                         .push(ExpectedDiagnostic { line, code });
                 }
             }
-            Claim::Ok => self.expectation.clean_lines.push(line),
-            Claim::Fault(fault) => {
+            MarkClaim::Ok => self.expectation.clean_lines.push(line),
+            MarkClaim::Fault(fault) => {
                 let fault = ExpectedFault {
                     fault: fault.get(scratch, texts)?,
                     line,
@@ -109,8 +109,8 @@ impl<'n> Assembler<'n> {
                     return Err("execution stops only once, but two `fault` marks apply".to_owned());
                 }
             }
-            Claim::Values { .. } => {}
-            Claim::Rendered(text) => {
+            MarkClaim::Values { .. } => {}
+            MarkClaim::Rendered(text) => {
                 let rendered = ExpectedText {
                     lines: body_lines(&text.fill(scratch, texts)),
                     line,
@@ -119,15 +119,15 @@ impl<'n> Assembler<'n> {
                     return Err("a program is rendered once, but two `rendered` marks apply".to_owned());
                 }
             }
-            Claim::Observe { name, ty, after } => {
+            MarkClaim::Observe { name, ty, after } => {
                 self.recorded.push(Observation {
                     name: name.fill(scratch, texts),
                     type_name: ty.fill(scratch, texts),
                     after: *after,
                 });
             }
-            Claim::ObserveAcceptance => self.acceptance_observed = true,
-            Claim::Set { name, value, before } => {
+            MarkClaim::ObserveAcceptance => self.acceptance_observed = true,
+            MarkClaim::Set { name, value, before } => {
                 let (name, value) = (name.fill(scratch, texts), value.get(scratch, texts)?);
                 self.set.push(Setting {
                     before: *before,
@@ -135,7 +135,7 @@ impl<'n> Assembler<'n> {
                     value,
                 });
             }
-            Claim::Clock { value, before } => {
+            MarkClaim::Clock { value, before } => {
                 let time = value.get(scratch, texts)?;
                 self.clock(*before, time);
             }

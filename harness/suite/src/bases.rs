@@ -53,10 +53,10 @@ mod tests {
     #[test]
     fn a_list_and_a_text_say_the_same() {
         #[derive(Deserialize)]
-        struct Keys {
+        struct BasisKeys {
             basis: Bases,
         }
-        let text = |toml: &str| toml::from_str::<Keys>(toml).map(|keys| keys.basis.0);
+        let text = |toml: &str| toml::from_str::<BasisKeys>(toml).map(|keys| keys.basis.0);
         assert_eq!(text("basis = ['a: b', 'c: d']").unwrap(), "a: b | c: d");
         assert_eq!(text("basis = 'a: b | c: d'").unwrap(), "a: b | c: d");
         assert!(

@@ -4,10 +4,10 @@ use stickler_types::ElementaryType;
 
 /// A conjunction of tests; without a test it always holds.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Condition(Vec<Test>);
+pub(crate) struct Condition(Vec<PlaceholderTest>);
 
 #[derive(Clone, Debug)]
-struct Test {
+struct PlaceholderTest {
     /// The index of the placeholder that is tested.
     slot: usize,
     /// Whether the test is `<>`: then none of the alternatives may match.
@@ -39,7 +39,7 @@ impl Condition {
     pub(crate) fn parse(words: &[&str], testable: Testable<'_>) -> Result<Condition, String> {
         words
             .split(|&word| word == "and")
-            .map(|test| Test::parse(test, testable))
+            .map(|test| PlaceholderTest::parse(test, testable))
             .collect::<Result<_, _>>()
             .map(Condition)
     }
@@ -69,21 +69,21 @@ impl Condition {
     }
 }
 
-impl Test {
-    fn parse(words: &[&str], testable: Testable<'_>) -> Result<Test, String> {
+impl PlaceholderTest {
+    fn parse(words: &[&str], testable: Testable<'_>) -> Result<PlaceholderTest, String> {
         match words {
             [] => Err("`if` and `and` need a condition behind them".to_owned()),
             [name, sign @ ("=" | "<>"), rest @ ..] if !rest.is_empty() && rest[0] != "|" => {
                 let slot = testable.slot(name)?;
                 let alternatives = alternatives(rest, testable)?;
-                Ok(Test {
+                Ok(PlaceholderTest {
                     slot,
                     negated: *sign == "<>",
                     alternatives,
                 })
             }
             _ => match testable.unnamed {
-                Some(slot) => Ok(Test {
+                Some(slot) => Ok(PlaceholderTest {
                     slot,
                     negated: false,
                     alternatives: words_of_cells(words)?,

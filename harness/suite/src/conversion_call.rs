@@ -7,7 +7,7 @@ use stickler_types::{ElementaryType, Value};
 
 /// A program that declares variables, at most one of them with an initial value, and assigns the result of one call to one
 /// of them.
-pub(crate) struct Call<'s> {
+pub(crate) struct ConversionCall<'s> {
     /// The name of the called function.
     pub(crate) function: &'s str,
     /// The value of the argument.
@@ -19,15 +19,15 @@ pub(crate) struct Call<'s> {
 }
 
 /// A variable of the program.
-struct Variable<'s> {
+struct CallVariable<'s> {
     name: &'s str,
     ty: ElementaryType,
     initial: Option<&'s str>,
 }
 
-impl<'s> Call<'s> {
+impl<'s> ConversionCall<'s> {
     /// Reads the call from a program; `None` if the program is anything else.
-    pub(crate) fn read(source: &'s str) -> Option<Call<'s>> {
+    pub(crate) fn read(source: &'s str) -> Option<ConversionCall<'s>> {
         let mut lines = source.lines().map(str::trim).filter(|line| !line.is_empty());
         if lines.next()? != "PROGRAM main" {
             return None;
@@ -53,7 +53,7 @@ impl<'s> Call<'s> {
         if !plain(function) || into.initial.is_some() {
             return None;
         }
-        Some(Call {
+        Some(ConversionCall {
             function,
             operand: operand(argument.trim(), &variables)?,
             into: into.name,
@@ -63,13 +63,13 @@ impl<'s> Call<'s> {
 }
 
 /// Reads `name : TYPE;` or `name : TYPE := literal;`.
-fn variable(line: &str) -> Option<Variable<'_>> {
+fn variable(line: &str) -> Option<CallVariable<'_>> {
     let (name, rest) = line.strip_suffix(';')?.split_once(':')?;
     let (ty, initial) = match rest.split_once(":=") {
         Some((ty, initial)) => (ty, Some(initial.trim())),
         None => (rest, None),
     };
-    Some(Variable {
+    Some(CallVariable {
         name: name.trim(),
         ty: ElementaryType::from_name(ty.trim())?,
         initial,
@@ -77,7 +77,7 @@ fn variable(line: &str) -> Option<Variable<'_>> {
 }
 
 /// Returns the value of an argument: a typed literal, or a variable with an initial value.
-fn operand(argument: &str, variables: &[Variable<'_>]) -> Option<Value> {
+fn operand(argument: &str, variables: &[CallVariable<'_>]) -> Option<Value> {
     let Some(variable) = variables.iter().find(|variable| variable.name == argument) else {
         return Value::parse(argument).ok();
     };
@@ -99,8 +99,8 @@ mod tests {
 
     fn read(declarations: &str, statement: &str) -> Option<String> {
         let text = format!("PROGRAM main\n{declarations}    {statement}\nEND_PROGRAM\n");
-        let call = Call::read(&text)?;
-        let Call {
+        let call = ConversionCall::read(&text)?;
+        let ConversionCall {
             function,
             operand,
             into,
@@ -154,6 +154,6 @@ mod tests {
             read("VAR\n    into : INT;\nEND_VAR\n", "into := REAL_TO_INT(2.5);"),
             None
         );
-        assert!(Call::read("").is_none());
+        assert!(ConversionCall::read("").is_none());
     }
 }

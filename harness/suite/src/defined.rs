@@ -4,7 +4,7 @@
 
 use crate::assembly::TypeNames;
 use crate::citations::NOT_STATED;
-use crate::conversion_call::Call;
+use crate::conversion_call::ConversionCall;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use std::sync::Arc;
 use stickler_exact::{ImplicitResult, expected, is_overridden, signatures};
@@ -34,7 +34,7 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     if case.expectation.accepted == Acceptance::Rejected || case.expectation.fault.is_some() {
         return;
     }
-    let Some(call) = Call::read(&case.source) else {
+    let Some(call) = ConversionCall::read(&case.source) else {
         return;
     };
     let operands = std::slice::from_ref(&call.operand);

@@ -83,7 +83,7 @@ impl Dialects {
     pub(crate) fn read(text: &str) -> (Dialects, Vec<Mistake>) {
         let lines = Lines::new(text);
         match toml_text::read::<DialectsFile>(text, 0, &lines) {
-            Ok(file) => Reader {
+            Ok(file) => DialectsReader {
                 lines,
                 mistakes: Vec::new(),
             }
@@ -158,12 +158,12 @@ impl Dialects {
     }
 }
 
-struct Reader {
+struct DialectsReader {
     lines: Lines,
     mistakes: Vec<Mistake>,
 }
 
-impl Reader {
+impl DialectsReader {
     fn read(mut self, file: DialectsFile) -> (Dialects, Vec<Mistake>) {
         let mut dialects = Dialects::default();
         // Groups may name them.

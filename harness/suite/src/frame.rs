@@ -37,7 +37,7 @@ pub(crate) struct FileContext<'a> {
 
 /// The properties that all cases of a probe share.
 #[derive(Clone, Debug)]
-pub(crate) struct Frame {
+pub(crate) struct ProbeFrame {
     pub(crate) summary: Option<Arc<str>>,
     pub(crate) tags: Arc<[Arc<str>]>,
     pub(crate) scans: u32,
@@ -45,7 +45,7 @@ pub(crate) struct Frame {
 
 /// The properties of a group of cases that differ only in their dialect.
 #[derive(Debug)]
-pub(crate) struct Group<'a> {
+pub(crate) struct DialectGroup<'a> {
     pub(crate) id: Arc<str>,
     pub(crate) title: Arc<str>,
     /// The basis that the file writes for the cases, if it writes one.
@@ -81,8 +81,8 @@ impl Harvest {
     pub(crate) fn add(
         &mut self,
         context: &FileContext<'_>,
-        frame: &Frame,
-        group: &Group<'_>,
+        frame: &ProbeFrame,
+        group: &DialectGroup<'_>,
         dialects: &[DialectName],
     ) {
         let open = group.assembly.expectation.is_open(&group.assembly.observe);

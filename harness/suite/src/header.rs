@@ -10,7 +10,7 @@ use crate::bases::Bases;
 /// The header of a `.st` file.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(crate) struct Header {
+pub(crate) struct FileHeader {
     pub(crate) title: String,
     pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) dialects: Vec<Spanned<String>>,

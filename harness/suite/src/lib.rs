@@ -56,7 +56,7 @@ pub use lint::{LintFinding, Severity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
-pub use places::{Place, Placement, Places, Role};
+pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, address_of};
 pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

@@ -20,12 +20,12 @@ pub(crate) struct Mark {
     pub(crate) condition: Condition,
     /// The dialects in which the mark applies; all of them for `None`.
     pub(crate) dialects: Option<Vec<DialectName>>,
-    pub(crate) claim: Claim,
+    pub(crate) claim: MarkClaim,
 }
 
 /// The claim of a mark.
 #[derive(Clone, Debug)]
-pub(crate) enum Claim {
+pub(crate) enum MarkClaim {
     /// Diagnostics with these codes name the line.
     Error(Vec<Known<Code>>),
     /// No diagnostic names the line of the mark.

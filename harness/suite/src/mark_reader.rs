@@ -6,7 +6,7 @@ use stickler_types::{Code, DialectName};
 
 use crate::condition::{Condition, Testable};
 use crate::dialects::Dialects;
-use crate::mark::{Claim, Known, Mark, MarkWord, ValueLine};
+use crate::mark::{Known, Mark, MarkClaim, MarkWord, ValueLine};
 use crate::scan::RawMark;
 use crate::template::Template;
 
@@ -59,7 +59,7 @@ impl MarkReader<'_> {
             "error" => self.error(rest, &mut clauses).map_err(here)?,
             "ok" => self
                 .clauses(rest, &mut clauses)
-                .map(|()| Claim::Ok)
+                .map(|()| MarkClaim::Ok)
                 .map_err(here)?,
             "fault" => self.fault(rest, &mut clauses).map_err(here)?,
             "observe" => self.observe(rest, &mut clauses).map_err(here)?,
@@ -67,18 +67,18 @@ impl MarkReader<'_> {
             "clock" => self.clock(rest, &mut clauses).map_err(here)?,
             "values" => {
                 self.clauses(rest, &mut clauses).map_err(here)?;
-                Claim::Values {
+                MarkClaim::Values {
                     after: clauses.after.take(),
                     values: self.values(block, line + 1)?,
                 }
             }
             "rendered" => {
                 self.clauses(rest, &mut clauses).map_err(here)?;
-                Claim::Rendered(self.template(block).map_err(here)?)
+                MarkClaim::Rendered(self.template(block).map_err(here)?)
             }
             _ => return Err(here(unknown_mark(word))),
         };
-        let is_block = matches!(claim, Claim::Values { .. } | Claim::Rendered(_));
+        let is_block = matches!(claim, MarkClaim::Values { .. } | MarkClaim::Rendered(_));
         if !is_block && !block.trim().is_empty() {
             return Err(here(format!("`{word}` stands on one line")));
         }
@@ -94,7 +94,7 @@ impl MarkReader<'_> {
         })
     }
 
-    fn error(&self, rest: &str, clauses: &mut Clauses) -> Result<Claim, String> {
+    fn error(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
         let (codes, rest) = split_clauses(rest);
         let codes: Vec<Known<Code>> = codes
             .split_whitespace()
@@ -104,23 +104,23 @@ impl MarkReader<'_> {
             return Err("`error` needs a code: `error P4035`".to_owned());
         }
         self.clauses(rest, clauses)?;
-        Ok(Claim::Error(codes))
+        Ok(MarkClaim::Error(codes))
     }
 
-    fn fault(&self, rest: &str, clauses: &mut Clauses) -> Result<Claim, String> {
+    fn fault(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
         let (fault, rest) = split_clauses(rest);
         let fault = self.known(fault)?;
         self.clauses(rest, clauses)?;
-        Ok(Claim::Fault(fault))
+        Ok(MarkClaim::Fault(fault))
     }
 
-    fn observe(&self, rest: &str, clauses: &mut Clauses) -> Result<Claim, String> {
+    fn observe(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
         if let Some(rest) = rest
             .strip_prefix("acceptance")
             .filter(|rest| !rest.trim_start().starts_with(':'))
         {
             self.clauses(rest, clauses)?;
-            return Ok(Claim::ObserveAcceptance);
+            return Ok(MarkClaim::ObserveAcceptance);
         }
         let Some((name, rest)) = rest.split_once(':') else {
             return Err("write `observe name : TYPE` or `observe acceptance`".to_owned());
@@ -131,30 +131,30 @@ impl MarkReader<'_> {
         }
         self.clauses(rest, clauses)?;
         let after = clauses.after.take();
-        Ok(Claim::Observe {
+        Ok(MarkClaim::Observe {
             name: self.template(name.trim())?,
             ty: self.template(ty)?,
             after,
         })
     }
 
-    fn set(&self, rest: &str, clauses: &mut Clauses) -> Result<Claim, String> {
+    fn set(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
         let usage = || "write `set name = LITERAL before N`".to_owned();
         let (assignment, rest) = rest.rsplit_once(" before ").ok_or_else(usage)?;
         let (name, value) = assignment.split_once('=').ok_or_else(usage)?;
         let before = self.scan(rest, clauses)?;
-        Ok(Claim::Set {
+        Ok(MarkClaim::Set {
             name: self.template(name.trim())?,
             value: self.known(value.trim())?,
             before,
         })
     }
 
-    fn clock(&self, rest: &str, clauses: &mut Clauses) -> Result<Claim, String> {
+    fn clock(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
         let usage = || "write `clock LITERAL before N`".to_owned();
         let (value, rest) = rest.rsplit_once(" before ").ok_or_else(usage)?;
         let before = self.scan(rest, clauses)?;
-        Ok(Claim::Clock {
+        Ok(MarkClaim::Clock {
             value: self.known(value.trim())?,
             before,
         })

@@ -23,10 +23,10 @@ const TESTED: [&str; 2] = ["from", "to"];
 /// The places that tables may use, in the order of the file.
 #[derive(Clone, Debug, Default)]
 pub struct Places {
-    sources: Vec<Place>,
-    targets: Vec<Place>,
-    surroundings: Vec<Place>,
-    units: Vec<Unit>,
+    sources: Vec<ProgramPlace>,
+    targets: Vec<ProgramPlace>,
+    surroundings: Vec<ProgramPlace>,
+    units: Vec<PlaceUnit>,
     /// The configuration of a program that has global variables.
     configuration: String,
     /// The combinations of source, target and surrounding that no probe takes, because tables ask the same with programs of their own.
@@ -48,7 +48,7 @@ pub enum Role {
 
 /// One place. A text that it does not have is empty.
 #[derive(Clone, Debug)]
-pub struct Place {
+pub struct ProgramPlace {
     name: Arc<str>,
     groups: Vec<String>,
     /// The dialects whose documents promise the place, or for which the standard does.
@@ -66,7 +66,7 @@ pub struct Place {
     value: String,
     target: String,
     observe: String,
-    texts: Texts,
+    texts: PlaceTexts,
     /// Whether the value meets the type of the target in the statement of the target, and not in a declaration.
     is_in_its_statement: bool,
     /// Whether the source goes to a parameter of its own type, and from there to the target.
@@ -75,7 +75,7 @@ pub struct Place {
 
 /// The texts with which a place contributes to a program.
 #[derive(Clone, Debug, Default)]
-struct Texts {
+struct PlaceTexts {
     declarations: String,
     parameters: String,
     variables: String,
@@ -90,7 +90,7 @@ struct Texts {
 
 /// A program organization unit in whose body places can stand.
 #[derive(Clone, Debug)]
-struct Unit {
+struct PlaceUnit {
     text: String,
     observe: String,
     parameters: String,
@@ -128,7 +128,7 @@ impl Role {
 
 impl Places {
     /// Returns the places of a role, in the order of the file.
-    pub fn of(&self, role: Role) -> &[Place] {
+    pub fn of(&self, role: Role) -> &[ProgramPlace] {
         match role {
             Role::Source => &self.sources,
             Role::Target => &self.targets,
@@ -206,7 +206,7 @@ impl Places {
     }
 }
 
-impl Place {
+impl ProgramPlace {
     /// Returns the name of the place.
     pub fn name(&self) -> &str {
         &self.name

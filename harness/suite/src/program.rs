@@ -7,7 +7,7 @@ use stickler_types::DialectName;
 use crate::assemble::Assembler;
 use crate::assembly::AssemblyMistake;
 use crate::error::Mistake;
-use crate::mark::{Claim, Mark};
+use crate::mark::{Mark, MarkClaim};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::scan::{RawMark, scan};
@@ -18,7 +18,7 @@ const MAX_MISTAKES: usize = 50;
 
 /// A program or a template of programs, with its marks.
 #[derive(Debug)]
-pub(crate) struct Program {
+pub(crate) struct ProgramTemplate {
     pub(crate) source: Template,
     pub(crate) marks: Vec<Mark>,
     /// The position of the source in the case file.
@@ -33,7 +33,7 @@ pub(crate) struct Program {
 #[derive(Debug, Default)]
 pub(crate) struct Remarks(pub(crate) Vec<Mistake>);
 
-impl Program {
+impl ProgramTemplate {
     /// Reads `text`; comments before the byte `marks_from` (the header) are not read as marks.
     pub(crate) fn read(
         text: &str,
@@ -41,7 +41,7 @@ impl Program {
         place: TextPlace,
         reader: &MarkReader<'_>,
         remarks: &mut Remarks,
-    ) -> Result<Program, Vec<Mistake>> {
+    ) -> Result<ProgramTemplate, Vec<Mistake>> {
         let mut mistakes = Vec::new();
         let found = scan(text);
         if let Some(line) = found.unclosed {
@@ -74,7 +74,7 @@ impl Program {
             Some(source) if mistakes.is_empty() => {
                 let names = reader.testable.names.len();
                 let (used, used_in_marks) = uses(&source, &spans, names);
-                Ok(Program {
+                Ok(ProgramTemplate {
                     source,
                     marks,
                     place,
@@ -123,14 +123,14 @@ impl Program {
     pub(crate) fn rejects(&self, active: &[usize]) -> bool {
         active
             .iter()
-            .any(|&index| matches!(self.marks[index].claim, Claim::Error(_)))
+            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Error(_)))
     }
 
     /// Returns whether one of these marks claims that execution stops with a fault.
     pub(crate) fn faults(&self, active: &[usize]) -> bool {
         active
             .iter()
-            .any(|&index| matches!(self.marks[index].claim, Claim::Fault(_)))
+            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Fault(_)))
     }
 
     /// Adds the claims of these marks to an assembler.

@@ -12,12 +12,12 @@ use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::{self, FileContext, Frame, Group, Harvest};
-use crate::header::{self, Header};
+use crate::frame::{self, DialectGroup, FileContext, Harvest, ProbeFrame};
+use crate::header::{self, FileHeader};
 use crate::mark::MarkWord;
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
-use crate::program::{Program, Remarks};
+use crate::program::{ProgramTemplate, Remarks};
 use crate::scan::{RawMark, scan};
 use crate::toml_text;
 
@@ -32,7 +32,7 @@ pub(crate) fn read(context: &FileContext<'_>) -> Harvest {
 }
 
 /// Returns the header, and the byte offset after its text.
-fn read_header(context: &FileContext<'_>) -> Result<(Header, usize), Mistake> {
+fn read_header(context: &FileContext<'_>) -> Result<(FileHeader, usize), Mistake> {
     let found = scan(context.text);
     let hint = "the first mark is the header: `(*!`, TOML with title, basis and dialects, `*)`";
     let Some(first) = found.marks.first() else {
@@ -60,14 +60,14 @@ fn is_other_mark(mark: &RawMark<'_>) -> bool {
     is_known && words.next() != Some("=")
 }
 
-fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harvest: &mut Harvest) {
+fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, harvest: &mut Harvest) {
     let lines = &context.lines;
     let mistakes = &mut harvest.mistakes;
     let dialects = context.resolve(&header.dialects, "dialects", mistakes);
     if header.dialects.is_empty() {
         mistakes.push(Mistake::new(1, "a case needs at least one dialect").key("dialects"));
     }
-    let frame = Frame {
+    let frame = ProbeFrame {
         summary: header.summary.as_deref().map(Arc::from),
         tags: header::tags(header.tags.iter()),
         scans: frame::scans(header.scans.as_ref(), lines, mistakes),
@@ -85,7 +85,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
         is_template: false,
     };
     let mut remarks = Remarks::default();
-    let program = match Program::read(
+    let program = match ProgramTemplate::read(
         context.text,
         program_start,
         TextPlace::FILE,
@@ -122,7 +122,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
                     harvest.remark(Mistake::new(1, message).hint(Assembly::SAY_OK));
                 }
                 let (id, title, source) = (Arc::clone(&id), Arc::clone(&title), Arc::clone(&source));
-                let group = Group {
+                let group = DialectGroup {
                     id,
                     title,
                     basis: basis.clone(),
@@ -148,7 +148,7 @@ fn expand(context: &FileContext<'_>, header: &Header, program_start: usize, harv
 /// Returns the settings of the header.
 fn settings(
     context: &FileContext<'_>,
-    header: &Header,
+    header: &FileHeader,
     mistakes: &mut Vec<Mistake>,
 ) -> (Vec<Setting>, Vec<(u32, Value)>) {
     let mut read = |key: &str, before: &Spanned<u32>, value: &Spanned<String>| -> Option<(u32, Value)> {
@@ -179,7 +179,7 @@ fn settings(
 
 /// Adds a warning for each mark that applies in none of the file's dialects.
 fn note_marks_without_dialect(
-    program: &Program,
+    program: &ProgramTemplate,
     dialects: &[stickler_types::DialectName],
     harvest: &mut Harvest,
 ) {

@@ -83,7 +83,7 @@ impl Suite {
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
         suite.errors.extend(listing.errors);
         suite.remarks.extend(listing.remarks);
-        let names = Names {
+        let names = SuiteNames {
             dialects: &suite.dialects,
             sources: Some(&sources),
             places: &places,
@@ -155,7 +155,7 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     errors.extend(read.errors);
     let (places, mistakes) = places::read(&root, &dialects, &read.sources);
     errors.extend(mistakes);
-    let names = Names {
+    let names = SuiteNames {
         dialects: &dialects,
         sources: Some(&read.sources),
         places: &places,
@@ -177,7 +177,7 @@ pub fn read_case_file(
     dialects: &Dialects,
     places: &Places,
 ) -> (Vec<Case>, Vec<CaseFileError>) {
-    let names = Names {
+    let names = SuiteNames {
         dialects,
         sources: None,
         places,
@@ -199,7 +199,7 @@ fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
 
 /// The names that the files of a suite may use.
 #[derive(Clone, Copy)]
-struct Names<'a> {
+struct SuiteNames<'a> {
     dialects: &'a Dialects,
     sources: Option<&'a Sources>,
     places: &'a Places,
@@ -214,7 +214,7 @@ fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     }
 }
 
-fn read_file(file: &files::CaseFile, names: Names<'_>) -> Harvest {
+fn read_file(file: &files::CaseFile, names: SuiteNames<'_>) -> Harvest {
     match files::read(&file.path) {
         Ok(text) => read_text(&file.below_root, &file.shown, file.kind, &text, names),
         Err(mistake) => wrong(mistake),
@@ -229,7 +229,7 @@ fn wrong(mistake: Mistake) -> Harvest {
     }
 }
 
-fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: Names<'_>) -> Harvest {
+fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: SuiteNames<'_>) -> Harvest {
     let id = match ident::of_file(below_root) {
         Ok(id) => id,
         Err(message) => return wrong(Mistake::new(1, message).hint("rename the file or its folder")),

@@ -152,14 +152,14 @@ mod tests {
 
     #[derive(Debug, Deserialize)]
     #[serde(deny_unknown_fields)]
-    struct Document {
+    struct StringsDocument {
         #[serde(default)]
         names: Option<Strings>,
         #[serde(default)]
         cells: Vec<Spanned<Vec<Spanned<Scalar>>>>,
     }
 
-    fn read_document(text: &str) -> Result<Document, Mistake> {
+    fn read_document(text: &str) -> Result<StringsDocument, Mistake> {
         read(text, 0, &Lines::new(text))
     }
 
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn a_mistake_counts_from_the_start_of_the_document() {
         let file = "(*!\nnames = 3\n*)";
-        let mistake = read::<Document>(&file[3..14], 3, &Lines::new(file)).unwrap_err();
+        let mistake = read::<StringsDocument>(&file[3..14], 3, &Lines::new(file)).unwrap_err();
         assert_eq!(mistake.line, 2);
     }
 

@@ -5,7 +5,7 @@ use crate::claim::Agreed;
 use stickler_types::{ElementaryType, WrittenValue};
 
 /// Writes the cell of a call, of which the table's probes say this.
-pub type Cell = fn(&Call, &Agreed) -> String;
+pub type CellWriter = fn(&Call, &Agreed) -> String;
 
 /// Returns how the cells of a column are written, or nothing where the column is none of a table of calls.
 ///
@@ -21,7 +21,7 @@ pub type Cell = fn(&Call, &Agreed) -> String;
 /// | `dialects` | the dialects whose sources say so; an empty cell where all do |
 /// | `basis` | the sources that say so; an empty cell where the head or the probe names them |
 #[must_use]
-pub fn of_column(name: &str) -> Option<Cell> {
+pub fn of_column(name: &str) -> Option<CellWriter> {
     Some(match name {
         "function" => |call, _| call.signature.function.clone(),
         "from" => |call, _| call.from().to_string(),

@@ -1,7 +1,7 @@
 //! Whether the documents say of a call what the probes of its table claim.
 
 use crate::call::Call;
-use crate::table::{Probe, ProbeClaim, Table};
+use crate::table::{ProbeClaim, Table, TableProbe};
 use stickler_exact::{Expected, Operation};
 use stickler_types::{DialectName, ElementaryType};
 
@@ -146,7 +146,7 @@ impl Table {
     /// Checks what a probe claims in one dialect.
     fn check(
         &self,
-        probe: &Probe,
+        probe: &TableProbe,
         call: &Call,
         dialect: DialectName,
         expected: &Expected,

@@ -1,7 +1,7 @@
 //! The folder that holds the tables, and the rows that it must have.
 
 use crate::call::Call;
-use crate::table::{Names, Table};
+use crate::table::{Table, TableNames};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 use stickler_suite::Suite;
@@ -63,12 +63,12 @@ pub fn tables(root: &Path) -> Result<Vec<(PathBuf, Table)>, String> {
 ///
 /// # Errors
 /// A message, where one of the two files cannot be read or has a mistake.
-pub fn names(root: &Path) -> Result<Names, String> {
+pub fn names(root: &Path) -> Result<TableNames, String> {
     let suite = root.join(SUITE);
     let suite = Suite::load_files(&suite, &[], |_, _| false);
     match suite.errors.first() {
         Some(mistake) => Err(mistake.to_string()),
-        None => Ok(Names {
+        None => Ok(TableNames {
             dialects: suite.dialects,
             sources: suite.sources.into(),
         }),

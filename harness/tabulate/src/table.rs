@@ -1,7 +1,7 @@
 //! A row table of the suite: its head as a person writes it, its calls, and the text of its rows.
 
 use crate::call::Call;
-use crate::cell::{self, Cell};
+use crate::cell::{self, CellWriter};
 use crate::generate;
 use serde::Deserialize;
 use std::fmt::Write;
@@ -13,7 +13,7 @@ use toml::Spanned;
 
 /// The keys of a case file that matter here; the suite checks all of them.
 #[derive(Deserialize)]
-struct Keys {
+struct TableKeys {
     basis: Option<Bases>,
     #[serde(default)]
     dialects: Vec<String>,
@@ -38,7 +38,7 @@ struct ProbeKeys {
 
 /// The names that the tables of a folder may use.
 #[derive(Clone, Debug, Default)]
-pub struct Names {
+pub struct TableNames {
     /// The dialects and groups.
     pub dialects: Dialects,
     /// The sources.
@@ -61,7 +61,7 @@ pub struct Table {
     /// The file's `[generate]` table.
     pub generate: Option<Generate>,
     /// The probes.
-    pub probes: Vec<Probe>,
+    pub probes: Vec<TableProbe>,
     /// Where the value of `rows` stands in the text.
     span: Range<usize>,
     /// The sources that a basis may name.
@@ -70,7 +70,7 @@ pub struct Table {
 
 /// A probe of a table.
 #[derive(Clone, Debug)]
-pub struct Probe {
+pub struct TableProbe {
     /// The name, which stands in ids.
     pub name: String,
     /// The claim of the probe; `None` where its marks alone state it.
@@ -101,13 +101,13 @@ impl Table {
     ///
     /// # Errors
     /// A sentence, where the text is no table file or names an unknown dialect.
-    pub fn read(name: &str, text: &str, names: &Names) -> Result<Table, String> {
-        let keys: Keys = toml::from_str(text).map_err(|error| error.to_string())?;
+    pub fn read(name: &str, text: &str, names: &TableNames) -> Result<Table, String> {
+        let keys: TableKeys = toml::from_str(text).map_err(|error| error.to_string())?;
         let dialects = &names.dialects;
         let all = resolve(&keys.dialects, dialects)?;
         let own = keys.basis.unwrap_or_default();
         let probes = keys.probe.into_iter().map(|probe| {
-            Ok(Probe {
+            Ok(TableProbe {
                 claim: ProbeClaim::of(&probe),
                 dialects: match &probe.dialects {
                     Some(names) => resolve(names, dialects)?,
@@ -140,7 +140,7 @@ impl Table {
     }
 
     /// Returns how the cells of each column are written, or nothing where the rows are no calls of one function.
-    fn cells(&self) -> Option<Vec<Cell>> {
+    fn cells(&self) -> Option<Vec<CellWriter>> {
         let names_types = ["from", "to"].iter().all(|name| self.column(name).is_some());
         let names_operand = self.generate.is_some() || self.column("input").is_some();
         if !names_types || !names_operand {
@@ -286,7 +286,7 @@ pub(crate) mod tests {
     use super::*;
 
     /// Returns the names that the tables of the suite may use.
-    pub(crate) fn names() -> Names {
+    pub(crate) fn names() -> TableNames {
         let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         crate::folder::names(&root).unwrap()
     }

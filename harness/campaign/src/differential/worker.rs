@@ -23,7 +23,7 @@ pub(super) struct DifferentialWorker<'b> {
 }
 
 /// A place, and its program where there is one.
-struct Input {
+struct JudgedInput {
     verdict: InputVerdict,
     subject: Option<EvaluatedProgram>,
     /// The number of engines that support the program.
@@ -48,7 +48,7 @@ impl<'b> DifferentialWorker<'b> {
         })
     }
 
-    fn input(&self, place: u64) -> Input {
+    fn input(&self, place: u64) -> JudgedInput {
         let mut verdict = InputVerdict::agreed(place);
         let program = self
             .oracle
@@ -58,7 +58,7 @@ impl<'b> DifferentialWorker<'b> {
             .and_then(EvaluatedProgram::new)
             .map_err(|word| verdict.passed_over = Some(word))
             .ok();
-        Input {
+        JudgedInput {
             verdict,
             subject,
             asked: 0,
@@ -67,8 +67,8 @@ impl<'b> DifferentialWorker<'b> {
 
     /// Asks one engine about all inputs whose dialect it speaks; in packs, where its pace says so. Returns whether the engine
     /// lives.
-    fn ask_all(&mut self, index: usize, inputs: &mut [Input], going: &dyn Fn() -> bool) -> bool {
-        let speaks = |input: &Input| {
+    fn ask_all(&mut self, index: usize, inputs: &mut [JudgedInput], going: &dyn Fn() -> bool) -> bool {
+        let speaks = |input: &JudgedInput| {
             let subject = input.subject.as_ref();
             subject.is_some_and(|subject| {
                 self.oracle.engines[index]
@@ -105,7 +105,7 @@ impl<'b> DifferentialWorker<'b> {
         &mut self,
         index: usize,
         mut numbers: Vec<usize>,
-        inputs: &mut [Input],
+        inputs: &mut [JudgedInput],
         going: &dyn Fn() -> bool,
     ) -> bool {
         let dialect = |number: &usize| {
@@ -137,7 +137,7 @@ impl<'b> DifferentialWorker<'b> {
         &mut self,
         index: usize,
         numbers: &[usize],
-        inputs: &mut [Input],
+        inputs: &mut [JudgedInput],
         going: &dyn Fn() -> bool,
     ) -> bool {
         let mut rest = numbers;
@@ -156,7 +156,7 @@ impl<'b> DifferentialWorker<'b> {
         &mut self,
         index: usize,
         numbers: &[usize],
-        inputs: &mut [Input],
+        inputs: &mut [JudgedInput],
         going: &dyn Fn() -> bool,
     ) -> bool {
         if let [one] = numbers {
@@ -187,7 +187,7 @@ impl<'b> DifferentialWorker<'b> {
     }
 
     /// Asks about one program. Returns whether the engine lives.
-    fn ask_alone(&mut self, index: usize, input: &mut Input) -> bool {
+    fn ask_alone(&mut self, index: usize, input: &mut JudgedInput) -> bool {
         let Some(subject) = &input.subject else {
             return true;
         };
@@ -198,7 +198,13 @@ impl<'b> DifferentialWorker<'b> {
     }
 
     /// Adds to the verdict on a program what an engine did with it. Returns whether the engine lives.
-    fn enter(&mut self, index: usize, input: &mut Input, outcome: &Outcome, agreement: &Agreement) -> bool {
+    fn enter(
+        &mut self,
+        index: usize,
+        input: &mut JudgedInput,
+        outcome: &Outcome,
+        agreement: &Agreement,
+    ) -> bool {
         let Some(subject) = &input.subject else {
             return true;
         };
@@ -274,7 +280,7 @@ impl<'b> DifferentialWorker<'b> {
     }
 }
 
-impl Input {
+impl JudgedInput {
     fn into_verdict(self) -> InputVerdict {
         let mut verdict = self.verdict;
         if let Some(subject) = self.subject {
@@ -293,7 +299,7 @@ impl Worker for DifferentialWorker<'_> {
         if self.lost().is_some() || !going() {
             return Vec::new();
         }
-        let mut inputs: Vec<Input> = places.iter().map(|&place| self.input(place)).collect();
+        let mut inputs: Vec<JudgedInput> = places.iter().map(|&place| self.input(place)).collect();
         for index in 0..self.oracle.engines.len() {
             if !self.ask_all(index, &mut inputs, going) {
                 // Some engines have not seen all of it. What was seen to be wrong is wrong all the same.
@@ -301,7 +307,7 @@ impl Worker for DifferentialWorker<'_> {
                 break;
             }
         }
-        inputs.into_iter().map(Input::into_verdict).collect()
+        inputs.into_iter().map(JudgedInput::into_verdict).collect()
     }
 
     fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {

@@ -39,7 +39,7 @@ impl ProbeProgram {
 }
 
 /// A program that uses a part of the language, and little else.
-pub(super) struct Probe {
+pub(super) struct SurveyProbe {
     /// The word for the part.
     pub(super) word: String,
     pub(super) program: ProbeProgram,
@@ -99,17 +99,19 @@ impl ProbeSource {
         wanted: &BTreeSet<String>,
         blamed: &BTreeSet<String>,
         going: &dyn Fn() -> bool,
-    ) -> Vec<Probe> {
+    ) -> Vec<SurveyProbe> {
         let frequency = |word: &str| Reverse(self.frequencies.get(word).copied());
         let mut wanted: Vec<&String> = wanted.iter().collect();
         wanted.sort_by_key(|word| frequency(word));
         let wanted = wanted.into_iter().take_while(|_| going());
-        let mut probes: Vec<Probe> = wanted.filter_map(|word| self.probe(word, blamed)).collect();
-        probes.sort_by_key(|Probe { word, program }| (program.words.len(), frequency(word), word.clone()));
+        let mut probes: Vec<SurveyProbe> = wanted.filter_map(|word| self.probe(word, blamed)).collect();
+        probes.sort_by_key(|SurveyProbe { word, program }| {
+            (program.words.len(), frequency(word), word.clone())
+        });
         probes
     }
 
-    fn probe(&self, word: &str, blamed: &BTreeSet<String>) -> Option<Probe> {
+    fn probe(&self, word: &str, blamed: &BTreeSet<String>) -> Option<SurveyProbe> {
         let suits =
             |program: &ProbeProgram| program.words.contains(word) && program.words.is_disjoint(blamed);
         let start = self.sample.iter().find(|program| suits(program))?;
@@ -125,7 +127,7 @@ impl ProbeSource {
             ..ReductionBudget::default()
         };
         let reduced = reduce::program(&start.subject.program, interesting, &budget);
-        Some(Probe {
+        Some(SurveyProbe {
             word: word.to_owned(),
             program: ProbeProgram::new(reduced.value)?,
         })

@@ -36,7 +36,7 @@ pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -
         judge_sound_text(planted.program.dialect, sound)?;
         judge_planted_text(planted, text, line)
     };
-    let search = Search { kind, symptom, judge };
+    let search = PlantedSearch { kind, symptom, judge };
     // Which bytes chose the kind and which the place is the planter's affair: those are taken that lead to the same failure.
     let places = (0..error.len()).filter_map(|skipped| error.get(skipped..));
     let place = { places }.find(|place| search.failing(&sound, place).is_some())?;
@@ -60,14 +60,14 @@ type Judge<'j> = dyn Fn(&str, &Planted, &str, u32) -> Result<(), OracleFailure> 
 
 /// The properties that a reduction keeps: the kind of error, and how the reference fails over it.
 #[derive(Clone, Copy)]
-struct Search<'s> {
+struct PlantedSearch<'s> {
     kind: &'s str,
     symptom: &'s str,
     judge: &'s Judge<'s>,
 }
 
 /// An error planted in a program, and how the reference fails over it.
-struct Found {
+struct PlantedFailure {
     /// The text of the sound program.
     sound: String,
     planted: Planted,
@@ -76,7 +76,7 @@ struct Found {
     failure: OracleFailure,
 }
 
-impl Search<'_> {
+impl PlantedSearch<'_> {
     /// Makes the sound program small, first with the error in the place that these bytes choose, then in any.
     ///
     /// Bytes choose among what there is: where less is there they choose something else, mostly what the reference does not
@@ -87,7 +87,7 @@ impl Search<'_> {
         sound: &Program,
         place: &[u8],
         budget: &ReductionBudget<'_>,
-    ) -> Option<(Reduction<Program>, Found)> {
+    ) -> Option<(Reduction<Program>, PlantedFailure)> {
         let shows = |candidate: &Program| Interestingness::from(self.failing(candidate, place).is_some());
         let first = reduce::program(sound, shows, budget);
         let mut places = places(place);
@@ -113,7 +113,7 @@ impl Search<'_> {
     }
 
     /// The first place where the reference fails over the error; it comes to the front of all.
-    fn failing_anywhere(self, sound: &Program, places: &mut [Vec<u8>]) -> Option<Found> {
+    fn failing_anywhere(self, sound: &Program, places: &mut [Vec<u8>]) -> Option<PlantedFailure> {
         for number in 0..places.len() {
             if let Some(found) = places.get(number).and_then(|place| self.failing(sound, place)) {
                 places.swap(0, number);
@@ -124,13 +124,13 @@ impl Search<'_> {
     }
 
     /// The error planted in a program, and how the reference fails over it in this way.
-    fn failing(self, sound: &Program, place: &[u8]) -> Option<Found> {
+    fn failing(self, sound: &Program, place: &[u8]) -> Option<PlantedFailure> {
         let planted = plant_kind(sound, self.kind, &mut Unstructured::new(place))?;
         let style = Style::default();
         let (without, with) = (write(sound, &style), write(&planted.program, &style));
         let line = planted.line(&without, &with);
         let failure = (self.judge)(&without.text, &planted, &with.text, line).err()?;
-        (failure.symptom == self.symptom).then_some(Found {
+        (failure.symptom == self.symptom).then_some(PlantedFailure {
             sound: without.text,
             planted,
             line,
@@ -139,7 +139,7 @@ impl Search<'_> {
     }
 
     /// Drops the declarations that only the sound program uses.
-    fn without_unused(self, mut found: Found) -> Found {
+    fn without_unused(self, mut found: PlantedFailure) -> PlantedFailure {
         loop {
             let text = found.failure.program.clone().unwrap_or_default();
             let less = without_unused(&text, found.line).find_map(|(text, line)| {
@@ -147,7 +147,7 @@ impl Search<'_> {
                 (failure.symptom == self.symptom).then_some((line, failure))
             });
             let Some((line, failure)) = less else { return found };
-            found = Found {
+            found = PlantedFailure {
                 line,
                 failure,
                 ..found
@@ -156,7 +156,7 @@ impl Search<'_> {
     }
 }
 
-impl Found {
+impl PlantedFailure {
     fn expected(&self) -> ExpectedBehavior {
         ExpectedBehavior::Rejected {
             code: self.planted.code.as_str().to_owned(),
@@ -194,7 +194,7 @@ mod tests {
             }
             Ok(())
         };
-        let search = Search {
+        let search = PlantedSearch {
             kind,
             symptom: "overlooked",
             judge: &judge,

@@ -1,7 +1,7 @@
 //! Cases and suites made by hand, and the causes that are found on an engine.
 
 use std::sync::Arc;
-use stickler_causes::{FailedCases, Limits, Search, find};
+use stickler_causes::{FailedCases, Search, SearchLimits, find};
 use stickler_engines::{Ability, Engine, Grade, Identity};
 use stickler_run::{Cause, Event, Plan, run};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
@@ -60,7 +60,7 @@ pub fn suite(cases: Vec<Case>) -> Suite {
 }
 
 /// Runs a suite on an engine, and returns the causes of the cases that fail.
-pub fn causes(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: Limits) -> Vec<Cause> {
+pub fn causes(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: SearchLimits) -> Vec<Cause> {
     let plan = Plan {
         jobs,
         ..Plan::default()

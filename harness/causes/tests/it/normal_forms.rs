@@ -2,7 +2,7 @@
 
 use crate::fixtures::{self, identity, suite, titles};
 use std::sync::atomic::{AtomicU32, Ordering};
-use stickler_causes::Limits;
+use stickler_causes::SearchLimits;
 use stickler_engines::{
     Ability, Engine, EngineError, Identity, NoReproduction, Outcome, Reproduction, ReproductionFile,
     RunRequest, Session,
@@ -81,10 +81,10 @@ fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
 }
 
 fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
-    causes_within(compiler, cases, Limits::default())
+    causes_within(compiler, cases, SearchLimits::default())
 }
 
-fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: Limits) -> Vec<Cause> {
+fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: SearchLimits) -> Vec<Cause> {
     let found = fixtures::causes(&suite(cases), compiler, 1, limits);
     for Cause { shown, .. } in &found {
         let reproduction = shown.reproduction.as_ref().expect("a reproduction");
@@ -240,9 +240,9 @@ fn a_value_that_nobody_asked_about_explains_no_other() {
             "into = LINT#7766279631452241920",
         ),
     ];
-    let limits = Limits {
+    let limits = SearchLimits {
         questions: 0,
-        ..Limits::default()
+        ..SearchLimits::default()
     };
     let found = causes_within(&Compiler::new(converts_otherwise), cases, limits);
     assert_eq!(found.len(), 2, "{:?}", titles(&found));

@@ -4,7 +4,7 @@ use crate::fixtures::{self, causes, identity, titles};
 use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
-use stickler_causes::Limits;
+use stickler_causes::SearchLimits;
 use stickler_engines::{Engine, EngineError, Identity, Outcome, RunRequest, Session};
 use stickler_run::{Cause, Reduced};
 use stickler_suite::{Case, Suite};
@@ -150,7 +150,7 @@ fn suite() -> Suite {
 
 #[test]
 fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
-    let found = causes(&suite(), &Defective::new(0), 2, Limits::default());
+    let found = causes(&suite(), &Defective::new(0), 2, SearchLimits::default());
     assert_eq!(
         titles(&found),
         [
@@ -184,16 +184,16 @@ fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
 
 #[test]
 fn the_same_is_found_however_many_threads_there_are() {
-    let found = |jobs| causes(&suite(), &Defective::new(0), jobs, Limits::default());
+    let found = |jobs| causes(&suite(), &Defective::new(0), jobs, SearchLimits::default());
     assert_eq!(found(1), found(4));
 }
 
 #[test]
 fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
     let engine = Defective::new(0);
-    let limits = Limits {
+    let limits = SearchLimits {
         questions: 0,
-        ..Limits::default()
+        ..SearchLimits::default()
     };
     let found = causes(&suite(), &engine, 1, limits);
     assert_eq!(found.iter().map(Cause::number).sum::<u64>(), 18);
@@ -210,9 +210,9 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
     );
     let line = program.expected[0].diagnostic().and_then(|told| told.line);
     assert_eq!(line, Some(8), "lines are those of the program that is shown");
-    let late = Limits {
+    let late = SearchLimits {
         time: Duration::ZERO,
-        ..Limits::default()
+        ..SearchLimits::default()
     };
     assert!(
         causes(&suite(), &engine, 1, late)
@@ -223,7 +223,7 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
 
 #[test]
 fn what_comes_by_chance_is_told_as_such() {
-    let found = causes(&suite(), &Defective::new(19), 1, Limits::default());
+    let found = causes(&suite(), &Defective::new(19), 1, SearchLimits::default());
     let chance = found
         .iter()
         .find(|cause| cause.title.contains("the dice"))
@@ -255,7 +255,7 @@ fn a_construct_that_a_document_promises_and_that_is_not_implemented_is_a_cause_w
             ..case
         }));
     }
-    let found = causes(&suite, &engine, 1, Limits::default());
+    let found = causes(&suite, &engine, 1, SearchLimits::default());
     assert_eq!(found.len(), 1, "{found:?}");
     let cause = &found[0];
     assert_eq!(cause.number(), 2);

@@ -11,7 +11,7 @@ use std::io::{BufReader, Write};
 use std::path::{Path, PathBuf};
 use stickler_engines::Reference;
 use stickler_report::events::{self, Completeness};
-use stickler_run::{Baseline, Blessing, Change, ChangeKind, EngineRun, Event, Verdict, bless};
+use stickler_run::{Baseline, Blessing, ChangeKind, EngineRun, EntryChange, Event, Verdict, bless};
 use stickler_suite::Suite;
 use stickler_types::{DialectName, counted};
 
@@ -147,7 +147,7 @@ fn rewrite(
 }
 
 fn show(blessing: &Blessing, out: &mut dyn Write) -> std::io::Result<()> {
-    for Change {
+    for EntryChange {
         kind,
         verdicts,
         case,

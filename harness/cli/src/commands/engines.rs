@@ -40,21 +40,24 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
 }
 
 /// Searches for all engines at once: each asks a compiler for its version, and some compilers take a second to answer.
-fn seek_all<'n>(names: &[&'n str], configuration: &'n Configuration) -> anyhow::Result<Vec<Listed<'n>>> {
+fn seek_all<'n>(
+    names: &[&'n str],
+    configuration: &'n Configuration,
+) -> anyhow::Result<Vec<ListedEngine<'n>>> {
     WorkerPool::new(names.len()).map(
         names.iter(),
         || Ok(()),
         |(), &name| {
             let sought = engines::seek(name, name, configuration);
             let sought = sought.ok_or_else(|| engines::no_such(name, configuration))?;
-            Ok(Listed::new(name, sought, configuration))
+            Ok(ListedEngine::new(name, sought, configuration))
         },
     )
 }
 
 /// The entry of one engine in the list; the fields are those of the JSON object.
 #[derive(Serialize)]
-struct Listed<'n> {
+struct ListedEngine<'n> {
     name: &'n str,
     /// Whether the engine can be used.
     here: bool,
@@ -98,8 +101,8 @@ impl From<FoundDependency> for FoundPlace {
     }
 }
 
-impl<'n> Listed<'n> {
-    fn new(name: &'n str, sought: CompilerSearch, configuration: &'n Configuration) -> Listed<'n> {
+impl<'n> ListedEngine<'n> {
+    fn new(name: &'n str, sought: CompilerSearch, configuration: &'n Configuration) -> ListedEngine<'n> {
         let entry = configuration.engine(name);
         let (compiler, project) = match entry.map(|entry| &entry.kind) {
             Some(EngineKind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),
@@ -117,7 +120,7 @@ impl<'n> Listed<'n> {
         let abilities = identity
             .map(|identity| &identity.abilities[..])
             .unwrap_or_default();
-        Listed {
+        ListedEngine {
             name,
             here: identity.is_some(),
             adapter: compiler.map(Compiler::name),
@@ -141,7 +144,7 @@ fn problem(error: &EngineError) -> String {
     }
 }
 
-fn write_json(engine: &Listed<'_>, out: &mut dyn Write) -> io::Result<()> {
+fn write_json(engine: &ListedEngine<'_>, out: &mut dyn Write) -> io::Result<()> {
     serde_json::to_writer(&mut *out, engine)?;
     writeln!(out)
 }
@@ -149,7 +152,7 @@ fn write_json(engine: &Listed<'_>, out: &mut dyn Write) -> io::Result<()> {
 /// The width of the column of labels, in characters.
 const LABEL_WIDTH: usize = 10;
 
-fn write_entry(engine: &Listed<'_>, gap: bool, out: &mut dyn Write) -> io::Result<()> {
+fn write_entry(engine: &ListedEngine<'_>, gap: bool, out: &mut dyn Write) -> io::Result<()> {
     if gap {
         writeln!(out)?;
     }

@@ -75,7 +75,7 @@ fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Wr
         },
     };
     let plan = plan(arguments, Duration::ZERO, 64);
-    let campaign = Campaign {
+    let campaign = KeptCampaign {
         plan,
         request,
         store,
@@ -120,7 +120,7 @@ fn campaign_on_engines(
         commands: commands(arguments, &surveyed, &store),
     };
     let plan = plan(arguments, begun.elapsed(), batch);
-    let campaign = Campaign {
+    let campaign = KeptCampaign {
         plan,
         request,
         store,
@@ -145,17 +145,17 @@ fn plan(arguments: &FuzzArguments, spent: Duration, batch: usize) -> CampaignPla
 }
 
 /// A campaign that is to be run and kept.
-struct Campaign {
+struct KeptCampaign {
     plan: CampaignPlan,
     request: CampaignRequest,
     store: Store,
     known: KnownCauses,
 }
 
-impl Campaign {
+impl KeptCampaign {
     /// Runs the campaign on an oracle.
     fn run(self, oracle: &dyn Oracle, surveyed: &Surveyed, out: &mut dyn Write) -> anyhow::Result<Exit> {
-        let Campaign {
+        let KeptCampaign {
             plan,
             request,
             store,

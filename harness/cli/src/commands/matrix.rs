@@ -115,7 +115,7 @@ fn gather(
         .filter(|ty| TYPES.contains(ty) || named(ty))
         .collect();
     let of_row = |row: ElementaryType| types.iter().map(move |column| (row, *column));
-    let pairs: Vec<ask::Pair> = types.iter().flat_map(|row| of_row(*row)).collect();
+    let pairs: Vec<ask::TypePair> = types.iter().flat_map(|row| of_row(*row)).collect();
     let bar = Progress::new((pairs.len() * engines.len()) as u64);
     let mut columns = Vec::with_capacity(engines.len());
     for named in engines {

@@ -18,7 +18,7 @@ use stickler_causes::Search;
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
-use stickler_run::{AnswerStore, Baseline, Event, Plan, Summary, select};
+use stickler_run::{AnswerStore, Baseline, Event, Plan, RunSummary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
@@ -234,7 +234,7 @@ impl<'c> EventSink<'c> {
     }
 }
 
-fn exit(summary: &Summary) -> Exit {
+fn exit(summary: &RunSummary) -> Exit {
     if summary.cancelled {
         return Exit::Interrupted;
     }

@@ -8,21 +8,21 @@ use stickler_types::Value;
 
 /// The JSON object: the results of one function for all of its signatures.
 #[derive(Serialize)]
-struct Answers<'a> {
+struct FunctionResults<'a> {
     function: &'a str,
-    engines: Vec<Engine<'a>>,
-    signatures: Vec<Types<'a>>,
+    engines: Vec<EngineResults<'a>>,
+    signatures: Vec<JsonSignature<'a>>,
 }
 
 #[derive(Serialize)]
-struct Engine<'a> {
+struct EngineResults<'a> {
     name: &'a str,
     version: &'a str,
 }
 
 /// The results of one signature of the function.
 #[derive(Serialize)]
-struct Types<'a> {
+struct JsonSignature<'a> {
     operands: Vec<&'static str>,
     result: &'static str,
     calls: Vec<CallResults<'a>>,
@@ -66,7 +66,7 @@ pub fn write(
     engines: &[&Identity],
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let answers = Answers {
+    let answers = FunctionResults {
         function,
         engines: engines.iter().map(|identity| engine(identity)).collect(),
         signatures: results.iter().map(|results| types(results, engines)).collect(),
@@ -75,14 +75,14 @@ pub fn write(
     writeln!(out)
 }
 
-fn engine(identity: &Identity) -> Engine<'_> {
-    Engine {
+fn engine(identity: &Identity) -> EngineResults<'_> {
+    EngineResults {
         name: &identity.name,
         version: &identity.version,
     }
 }
 
-fn types<'a>(all: &'a SignatureResults, engines: &[&'a Identity]) -> Types<'a> {
+fn types<'a>(all: &'a SignatureResults, engines: &[&'a Identity]) -> JsonSignature<'a> {
     let call = |(index, operands): (usize, &Vec<Value>)| CallResults {
         operands: operands.iter().map(ToString::to_string).collect(),
         results: all
@@ -91,7 +91,7 @@ fn types<'a>(all: &'a SignatureResults, engines: &[&'a Identity]) -> Types<'a> {
             .filter_map(|column| Some(result(column, column.results.get(index)?, engines)))
             .collect(),
     };
-    Types {
+    JsonSignature {
         operands: all.signature.operands.iter().map(|ty| ty.name()).collect(),
         result: all.signature.result.name(),
         calls: all.calls.iter().enumerate().map(call).collect(),

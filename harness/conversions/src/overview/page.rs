@@ -2,7 +2,7 @@
 
 use super::results::{ComparedResult, DialectResults, SignatureResults};
 use super::table::{self, Align, NotedCell};
-use super::values::Call;
+use super::values::CallOperands;
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::literals;
@@ -244,7 +244,7 @@ fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
 }
 
 /// Returns the table columns of the operands.
-fn operands(calls: &[Call], types: &[ElementaryType]) -> Vec<table::Column> {
+fn operands(calls: &[CallOperands], types: &[ElementaryType]) -> Vec<table::Column> {
     let column = |(index, ty): (usize, &ElementaryType)| table::Column {
         head: vec![ty.name().to_owned()],
         cells: calls

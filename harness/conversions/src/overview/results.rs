@@ -1,6 +1,6 @@
 //! The results that engines give for the calls of a signature, each with the expected one.
 
-use super::values::Call;
+use super::values::CallOperands;
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use stickler_engines::{Engine, EngineError};
 use stickler_exact::{Expected, Signature};
@@ -11,7 +11,7 @@ pub struct SignatureResults {
     /// The function, and the types of its operands and of its result.
     pub signature: Signature,
     /// The operands of each call.
-    pub calls: Vec<Call>,
+    pub calls: Vec<CallOperands>,
     /// The results of each engine in each dialect.
     pub columns: Vec<DialectResults>,
 }
@@ -61,7 +61,7 @@ impl SignatureResults {
             return;
         }
         let got = session.results(dialect, signature, calls);
-        let compared = |(call, got): (&Call, _)| ComparedResult {
+        let compared = |(call, got): (&CallOperands, _)| ComparedResult {
             got,
             expected: stickler_exact::expected(signature, call, dialect),
         };
@@ -79,7 +79,7 @@ impl SignatureResults {
 /// # Errors
 /// [`EngineError`] where no session of an engine can be opened.
 pub fn gather(
-    calls: Vec<(Signature, Vec<Call>)>,
+    calls: Vec<(Signature, Vec<CallOperands>)>,
     engines: &[(&dyn Engine, Vec<DialectName>)],
 ) -> Result<Vec<SignatureResults>, EngineError> {
     let mut all: Vec<SignatureResults> = calls

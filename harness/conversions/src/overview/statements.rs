@@ -27,7 +27,7 @@ pub struct Statements {
     parts: Vec<Accepted>,
     functions: Vec<FunctionStatements>,
     /// The calls of all functions, one function after the other.
-    calls: Calls,
+    calls: CallStatements,
     /// The bases of calls, which most have in common: by the dialects of the function, the number of a word; `null` where no
     /// document states the result.
     bases: Vec<Vec<Option<u32>>>,
@@ -61,7 +61,7 @@ struct FunctionStatements {
 
 /// The calls, each property a list with an element for each call.
 #[derive(Default, Serialize)]
-struct Calls {
+struct CallStatements {
     /// The words of the operands.
     operands: Vec<Vec<u32>>,
     /// The index of the bases.
@@ -72,7 +72,7 @@ struct Calls {
 
 /// A statement of a document, of which a case asks whether an engine does so.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Statement<'c> {
+pub struct CaseStatement<'c> {
     /// The dialect.
     pub dialect: DialectName,
     /// Whether the program must be accepted.
@@ -103,13 +103,13 @@ pub struct StatementsBuilder {
     words: WordTable,
     pairs: AcceptedTable,
     parts: AcceptedTable,
-    functions: Vec<Function>,
+    functions: Vec<StatedFunction>,
     function_numbers: HashMap<(String, ElementaryType, ElementaryType), Option<usize>>,
     call_cases: Vec<(Arc<str>, usize, usize)>,
 }
 
 /// A function with the types of one of its signatures, and its calls.
-struct Function {
+struct StatedFunction {
     signature: Signature,
     dialects: Vec<usize>,
     calls: Vec<Vec<Value>>,
@@ -129,7 +129,7 @@ impl AcceptedTable {
     fn add(
         &mut self,
         (from, to): (u32, u32),
-        statement: &Statement<'_>,
+        statement: &CaseStatement<'_>,
         dialects: &[DialectName],
         basis: u32,
     ) {
@@ -166,14 +166,14 @@ impl StatementsBuilder {
     }
 
     /// Adds a statement about the implicit conversion of a pair of types.
-    pub fn add_implicit(&mut self, from: ElementaryType, to: ElementaryType, statement: &Statement<'_>) {
+    pub fn add_implicit(&mut self, from: ElementaryType, to: ElementaryType, statement: &CaseStatement<'_>) {
         let pair = (self.words.number(from.name()), self.words.number(to.name()));
         let basis = self.words.number(statement.basis);
         self.pairs.add(pair, statement, &self.dialects, basis);
     }
 
     /// Adds a statement about a bit or a part of a type, such as `7` or `%B1`.
-    pub fn add_part(&mut self, access: &PartAccess<'_>, statement: &Statement<'_>) {
+    pub fn add_part(&mut self, access: &PartAccess<'_>, statement: &CaseStatement<'_>) {
         let pair = (
             self.words.number(access.ty.name()),
             self.words.number(access.part),
@@ -196,7 +196,7 @@ impl StatementsBuilder {
         let number = match self.function_numbers.get(&key) {
             Some(number) => *number,
             None => {
-                let function = Function::find(&key, &self.dialects);
+                let function = StatedFunction::find(&key, &self.dialects);
                 let number = function.is_some().then_some(self.functions.len());
                 self.functions.extend(function);
                 self.function_numbers.insert(key, number);
@@ -263,13 +263,13 @@ impl StatementsBuilder {
     }
 }
 
-impl Function {
+impl StatedFunction {
     /// Returns a function with its boundary values, if one of the dialects has it with these types.
     fn find(
         (name, from, result): &(String, ElementaryType, ElementaryType),
         dialects: &[DialectName],
-    ) -> Option<Function> {
-        let mut found: Option<Function> = None;
+    ) -> Option<StatedFunction> {
+        let mut found: Option<StatedFunction> = None;
         for (index, dialect) in dialects.iter().enumerate() {
             let mut all = signatures(name, *dialect).into_iter();
             let signature = all.find(|one| one.operands == [*from] && one.result == *result);
@@ -278,7 +278,7 @@ impl Function {
                 (Some(function), Some(_)) => function.dialects.push(index),
                 (None, Some(signature)) => {
                     let boundaries = inputs::boundaries(&signature);
-                    let mut function = Function {
+                    let mut function = StatedFunction {
                         signature,
                         dialects: vec![index],
                         calls: Vec::new(),
@@ -333,7 +333,7 @@ impl Function {
 
 #[cfg(test)]
 mod tests {
-    use super::{Statement, Statements, StatementsBuilder};
+    use super::{CaseStatement, Statements, StatementsBuilder};
     use crate::overview::part_of_program;
     use serde_json::{Value, json};
     use std::sync::Arc;
@@ -345,14 +345,14 @@ mod tests {
         let dialects = vec![DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext];
         let mut builder = StatementsBuilder::new(dialects);
         let case = Arc::from("w::assignment(INT,DINT,1)");
-        let statement = Statement {
+        let statement = CaseStatement {
             dialect: DialectName::Matiec,
             word: MatrixWord::No,
             basis: "measured: here",
             case: &case,
         };
         builder.add_implicit(ElementaryType::Int, ElementaryType::Dint, &statement);
-        let part = Statement {
+        let part = CaseStatement {
             case: &Arc::from("b::p(BYTE,8)"),
             ..statement
         };

@@ -6,7 +6,7 @@ use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Family, LiteralError, Value};
 
 /// The operands of one call.
-pub type Call = Vec<Value>;
+pub type CallOperands = Vec<Value>;
 
 /// The error for given values that are no operands of a function.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
@@ -34,7 +34,7 @@ pub enum ValueError {
 pub fn calls(
     texts: &[String],
     signatures: Vec<Signature>,
-) -> Result<Vec<(Signature, Vec<Call>)>, ValueError> {
+) -> Result<Vec<(Signature, Vec<CallOperands>)>, ValueError> {
     if texts.is_empty() {
         let with_inputs = |signature: Signature| {
             let inputs = inputs::boundaries(&signature);
@@ -54,7 +54,7 @@ pub fn calls(
             types,
         });
     }
-    let mut rows: Vec<(Signature, Vec<Call>)> = signatures
+    let mut rows: Vec<(Signature, Vec<CallOperands>)> = signatures
         .into_iter()
         .map(|signature| (signature, Vec::new()))
         .collect();
@@ -81,14 +81,14 @@ pub fn calls(
     Ok(rows)
 }
 
-fn read_all(call: &[String], signature: &Signature, bare_text: bool) -> Result<Call, String> {
+fn read_all(call: &[String], signature: &Signature, bare_text: bool) -> Result<CallOperands, String> {
     call.iter()
         .zip(&signature.operands)
         .map(|(text, ty)| read(text, *ty, bare_text))
         .collect()
 }
 
-fn misfit(call: &[String], rows: &[(Signature, Vec<Call>)], bare_text: bool) -> String {
+fn misfit(call: &[String], rows: &[(Signature, Vec<CallOperands>)], bare_text: bool) -> String {
     let texts = call.join(" ");
     match rows {
         [(signature, _)] => {

@@ -32,7 +32,7 @@ pub(super) enum Language {
 }
 
 /// The differences between the two languages.
-struct Words {
+struct TargetLanguage {
     name: &'static str,
     compiler: Dependency,
     options: &'static [&'static str],
@@ -45,9 +45,9 @@ struct Words {
 impl Language {
     /// Returns the properties of the language. Programs are built without optimisation, so that what C leaves undefined does
     /// what the machine does.
-    const fn words(self) -> Words {
+    const fn words(self) -> TargetLanguage {
         match self {
-            Language::C => Words {
+            Language::C => TargetLanguage {
                 name: "C",
                 compiler: CC,
                 options: &["-O0", "-w"],
@@ -56,7 +56,7 @@ impl Language {
                 driver: "driver.c",
                 libraries: &["-lm"],
             },
-            Language::Cpp => Words {
+            Language::Cpp => TargetLanguage {
                 name: "C++",
                 compiler: CXX,
                 options: &["-std=c++17", "-O0", "-w"],

@@ -21,7 +21,7 @@ use crate::{
     Ability, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction,
     RunRequest, Session,
 };
-use call::{Call, Execution, unsupported};
+use call::{DescribedCall, Execution, unsupported};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
 use regex_lite::Regex;
@@ -29,7 +29,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
-use template::{HERE, Placeholder, Template};
+use template::{CommandTemplate, HERE, Placeholder};
 use values::Printed;
 
 /// A compiler whose command line a table describes.
@@ -90,7 +90,7 @@ impl DescribedEngine {
             return Ok(None);
         };
         let folder = Folder::new()?;
-        let call = Call {
+        let call = DescribedCall {
             engine: self,
             folder: &folder,
             dialect: "",
@@ -111,7 +111,11 @@ impl DescribedEngine {
 }
 
 /// Returns the path of the program of a command; `None` for a program that a call itself makes.
-fn located(key: &'static str, template: &Template, here: &Path) -> Result<Option<FoundDependency>, String> {
+fn located(
+    key: &'static str,
+    template: &CommandTemplate,
+    here: &Path,
+) -> Result<Option<FoundDependency>, String> {
     let Some(program) = template.program(here) else {
         return Ok(None);
     };
@@ -309,13 +313,13 @@ impl DescribedSession<'_> {
         })
     }
 
-    fn call(&self, dialect: DialectName) -> Result<Call<'_>, Outcome> {
+    fn call(&self, dialect: DialectName) -> Result<DescribedCall<'_>, Outcome> {
         let word = self
             .engine
             .description
             .word(dialect)
             .ok_or_else(|| speaks_not(dialect))?;
-        Ok(Call {
+        Ok(DescribedCall {
             engine: self.engine,
             folder: &self.folder,
             dialect: word,
@@ -335,7 +339,7 @@ fn no_rendering() -> Outcome {
 ///
 /// # Errors
 /// [`Outcome::Unsupported`] where it cannot.
-fn takes_scans(run: &Template, request: &RunRequest<'_>) -> Result<(), Outcome> {
+fn takes_scans(run: &CommandTemplate, request: &RunRequest<'_>) -> Result<(), Outcome> {
     if !(request.clock.is_empty() && request.set.is_empty()) {
         return Err(unsupported(
             "its commands take neither a clock nor values between scans",

@@ -1,7 +1,7 @@
 //! Drivers: programs that run translated programs and print the observed values.
 
 use super::locate::{self, failed};
-use super::printed::{self, Kind};
+use super::printed::{self, PrintedKind};
 use crate::process::Folder;
 use crate::{NamedValue, Outcome, RunRequest};
 use std::fmt::Write;
@@ -14,7 +14,7 @@ pub(super) struct Driver<'r> {
     /// The programs that the driver runs, in order.
     pub(super) subjects: Vec<DrivenProgram<'r>>,
     /// Parses one printed value; returns `None` where the text is no such value.
-    pub(super) read: fn(&Kind<'_>, &str) -> Option<Value>,
+    pub(super) read: fn(&PrintedKind<'_>, &str) -> Option<Value>,
     /// The exit codes by which the driver reports faults.
     pub(super) faults: &'static [(i32, Fault)],
 }
@@ -24,7 +24,7 @@ pub(super) struct DrivenProgram<'r> {
     /// The request that the program answers.
     pub(super) request: RunRequest<'r>,
     /// The kind of each observed value, in the order of the observations.
-    pub(super) kinds: Vec<Kind<'r>>,
+    pub(super) kinds: Vec<PrintedKind<'r>>,
 }
 
 /// The time limit for one of several programs, in seconds, after which the program is run alone.

@@ -29,7 +29,7 @@ use readback::{ReadbackError, Readbacks, RunHints};
 pub(super) use reproduction::reproduce;
 use std::path::{Path, PathBuf};
 use stickler_types::{DialectName, Fault};
-use texts::Texts;
+use texts::ReadableTexts;
 
 const COMPILER: Dependency = Dependency {
     key: "ironplcc",
@@ -51,7 +51,7 @@ pub(super) struct Ironplc {
     identity: Identity,
     compiler: PathBuf,
     machine: PathBuf,
-    texts: Texts,
+    texts: ReadableTexts,
 }
 
 impl Ironplc {
@@ -77,7 +77,7 @@ impl Ironplc {
             identity,
             compiler,
             machine,
-            texts: Texts::default(),
+            texts: ReadableTexts::default(),
         })
     }
 }
@@ -199,10 +199,10 @@ impl IronplcSession<'_> {
             Scans { session, container }.execute(request.scans)
         });
         match alone {
-            Ok(Execution::Finished(_)) => failed(format!(
+            Ok(ExecutionEnd::Finished(_)) => failed(format!(
                 "its values cannot be read: the program runs to its end, and not with variables that copy them: {early}"
             )),
-            Ok(Execution::Faulted(..)) => early,
+            Ok(ExecutionEnd::Faulted(..)) => early,
             Err(outcome) => outcome,
         }
     }
@@ -270,7 +270,7 @@ enum RunResult {
 }
 
 /// The end of one execution.
-enum Execution {
+enum ExecutionEnd {
     /// All scans were made; holds the output.
     Finished(String),
     /// A fault came first; holds the fault and the output.
@@ -294,14 +294,14 @@ impl Scans<'_> {
                 _ => None,
             };
             match earlier.as_ref().unwrap_or(&last) {
-                Execution::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
+                ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
                     Ok(value) => values.push((asked.key().to_string(), value)),
                     Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
                     Err(ReadbackError::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
                     Err(ReadbackError::Failed(reason)) => return Err(failed(reason)),
                 },
                 // The probe variables hold the values from before the fault; values that only they would show are left out.
-                Execution::Faulted(_, text) => {
+                ExecutionEnd::Faulted(_, text) => {
                     values.extend(
                         readbacks
                             .simple(asked, &Dump::read(text))
@@ -311,8 +311,8 @@ impl Scans<'_> {
             }
         }
         Ok(RunResult::Done(match last {
-            Execution::Finished(_) => Outcome::Executed { values },
-            Execution::Faulted(fault, _) => Outcome::Faulted {
+            ExecutionEnd::Finished(_) => Outcome::Executed { values },
+            ExecutionEnd::Faulted(fault, _) => Outcome::Faulted {
                 fault,
                 line: None,
                 values,
@@ -320,7 +320,7 @@ impl Scans<'_> {
         }))
     }
 
-    fn execute(&self, scans: u32) -> Result<Execution, Outcome> {
+    fn execute(&self, scans: u32) -> Result<ExecutionEnd, Outcome> {
         let scans = scans.to_string();
         let container = self.container.as_os_str();
         let arguments = [
@@ -332,9 +332,9 @@ impl Scans<'_> {
         ];
         let ended = locate::execute(&self.session.engine.machine, &arguments, &self.session.folder)?;
         match ended.code()? {
-            0 => Ok(Execution::Finished(ended.stdout)),
+            0 => Ok(ExecutionEnd::Finished(ended.stdout)),
             1 => match fault(&ended.stderr) {
-                Some(fault) => Ok(Execution::Faulted(fault, ended.stdout)),
+                Some(fault) => Ok(ExecutionEnd::Faulted(fault, ended.stdout)),
                 None => Err(failed(format!(
                     "it stopped for a reason that no fault is named after: {}",
                     ended.stderr.trim()

@@ -23,7 +23,7 @@ use crate::{
     Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
     Session,
 };
-use driver::{Subject, driver};
+use driver::{MatiecSubject, driver};
 pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -208,7 +208,7 @@ impl MatiecSession<'_> {
             return Ok(Outcome::Accepted);
         };
         let probes = ProbeVariables::of(request);
-        let subject = Subject {
+        let subject = MatiecSubject {
             request: *request,
             probes: &probes,
             program: main.name.clone(),

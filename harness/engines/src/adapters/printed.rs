@@ -5,22 +5,22 @@ use crate::{NamedValue, Observation, RunRequest};
 use stickler_types::{ElementaryType, Family, Value};
 
 /// The kind of a printed value.
-pub(super) enum Kind<'r> {
+pub(super) enum PrintedKind<'r> {
     /// A value of an elementary type.
     Elementary(ElementaryType),
     /// The position of a value in the enumeration of this name, whose values are listed.
     Enumerated(&'r str, Vec<String>),
 }
 
-impl Kind<'_> {
+impl PrintedKind<'_> {
     /// Returns the value of an enumeration at this position, if there is one.
     pub(super) fn enumerated(&self, place: u64) -> Option<Value> {
         match self {
-            Kind::Enumerated(type_name, values) => {
+            PrintedKind::Enumerated(type_name, values) => {
                 let name = values.get(usize::try_from(place).ok()?)?;
                 Some(Value::enumerated(*type_name, name))
             }
-            Kind::Elementary(_) => None,
+            PrintedKind::Elementary(_) => None,
         }
     }
 }
@@ -32,7 +32,7 @@ impl Kind<'_> {
 pub(super) fn kinds<'r>(
     request: &RunRequest<'r>,
     has: fn(ElementaryType) -> bool,
-) -> Result<Vec<Kind<'r>>, String> {
+) -> Result<Vec<PrintedKind<'r>>, String> {
     let kind = |asked: &'r Observation| kind(asked, request.source, has);
     request.observe.iter().map(kind).collect()
 }
@@ -41,12 +41,12 @@ fn kind<'r>(
     asked: &'r Observation,
     source: &str,
     has: fn(ElementaryType) -> bool,
-) -> Result<Kind<'r>, String> {
+) -> Result<PrintedKind<'r>, String> {
     match ElementaryType::from_name(&asked.type_name) {
-        Some(ty) if has(ty) => Ok(Kind::Elementary(ty)),
+        Some(ty) if has(ty) => Ok(PrintedKind::Elementary(ty)),
         Some(ty) => Err(format!("it has no values of {ty}")),
         None => match enumeration(source, &asked.type_name) {
-            Some(values) => Ok(Kind::Enumerated(&asked.type_name, values)),
+            Some(values) => Ok(PrintedKind::Enumerated(&asked.type_name, values)),
             None if asked.type_name.is_empty() => Err(format!("the type of {} was not given", asked.name)),
             None => Err(format!("values of {} cannot be shown", asked.type_name)),
         },
@@ -60,8 +60,8 @@ fn kind<'r>(
 pub(super) fn values(
     printed: &str,
     request: &RunRequest<'_>,
-    kinds: &[Kind<'_>],
-    read: fn(&Kind<'_>, &str) -> Option<Value>,
+    kinds: &[PrintedKind<'_>],
+    read: fn(&PrintedKind<'_>, &str) -> Option<Value>,
 ) -> Result<Vec<NamedValue>, String> {
     let mut values: Vec<Option<Value>> = kinds.iter().map(|_| None).collect();
     for line in printed.lines() {

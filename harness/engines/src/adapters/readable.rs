@@ -3,13 +3,13 @@
 //! An adapter's own [driver](super::driver) prints the bits of values, for any number of programs at a time. A reproduction has
 //! the same calls in the same order, and prints what a person reads.
 
-use super::printed::Kind;
+use super::printed::PrintedKind;
 use crate::Observation;
 use std::fmt::Write;
 use stickler_types::ElementaryType;
 
 /// The C or C++ expression for an observed value.
-pub(super) enum Expression {
+pub(super) enum ReadableExpression {
     /// A number.
     Number(String),
     /// A structure of seconds and nanoseconds.
@@ -58,33 +58,33 @@ pub(super) fn functions(statements: &str) -> String {
 }
 
 /// Returns the statement that prints an observed value.
-pub(super) fn statement(asked: &Observation, kind: &Kind<'_>, value: &Expression) -> String {
+pub(super) fn statement(asked: &Observation, kind: &PrintedKind<'_>, value: &ReadableExpression) -> String {
     let name = asked.key().to_string().replace('\\', "\\\\").replace('"', "\\\"");
     let format = name.replace('%', "%%");
     match (kind, value) {
-        (_, Expression::Text { condition, unit }) => format!(
+        (_, ReadableExpression::Text { condition, unit }) => format!(
             "printf(\"{format} = '\"); for (unsigned at = 0; {condition}; at++) print_character({unit}); printf(\"'\\n\");"
         ),
-        (Kind::Elementary(ty), Expression::Timespec(value)) if ty.is_duration() => format!(
+        (PrintedKind::Elementary(ty), ReadableExpression::Timespec(value)) if ty.is_duration() => format!(
             "printf(\"{format} = %lld s + %lld ns\\n\", (long long){value}.tv_sec, (long long){value}.tv_nsec);"
         ),
-        (Kind::Elementary(ty), Expression::Nanoseconds(value)) if ty.is_duration() => {
+        (PrintedKind::Elementary(ty), ReadableExpression::Nanoseconds(value)) if ty.is_duration() => {
             format!("printf(\"{format} = %lld ns\\n\", (long long){value});")
         }
-        (Kind::Elementary(ty), Expression::Timespec(value)) => {
+        (PrintedKind::Elementary(ty), ReadableExpression::Timespec(value)) => {
             format!(
                 "print_date(\"{name}\", \"{}\", {value}.tv_sec, {value}.tv_nsec);",
                 date(*ty)
             )
         }
-        (Kind::Elementary(ty), Expression::Nanoseconds(value)) => format!(
+        (PrintedKind::Elementary(ty), ReadableExpression::Nanoseconds(value)) => format!(
             "print_date(\"{name}\", \"{}\", {value} / 1000000000, {value} % 1000000000);",
             date(*ty)
         ),
-        (Kind::Elementary(ty), Expression::Days(value)) => {
+        (PrintedKind::Elementary(ty), ReadableExpression::Days(value)) => {
             format!("print_date(\"{name}\", \"{}\", {value} * 86400LL, 0);", date(*ty))
         }
-        (Kind::Enumerated(_, values), value) => {
+        (PrintedKind::Enumerated(_, values), value) => {
             let numbered = values.iter().enumerate();
             let numbered: Vec<String> = numbered
                 .map(|(number, value)| format!("{number} {value}"))
@@ -95,21 +95,21 @@ pub(super) fn statement(asked: &Observation, kind: &Kind<'_>, value: &Expression
                 numbered.join(", ")
             )
         }
-        (Kind::Elementary(ty), value) => {
+        (PrintedKind::Elementary(ty), value) => {
             let (form, cast) = number(*ty);
             format!("printf(\"{format} = {form}\\n\", ({cast}){});", value.number())
         }
     }
 }
 
-impl Expression {
+impl ReadableExpression {
     fn number(&self) -> &str {
         match self {
-            Expression::Number(value)
-            | Expression::Timespec(value)
-            | Expression::Nanoseconds(value)
-            | Expression::Days(value)
-            | Expression::Text { unit: value, .. } => value,
+            ReadableExpression::Number(value)
+            | ReadableExpression::Timespec(value)
+            | ReadableExpression::Nanoseconds(value)
+            | ReadableExpression::Days(value)
+            | ReadableExpression::Text { unit: value, .. } => value,
         }
     }
 }
@@ -141,7 +141,7 @@ fn date(ty: ElementaryType) -> &'static str {
 }
 
 /// The function `main` of a driver.
-pub(super) struct Main {
+pub(super) struct DriverMain {
     /// The number of scans.
     pub(super) scans: u32,
     /// The statements before the first scan.
@@ -154,7 +154,7 @@ pub(super) struct Main {
     pub(super) after: Vec<(Option<u32>, String)>,
 }
 
-impl Main {
+impl DriverMain {
     /// Returns the text of the function, without a loop where there is nothing to repeat.
     pub(super) fn text(&self) -> String {
         let mut text = "int main(void) {\n".to_owned();

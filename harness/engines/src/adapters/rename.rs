@@ -3,7 +3,7 @@
 //! Every name that a program declares for all of its text (program organization units, types and the values of enumerations)
 //! gets a suffix wherever it occurs. No line moves, and columns can be translated back.
 
-use super::source::{Token, tokens, words};
+use super::source::{SourceToken, tokens, words};
 use crate::Diagnostic;
 use std::collections::HashSet;
 use std::path::Path;
@@ -33,7 +33,7 @@ const BLOCKS: &[&str] = &["STRUCT", "IF", "CASE", "FOR", "WHILE", "REPEAT"];
 /// `taken`, by the language or by the library of a compiler.
 #[must_use]
 pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
-    let mut reader = Reader::default();
+    let mut reader = ProgramReader::default();
     for token in tokens(source) {
         reader.read(token)?;
     }
@@ -43,7 +43,7 @@ pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>
 
 /// The state of reading a program.
 #[derive(Default)]
-struct Reader {
+struct ProgramReader {
     /// The units and blocks that have not ended, in capitals.
     open: Vec<String>,
     names: HashSet<String>,
@@ -70,14 +70,14 @@ enum Last {
     Other,
 }
 
-impl Reader {
+impl ProgramReader {
     /// Reads the next token; `None` where the program cannot stand among others.
-    fn read(&mut self, token: Token<'_>) -> Option<()> {
+    fn read(&mut self, token: SourceToken<'_>) -> Option<()> {
         let last = std::mem::replace(&mut self.last, Last::Other);
         match token {
-            Token::Unfinished | Token::Pragma | Token::Sign(b'%') => return None,
-            Token::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
-            Token::Sign(b':') => {
+            SourceToken::Unfinished | SourceToken::Pragma | SourceToken::Sign(b'%') => return None,
+            SourceToken::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
+            SourceToken::Sign(b':') => {
                 // The name of a type stands before a colon, unlike that of a field; the name of another type stands before an
                 // assignment.
                 let named = last == Last::Word && self.first;
@@ -86,10 +86,10 @@ impl Reader {
                 }
                 self.last = Last::Colon;
             }
-            Token::Sign(b'(') => self.in_list |= last == Last::Colon,
-            Token::Sign(b')') => self.in_list = false,
-            Token::Sign(b';') => self.last = Last::Start,
-            Token::Sign(_) => {}
+            SourceToken::Sign(b'(') => self.in_list |= last == Last::Colon,
+            SourceToken::Sign(b')') => self.in_list = false,
+            SourceToken::Sign(b';') => self.last = Last::Start,
+            SourceToken::Sign(_) => {}
         }
         Some(())
     }

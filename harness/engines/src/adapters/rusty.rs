@@ -22,9 +22,9 @@ use crate::{
     Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
     Session,
 };
-use diagnostics::{About, Found, Reader};
+use diagnostics::{ErrorPart, LocatedDiagnostic, OutputParser};
 use driver::{HEADER, driver, functions};
-use program::Program;
+use program::PackedProgram;
 pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -61,7 +61,7 @@ pub(super) struct Rusty {
     declarations: PathBuf,
     library: PathBuf,
     builder: Builder,
-    reader: Reader,
+    reader: OutputParser,
     /// The names that programs in a pack must not declare; read when first needed.
     taken: OnceLock<HashSet<String>>,
 }
@@ -99,7 +99,7 @@ impl Rusty {
             declarations,
             library,
             builder,
-            reader: Reader::new()?,
+            reader: OutputParser::new()?,
             taken: OnceLock::new(),
         })
     }
@@ -281,12 +281,12 @@ const FUNCTIONS: &str = "stickler.st";
 impl RustySession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(request.dialect)?;
-        let Some(program) = Program::alone(request) else {
+        let Some(program) = PackedProgram::alone(request) else {
             self.accepts(&OBJECT, request.source)?;
             return Ok(Outcome::Accepted);
         };
         let subjects = [program.subject()];
-        let driver = driver(&subjects, &Program::file_of(program.place))
+        let driver = driver(&subjects, &PackedProgram::file_of(program.place))
             .map_err(|reason| Outcome::Unsupported { reason })?;
         let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
         if !found.is_empty() {
@@ -297,9 +297,9 @@ impl RustySession<'_> {
     }
 
     /// Returns the outcome of the errors about the only program that was compiled.
-    fn refused(&self, program: &Program<'_>, found: Vec<Found>) -> Outcome {
-        let own = |(about, _): &Found| matches!(about, About::Program(_));
-        let shows = |(about, _): &Found| matches!(about, About::Functions(_));
+    fn refused(&self, program: &PackedProgram<'_>, found: Vec<LocatedDiagnostic>) -> Outcome {
+        let own = |(about, _): &LocatedDiagnostic| matches!(about, ErrorPart::Program(_));
+        let shows = |(about, _): &LocatedDiagnostic| matches!(about, ErrorPart::Functions(_));
         if found.iter().any(own) {
             let own = found.into_iter().filter(own);
             return diagnostics::rejected(own.map(|(_, diagnostic)| program.original(diagnostic)));
@@ -321,7 +321,7 @@ impl RustySession<'_> {
 
     /// Checks whether the compiler accepts a program as it is.
     fn accepts(&self, options: &[&str], source: &str) -> Result<(), Outcome> {
-        let file = Program::file_of(0);
+        let file = PackedProgram::file_of(0);
         self.folder.write(&file, source).map_err(failed)?;
         let found = self.call(&[file], options)?;
         match found.is_empty() {
@@ -334,10 +334,14 @@ impl RustySession<'_> {
 
     /// Compiles programs and the functions that show their values to an object file, unless there are errors. Returns the
     /// errors.
-    fn compile(&self, programs: &[Program<'_>], functions: &str) -> Result<Vec<Found>, Outcome> {
+    fn compile(
+        &self,
+        programs: &[PackedProgram<'_>],
+        functions: &str,
+    ) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let mut files = Vec::with_capacity(programs.len() + 1);
         for program in programs {
-            let file = Program::file_of(program.place);
+            let file = PackedProgram::file_of(program.place);
             self.folder.write(&file, program.text()).map_err(failed)?;
             files.push(file);
         }
@@ -347,7 +351,7 @@ impl RustySession<'_> {
     }
 
     /// Calls the compiler and returns its errors.
-    fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<Found>, Outcome> {
+    fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let mut declarations = self.engine.declarations.clone();
         declarations.push("*.st");
         let mut arguments: Vec<OsString> = files.iter().map(OsString::from).collect();

@@ -29,7 +29,7 @@ impl Word<'_> {
 
 /// A token of a program; comments are none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Token<'s> {
+pub enum SourceToken<'s> {
     /// A keyword or a name.
     Word(Word<'s>),
     /// Any other character; for a number its first digit, for a text its first quote.
@@ -55,15 +55,15 @@ pub fn tokens(source: &str) -> Tokens<'_> {
 /// Returns the words of a program, in order.
 pub(super) fn words(source: &str) -> impl Iterator<Item = Word<'_>> {
     tokens(source).filter_map(|token| match token {
-        Token::Word(word) => Some(word),
-        Token::Sign(_) | Token::Pragma | Token::Unfinished => None,
+        SourceToken::Word(word) => Some(word),
+        SourceToken::Sign(_) | SourceToken::Pragma | SourceToken::Unfinished => None,
     })
 }
 
 impl<'s> Iterator for Tokens<'s> {
-    type Item = Token<'s>;
+    type Item = SourceToken<'s>;
 
-    fn next(&mut self) -> Option<Token<'s>> {
+    fn next(&mut self) -> Option<SourceToken<'s>> {
         let bytes = self.source.as_bytes();
         while let Some(&byte) = bytes.get(self.at) {
             let rest = &bytes[self.at..];
@@ -73,19 +73,19 @@ impl<'s> Iterator for Tokens<'s> {
                 b'/' if rest.starts_with(b"/*") => skipped(rest, enclosed(rest, 2, b"*/"), None),
                 // The end of the text ends it as well.
                 b'/' if rest.starts_with(b"//") => (enclosed(rest, 2, b"\n").unwrap_or(rest.len()), None),
-                b'{' => skipped(rest, enclosed(rest, 1, b"}"), Some(Token::Pragma)),
-                b'\'' | b'"' => skipped(rest, quoted(rest, byte), Some(Token::Sign(byte))),
+                b'{' => skipped(rest, enclosed(rest, 1, b"}"), Some(SourceToken::Pragma)),
+                b'\'' | b'"' => skipped(rest, quoted(rest, byte), Some(SourceToken::Sign(byte))),
                 b'0'..=b'9' => {
                     let length = length(rest, |byte| is_of_a_word(byte) || byte == b'#');
-                    (length, Some(Token::Sign(byte)))
+                    (length, Some(SourceToken::Sign(byte)))
                 }
                 byte if is_of_a_word(byte) => {
                     let length = length(rest, is_of_a_word);
                     let text = &self.source[at..at + length];
-                    (length, Some(Token::Word(Word { text, at })))
+                    (length, Some(SourceToken::Word(Word { text, at })))
                 }
                 byte if byte.is_ascii_whitespace() => (1, None),
-                byte => (1, Some(Token::Sign(byte))),
+                byte => (1, Some(SourceToken::Sign(byte))),
             };
             self.at += length;
             if token.is_some() {
@@ -97,11 +97,15 @@ impl<'s> Iterator for Tokens<'s> {
 }
 
 /// Returns the length of a construct and its token; where the construct does not end, the rest of the text and
-/// [`Token::Unfinished`].
-fn skipped<'s>(rest: &[u8], length: Option<usize>, token: Option<Token<'s>>) -> (usize, Option<Token<'s>>) {
+/// [`SourceToken::Unfinished`].
+fn skipped<'s>(
+    rest: &[u8],
+    length: Option<usize>,
+    token: Option<SourceToken<'s>>,
+) -> (usize, Option<SourceToken<'s>>) {
     match length {
         Some(length) => (length, token),
-        None => (rest.len(), Some(Token::Unfinished)),
+        None => (rest.len(), Some(SourceToken::Unfinished)),
     }
 }
 
@@ -254,20 +258,20 @@ mod tests {
         let found: Vec<&str> = words(source).map(|word| word.text).collect();
         assert_eq!(found, ["a", "h2", "T"]);
         for unfinished in ["'open", "(*", "{", "'$", "/*", "\"$"] {
-            assert!(tokens(unfinished).eq([Token::Unfinished]), "{unfinished}");
+            assert!(tokens(unfinished).eq([SourceToken::Unfinished]), "{unfinished}");
         }
         assert_eq!(tokens("// the end").count(), 0);
     }
 
     #[test]
     fn signs_stand_between_words() {
-        let found: Vec<Token<'_>> = tokens("a:=5;{p}'t'").collect();
+        let found: Vec<SourceToken<'_>> = tokens("a:=5;{p}'t'").collect();
         let word = Word { text: "a", at: 0 };
-        let signs = [b':', b'=', b'5', b';'].map(Token::Sign);
+        let signs = [b':', b'=', b'5', b';'].map(SourceToken::Sign);
         let expected = [
-            &[Token::Word(word)],
+            &[SourceToken::Word(word)],
             &signs[..],
-            &[Token::Pragma, Token::Sign(b'\'')],
+            &[SourceToken::Pragma, SourceToken::Sign(b'\'')],
         ]
         .concat();
         assert_eq!(found, expected);

@@ -21,7 +21,7 @@ use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
     RunRequest, Session,
 };
-use driver::{HEADER, Subject, driver};
+use driver::{HEADER, StrucppSubject, driver};
 pub(super) use reproduction::reproduce;
 use serde::Deserialize;
 use std::collections::HashSet;
@@ -291,8 +291,8 @@ impl TranslatorError {
 }
 
 /// A program that was accepted, and the values that its driver observes.
-struct Accepted<'r> {
-    subject: Subject<'r>,
+struct AcceptedProgram<'r> {
+    subject: StrucppSubject<'r>,
     translated: Translated,
 }
 
@@ -308,7 +308,7 @@ impl StrucppSession<'_> {
     ///
     /// # Errors
     /// The outcome of a program that is not accepted.
-    fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<Option<Accepted<'r>>, Outcome> {
+    fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<Option<AcceptedProgram<'r>>, Outcome> {
         let Some(main) = main_program(request.source) else {
             self.translate(request.source)?;
             return Ok(None);
@@ -316,16 +316,16 @@ impl StrucppSession<'_> {
         driver::kinds(request).map_err(|reason| Outcome::Unsupported { reason })?;
         let probes = ProbeVariables::of(request);
         let translated = translate_with(request, &main, probes.list(), |text| self.translate(text))?;
-        let subject = Subject {
+        let subject = StrucppSubject {
             request: *request,
             probes,
             program: main.name,
         };
-        Ok(Some(Accepted { subject, translated }))
+        Ok(Some(AcceptedProgram { subject, translated }))
     }
 
     /// Builds and runs a program that was accepted.
-    fn build_and_run(&self, accepted: &Accepted<'_>) -> Result<Outcome, Outcome> {
+    fn build_and_run(&self, accepted: &AcceptedProgram<'_>) -> Result<Outcome, Outcome> {
         let write = |name: &str, text: &str| self.folder.write(name, text).map(drop).map_err(failed);
         write("program.cpp", &accepted.translated.program)?;
         write("generated.hpp", &accepted.translated.header)?;

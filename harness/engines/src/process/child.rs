@@ -1,7 +1,7 @@
 //! A process that speaks the wire protocol: its start, its end, and the last lines that it wrote to stderr.
 
 use super::command_line::CommandLine;
-use super::group::{Group, Pipes, lock};
+use super::group::{Pipes, ProcessGroup, lock};
 use super::usage::Watch;
 use std::borrow::Cow;
 use std::collections::VecDeque;
@@ -24,7 +24,7 @@ const MAX_STDERR_LINES: usize = 8;
 
 /// A running process with all that it starts. Dropping it kills them all.
 pub(super) struct Child {
-    group: Group,
+    group: ProcessGroup,
     usage: Watch,
     stderr: Tail,
 }
@@ -35,7 +35,7 @@ impl Child {
     /// # Errors
     /// A fragment that says why there is no process.
     pub(super) fn start(command: &CommandLine) -> Result<(Child, ChildStdin, ChildStdout), String> {
-        let (group, pipes) = Group::start(OsStr::new(&command.program), |start| {
+        let (group, pipes) = ProcessGroup::start(OsStr::new(&command.program), |start| {
             start
                 .args(&command.arguments)
                 .stdin(Stdio::piped())

@@ -10,10 +10,10 @@ use std::thread;
 use std::time::Instant;
 
 /// A process with all that belongs to it. A thread that waits for its end holds the lock only while it checks.
-type Shared = Mutex<Box<dyn ChildWrapper>>;
+type SharedProcess = Mutex<Box<dyn ChildWrapper>>;
 
 /// Every process that was started and has not been let go.
-static ALIVE: Mutex<Vec<Weak<Shared>>> = Mutex::new(Vec::new());
+static ALIVE: Mutex<Vec<Weak<SharedProcess>>> = Mutex::new(Vec::new());
 
 /// The state of the program's end. A thread that starts a process holds this until the process is among [`ALIVE`], so that
 /// [`kill_all`] misses none.
@@ -72,8 +72,8 @@ pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
 }
 
 /// A running process with all that it starts. Dropping it kills them all.
-pub(super) struct Group {
-    wrapped: Arc<Shared>,
+pub(super) struct ProcessGroup {
+    wrapped: Arc<SharedProcess>,
     /// Whether the group was killed already, after which its number may belong to another.
     killed: bool,
 }
@@ -85,7 +85,7 @@ pub(super) struct Pipes {
     pub(super) stderr: Option<ChildStderr>,
 }
 
-impl Group {
+impl ProcessGroup {
     /// Starts a process as the leader of a group (on Windows: in a job) of its own.
     ///
     /// # Errors
@@ -93,7 +93,7 @@ impl Group {
     pub(super) fn start(
         program: &OsStr,
         prepare: impl FnOnce(&mut Command),
-    ) -> Result<(Group, Pipes), String> {
+    ) -> Result<(ProcessGroup, Pipes), String> {
         let ending = goes_on();
         if *ending == Ending::Processes {
             return Err("the run stops".to_owned());
@@ -118,7 +118,7 @@ impl Group {
         alive.push(Arc::downgrade(&wrapped));
         drop(alive);
         drop(ending);
-        let group = Group {
+        let group = ProcessGroup {
             wrapped,
             killed: false,
         };
@@ -166,7 +166,7 @@ impl Group {
     }
 }
 
-impl Drop for Group {
+impl Drop for ProcessGroup {
     fn drop(&mut self) {
         self.kill();
     }

@@ -3,7 +3,7 @@
 mod output;
 
 use super::child::last_lines;
-use super::group::Group;
+use super::group::ProcessGroup;
 use super::usage::Watch;
 use crate::Outcome;
 use output::{Output, Waited};
@@ -119,7 +119,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     prepare: impl FnOnce(&mut Command),
 ) -> Result<Ended, Outcome> {
     let deadline = Instant::now() + limits.time;
-    let (mut group, pipes) = Group::start(program.as_os_str(), |start| {
+    let (mut group, pipes) = ProcessGroup::start(program.as_os_str(), |start| {
         start
             .args(arguments)
             .current_dir(folder)
@@ -148,7 +148,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
 
 /// Waits for the end of both streams, and checks the limits of the process meanwhile.
 fn watch(
-    group: &mut Group,
+    group: &mut ProcessGroup,
     output: &mut Output,
     usage: &mut Watch,
     deadline: Instant,
@@ -199,7 +199,7 @@ fn flooded(limits: &ToolLimits) -> Outcome {
     }
 }
 
-fn within(group: &Group, usage: &mut Watch, limits: &ToolLimits) -> Result<(), Outcome> {
+fn within(group: &ProcessGroup, usage: &mut Watch, limits: &ToolLimits) -> Result<(), Outcome> {
     let crashed = |reason: String| Err(Outcome::Crashed { reason });
     match usage.look(group.number()) {
         Some(usage) if usage.memory > limits.memory => {
@@ -215,7 +215,7 @@ fn within(group: &Group, usage: &mut Watch, limits: &ToolLimits) -> Result<(), O
 
 /// Waits for the end of a process that has closed its output, and checks its limits meanwhile.
 fn end(
-    group: &mut Group,
+    group: &mut ProcessGroup,
     usage: &mut Watch,
     deadline: Instant,
     limits: &ToolLimits,

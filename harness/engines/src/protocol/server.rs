@@ -26,21 +26,21 @@ fn serve_lines(
     loop {
         let answer = match next_line(&mut input, &mut buffer, limit)? {
             Line::End => return Ok(()),
-            Line::TooLong => Answer::Reply(Reply::error(
+            Line::TooLong => ServerAnswer::Reply(Reply::error(
                 None,
                 format!("the line is longer than {limit} bytes"),
             )),
             Line::Whole => answer(&mut session, &buffer)?,
         };
         match answer {
-            Answer::Nothing => {}
-            Answer::Farewell => return Ok(()),
-            Answer::Reply(reply) => send(&mut output, &reply)?,
+            ServerAnswer::Nothing => {}
+            ServerAnswer::Farewell => return Ok(()),
+            ServerAnswer::Reply(reply) => send(&mut output, &reply)?,
         }
     }
 }
 
-enum Answer {
+enum ServerAnswer {
     Nothing,
     Farewell,
     Reply(Reply),
@@ -50,16 +50,16 @@ enum Answer {
 ///
 /// # Errors
 /// An error where the engine crashed over an earlier line and no session can be opened any more.
-fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<Answer> {
+fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<ServerAnswer> {
     // Some shells put a byte-order mark in front of what they pipe.
     let line = line.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(line).trim_ascii();
     if line.is_empty() {
-        return Ok(Answer::Nothing);
+        return Ok(ServerAnswer::Nothing);
     }
     let (id, outcome) = match serde_json::from_slice::<Request>(line) {
-        Ok(Request::Bye) => return Ok(Answer::Farewell),
+        Ok(Request::Bye) => return Ok(ServerAnswer::Farewell),
         Ok(Request::Hello(request)) => {
-            return Ok(Answer::Reply(answer::hello(
+            return Ok(ServerAnswer::Reply(answer::hello(
                 session.engine().identity(),
                 &request,
             )));
@@ -74,14 +74,17 @@ fn answer(session: &mut EngineSession<'_>, line: &[u8]) -> io::Result<Answer> {
             answer::program(&request, |dialect, source| session.render(dialect, source)),
         ),
         Err(error) => {
-            return Ok(Answer::Reply(Reply::error(readable_id(line), error.to_string())));
+            return Ok(ServerAnswer::Reply(Reply::error(
+                readable_id(line),
+                error.to_string(),
+            )));
         }
     };
     let outcome = match outcome {
         Ok(outcome) => outcome.map_err(io::Error::other)?,
         Err(message) => Outcome::Error { message },
     };
-    Ok(Answer::Reply(Reply::from_outcome(id, outcome)))
+    Ok(ServerAnswer::Reply(Reply::from_outcome(id, outcome)))
 }
 
 fn send(output: &mut impl Write, reply: &Reply) -> io::Result<()> {

@@ -1,7 +1,7 @@
 //! Judges one reply of an adapter: first against the protocol, as strictly as its schema, and then against the expected answer.
 
 use super::CheckVerdict;
-use super::smoke::Expect;
+use super::smoke::SmokeExpectation;
 use crate::process::excerpt;
 use crate::protocol::Reply;
 use crate::{Diagnostic, Grade};
@@ -74,7 +74,7 @@ fn compare(line: &Json, known: &Json, further: &mut Vec<String>) {
 /// rejections, and `types` gives the type of each observed value by its key.
 pub(super) fn judge(
     reply: &Reply,
-    expect: &Expect,
+    expect: &SmokeExpectation,
     verb: &str,
     grade: Grade,
     types: &[(String, &str)],
@@ -82,10 +82,9 @@ pub(super) fn judge(
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
     let wrong = |words: String| (CheckVerdict::Wrong, Some(words));
     match (expect, reply) {
-        (Expect::Refused, Reply::Error(_) | Reply::Unsupported(_)) | (Expect::Error, Reply::Error(_)) => {
-            (CheckVerdict::Right, None)
-        }
-        (Expect::Error, other) => broken(format!("it is answered by `{}`", other.word())),
+        (SmokeExpectation::Refused, Reply::Error(_) | Reply::Unsupported(_))
+        | (SmokeExpectation::Error, Reply::Error(_)) => (CheckVerdict::Right, None),
+        (SmokeExpectation::Error, other) => broken(format!("it is answered by `{}`", other.word())),
         (_, Reply::Unsupported(reply)) => (
             CheckVerdict::Skipped,
             Some(format!("not supported: {}", reply.reason)),
@@ -94,11 +93,12 @@ pub(super) fn judge(
             "it answers a sound request by an error: {}",
             reply.message
         )),
-        (Expect::Accepted, Reply::Accepted(_)) | (Expect::Rendered, Reply::Rendered(_)) => {
-            (CheckVerdict::Right, None)
+        (SmokeExpectation::Accepted, Reply::Accepted(_))
+        | (SmokeExpectation::Rendered, Reply::Rendered(_)) => (CheckVerdict::Right, None),
+        (SmokeExpectation::Rejected(line), Reply::Rejected(reply)) => {
+            rejected(&reply.diagnostics, *line, grade)
         }
-        (Expect::Rejected(line), Reply::Rejected(reply)) => rejected(&reply.diagnostics, *line, grade),
-        (Expect::Values(expected), Reply::Executed(reply)) => {
+        (SmokeExpectation::Values(expected), Reply::Executed(reply)) => {
             for (key, literal) in *expected {
                 let ty = types
                     .iter()
@@ -111,20 +111,23 @@ pub(super) fn judge(
             }
             (CheckVerdict::Right, None)
         }
-        (Expect::Rejected(_), Reply::Accepted(_) | Reply::Executed(_)) => {
+        (SmokeExpectation::Rejected(_), Reply::Accepted(_) | Reply::Executed(_)) => {
             wrong("the program is accepted, and must be rejected".to_owned())
         }
-        (Expect::Refused, Reply::Executed(_) | Reply::Accepted(_)) => {
+        (SmokeExpectation::Refused, Reply::Executed(_) | Reply::Accepted(_)) => {
             broken(format!("it is answered by `{}`", reply.word()))
         }
-        (Expect::Values(_), Reply::Accepted(_)) => {
+        (SmokeExpectation::Values(_), Reply::Accepted(_)) => {
             broken("it says that it can `execute`, and answers `run` by `accepted`".to_owned())
         }
-        (Expect::Values(_), Reply::Faulted(reply)) => {
+        (SmokeExpectation::Values(_), Reply::Faulted(reply)) => {
             wrong(format!("the program stops with the fault {}", reply.fault))
         }
         (
-            Expect::Accepted | Expect::Values(_) | Expect::Rendered | Expect::Refused,
+            SmokeExpectation::Accepted
+            | SmokeExpectation::Values(_)
+            | SmokeExpectation::Rendered
+            | SmokeExpectation::Refused,
             Reply::Rejected(reply),
         ) => {
             let first = reply

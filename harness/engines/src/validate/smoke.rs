@@ -10,7 +10,7 @@ pub(super) struct Question {
     /// The rule that must hold, as a sentence without its full stop.
     pub(super) rule: &'static str,
     pub(super) ask: Ask,
-    pub(super) expect: Expect,
+    pub(super) expect: SmokeExpectation,
 }
 
 /// The request of a question.
@@ -19,7 +19,7 @@ pub(super) enum Ask {
     Run {
         source: &'static str,
         scans: u32,
-        observe: &'static [Observed],
+        observe: &'static [SmokeVariable],
     },
     Render(&'static str),
     /// A check in a dialect that nobody speaks.
@@ -31,10 +31,10 @@ pub(super) enum Ask {
 }
 
 /// An observed variable: its name, its type, and the scan after which it is observed.
-pub(super) type Observed = (&'static str, &'static str, Option<u32>);
+pub(super) type SmokeVariable = (&'static str, &'static str, Option<u32>);
 
 /// The answer that must come back.
-pub(super) enum Expect {
+pub(super) enum SmokeExpectation {
     Accepted,
     /// A rejection; where a line is given, a diagnostic that names a line must name this one.
     Rejected(Option<u32>),
@@ -70,29 +70,29 @@ pub(super) const QUESTIONS: &[Question] = &[
     Question {
         rule: "`check` of a plain program is answered by `accepted`",
         ask: Ask::Check(PLAIN),
-        expect: Expect::Accepted,
+        expect: SmokeExpectation::Accepted,
     },
     Question {
         rule: "a variable that is not declared is rejected, on its line",
         ask: Ask::Check(UNDECLARED),
-        expect: Expect::Rejected(Some(5)),
+        expect: SmokeExpectation::Rejected(Some(5)),
     },
     Question {
         rule: "a statement that is not finished is rejected",
         ask: Ask::Check("PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := ;\nEND_PROGRAM\n"),
-        expect: Expect::Rejected(None),
+        expect: SmokeExpectation::Rejected(None),
     },
     Question {
         rule: "comments may have any characters, and none of them moves a line",
         ask: Ask::Check(
             "(* ä € 𝄞 \"quotes\" \\backslash *)\nPROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := unknown;\nEND_PROGRAM\n",
         ),
-        expect: Expect::Rejected(Some(6)),
+        expect: SmokeExpectation::Rejected(Some(6)),
     },
     Question {
         rule: "a program after a rejected one is accepted",
         ask: Ask::Check(PLAIN),
-        expect: Expect::Accepted,
+        expect: SmokeExpectation::Accepted,
     },
     Question {
         rule: "`run` gives the value of a sum",
@@ -101,7 +101,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("x", "INT", None)],
         },
-        expect: Expect::Values(&[("x", "INT#5")]),
+        expect: SmokeExpectation::Values(&[("x", "INT#5")]),
     },
     Question {
         rule: "`run` gives values of every kind, as typed literals",
@@ -117,7 +117,7 @@ pub(super) const QUESTIONS: &[Question] = &[
                 ("pause", "TIME", None),
             ],
         },
-        expect: Expect::Values(&[
+        expect: SmokeExpectation::Values(&[
             ("yes", "BOOL#FALSE"),
             ("below", "DINT#-100000"),
             ("bits", "WORD#16#00FF"),
@@ -132,7 +132,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("s", "STRING", None)],
         },
-        expect: Expect::Values(&[("s", "STRING#'it$'s  so'")]),
+        expect: SmokeExpectation::Values(&[("s", "STRING#'it$'s  so'")]),
     },
     Question {
         rule: "an element of an array is observed by its path",
@@ -141,7 +141,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("a[2]", "INT", None), ("a[3]", "INT", None)],
         },
-        expect: Expect::Values(&[("a[2]", "INT#7"), ("a[3]", "INT#0")]),
+        expect: SmokeExpectation::Values(&[("a[2]", "INT#7"), ("a[3]", "INT#0")]),
     },
     Question {
         rule: "a variable keeps its value from scan to scan, and can be looked at after each",
@@ -150,7 +150,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 3,
             observe: &[("n", "INT", None), ("n", "INT", Some(1))],
         },
-        expect: Expect::Values(&[("n", "INT#3"), ("n@1", "INT#1")]),
+        expect: SmokeExpectation::Values(&[("n", "INT#3"), ("n@1", "INT#1")]),
     },
     Question {
         rule: "`run` starts each program anew",
@@ -159,7 +159,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("n", "INT", None)],
         },
-        expect: Expect::Values(&[("n", "INT#1")]),
+        expect: SmokeExpectation::Values(&[("n", "INT#1")]),
     },
     Question {
         rule: "`run` of a program that must be rejected is answered by `rejected`",
@@ -168,7 +168,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("x", "INT", None)],
         },
-        expect: Expect::Rejected(Some(5)),
+        expect: SmokeExpectation::Rejected(Some(5)),
     },
     Question {
         rule: "a variable that is not there is refused, and no value is made up",
@@ -177,36 +177,36 @@ pub(super) const QUESTIONS: &[Question] = &[
             scans: 1,
             observe: &[("nothing", "INT", None)],
         },
-        expect: Expect::Refused,
+        expect: SmokeExpectation::Refused,
     },
     Question {
         rule: "`render` of a plain program is answered by `rendered`",
         ask: Ask::Render(PLAIN),
-        expect: Expect::Rendered,
+        expect: SmokeExpectation::Rendered,
     },
     Question {
         rule: "a dialect that it does not speak is refused, and its `id` repeated",
         ask: Ask::NoDialect,
-        expect: Expect::Refused,
+        expect: SmokeExpectation::Refused,
     },
     Question {
         rule: "a key that it does not know is passed over",
         ask: Ask::FurtherKey,
-        expect: Expect::Accepted,
+        expect: SmokeExpectation::Accepted,
     },
     Question {
         rule: "a line that is no JSON is answered by `error`",
         ask: Ask::Line("this is no request"),
-        expect: Expect::Error,
+        expect: SmokeExpectation::Error,
     },
     Question {
         rule: "a request of no known type is answered by `error`",
         ask: Ask::Line("{\"type\":\"sing\",\"id\":1000000}"),
-        expect: Expect::Error,
+        expect: SmokeExpectation::Error,
     },
     Question {
         rule: "after such lines it lives on and answers the next request",
         ask: Ask::Check(PLAIN),
-        expect: Expect::Accepted,
+        expect: SmokeExpectation::Accepted,
     },
 ];

@@ -5,7 +5,7 @@
 //! definition or by a document: REAL#127.5 to SINT with `rounding = "half-to-even"` is 128, which is out of range, and
 //! neither IronPLC nor such a definition states the result.
 
-use super::{Call, Rules};
+use super::{Rules, UnaryCall};
 use crate::signature::Operation;
 use crate::value::value;
 use stickler_types::{
@@ -15,7 +15,7 @@ use stickler_types::{
 
 /// A choice that a definition may make.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Key {
+enum StatedKey {
     Rounding,
     OutOfRange,
     TextReading,
@@ -23,15 +23,15 @@ enum Key {
     BitStringText,
 }
 
-const KEYS: [Key; 5] = [
-    Key::Rounding,
-    Key::OutOfRange,
-    Key::TextReading,
-    Key::RealText,
-    Key::BitStringText,
+const KEYS: [StatedKey; 5] = [
+    StatedKey::Rounding,
+    StatedKey::OutOfRange,
+    StatedKey::TextReading,
+    StatedKey::RealText,
+    StatedKey::BitStringText,
 ];
 
-impl Call<'_> {
+impl UnaryCall<'_> {
     /// Returns the basis of the call in a dialect with this definition; `choices` are those of the dialect.
     pub(super) fn stated(
         self,
@@ -39,8 +39,8 @@ impl Call<'_> {
         definition: &'static Definition,
         choices: &ConversionChoices,
     ) -> Option<&'static str> {
-        let decides = |key: &Key| self.is_decided_by(*key, operand, choices);
-        let (stated, left): (Vec<Key>, Vec<Key>) = KEYS
+        let decides = |key: &StatedKey| self.is_decided_by(*key, operand, choices);
+        let (stated, left): (Vec<StatedKey>, Vec<StatedKey>) = KEYS
             .into_iter()
             .filter(decides)
             .partition(|key| key.stated_by(definition).is_some());
@@ -64,7 +64,7 @@ impl Call<'_> {
     }
 
     /// Returns whether another choice would change the result.
-    fn is_decided_by(self, key: Key, operand: &Value, choices: &ConversionChoices) -> bool {
+    fn is_decided_by(self, key: StatedKey, operand: &Value, choices: &ConversionChoices) -> bool {
         let operands = std::slice::from_ref(operand);
         let own = value(self.signature, operands, choices);
         key.others(*choices)
@@ -75,31 +75,31 @@ impl Call<'_> {
     /// Returns whether a definition that makes this choice applies to the function: it applies to `<SRC>_TO_<DST>` and to
     /// the functions that the documents of its base have. It does not decide whether a bit string gets the bits of a real
     /// or its number.
-    fn speaks(self, key: Key) -> bool {
+    fn speaks(self, key: StatedKey) -> bool {
         let is_pair =
             self.signature.operation == Operation::Convert && !self.signature.function.starts_with("TO_");
         let (from, to) = (self.from, self.to);
         match key {
-            Key::Rounding => is_pair && from.is_real() && to.is_integer(),
-            Key::OutOfRange => {
+            StatedKey::Rounding => is_pair && from.is_real() && to.is_integer(),
+            StatedKey::OutOfRange => {
                 from.is_real() && to.is_integer() && (is_pair || self.basis(&one(from)).is_some())
             }
-            Key::TextReading => {
+            StatedKey::TextReading => {
                 is_pair
                     && from.family() == Family::Text
                     && (to.is_integer() || to.is_bit_string() || to.is_real())
             }
-            Key::RealText => is_pair && from.is_real() && to.family() == Family::Text,
-            Key::BitStringText => is_pair && from.is_bit_string() && to.family() == Family::Text,
+            StatedKey::RealText => is_pair && from.is_real() && to.family() == Family::Text,
+            StatedKey::BitStringText => is_pair && from.is_bit_string() && to.family() == Family::Text,
         }
     }
 
     /// Returns whether the documents of the base make this choice.
-    fn documents(self, key: Key) -> bool {
+    fn documents(self, key: StatedKey) -> bool {
         match key {
-            Key::Rounding => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
-            Key::OutOfRange => self.rules == Rules::Matiec,
-            Key::TextReading | Key::RealText | Key::BitStringText => false,
+            StatedKey::Rounding => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
+            StatedKey::OutOfRange => self.rules == Rules::Matiec,
+            StatedKey::TextReading | StatedKey::RealText | StatedKey::BitStringText => false,
         }
     }
 }
@@ -113,41 +113,41 @@ fn one(ty: ElementaryType) -> Value {
     Value::plain(ty, bits)
 }
 
-impl Key {
+impl StatedKey {
     /// Returns the basis of the definition's statement, if the definition makes this choice.
     fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
         match self {
-            Key::Rounding => definition.rounding.as_ref().map(|stated| &*stated.basis),
-            Key::OutOfRange => definition.out_of_range.as_ref().map(|stated| &*stated.basis),
-            Key::TextReading => definition.text_reading.as_ref().map(|stated| &*stated.basis),
-            Key::RealText => definition.real_text.as_ref().map(|stated| &*stated.basis),
-            Key::BitStringText => definition.bit_string_text.as_ref().map(|stated| &*stated.basis),
+            StatedKey::Rounding => definition.rounding.as_ref().map(|stated| &*stated.basis),
+            StatedKey::OutOfRange => definition.out_of_range.as_ref().map(|stated| &*stated.basis),
+            StatedKey::TextReading => definition.text_reading.as_ref().map(|stated| &*stated.basis),
+            StatedKey::RealText => definition.real_text.as_ref().map(|stated| &*stated.basis),
+            StatedKey::BitStringText => definition.bit_string_text.as_ref().map(|stated| &*stated.basis),
         }
     }
 
     /// Returns the choices with every alternative for this key; a few numbers of digits represent all.
     fn others(self, choices: ConversionChoices) -> Vec<ConversionChoices> {
         let all: Vec<ConversionChoices> = match self {
-            Key::Rounding => [
+            StatedKey::Rounding => [
                 Rounding::Truncate,
                 Rounding::HalfToEven,
                 Rounding::HalfAwayFromZero,
             ]
             .map(|rounding| ConversionChoices { rounding, ..choices })
             .to_vec(),
-            Key::OutOfRange => [OutOfRange::Wrap, OutOfRange::Saturate]
+            StatedKey::OutOfRange => [OutOfRange::Wrap, OutOfRange::Saturate]
                 .map(|out_of_range| ConversionChoices {
                     out_of_range,
                     ..choices
                 })
                 .to_vec(),
-            Key::TextReading => [TextReading::WholeText, TextReading::LeadingNumber]
+            StatedKey::TextReading => [TextReading::WholeText, TextReading::LeadingNumber]
                 .map(|text_reading| ConversionChoices {
                     text_reading,
                     ..choices
                 })
                 .to_vec(),
-            Key::RealText => [
+            StatedKey::RealText => [
                 RealText::Shortest,
                 RealText::SignificantDigits(1),
                 RealText::SignificantDigits(6),
@@ -155,7 +155,7 @@ impl Key {
             ]
             .map(|real_text| ConversionChoices { real_text, ..choices })
             .to_vec(),
-            Key::BitStringText => [BitStringText::FullWidth, BitStringText::Shortest]
+            StatedKey::BitStringText => [BitStringText::FullWidth, BitStringText::Shortest]
                 .map(|bit_string_text| ConversionChoices {
                     bit_string_text,
                     ..choices

@@ -1,7 +1,7 @@
 //! The results that STruC++ and RuSTy state: in the tests of their repositories, and by the tables of the standard whose functions
 //! they say to have.
 
-use super::{BITS_AND_NUMBERS, BITS_TO_BITS, Call, DATES, ROUNDED, Rules};
+use super::{BITS_AND_NUMBERS, BITS_TO_BITS, DATES, ROUNDED, Rules, UnaryCall};
 use crate::{integer, moment, real};
 use stickler_types::{CalendarUnits, ElementaryType, Family};
 
@@ -19,7 +19,7 @@ const RUSTY_DATES: &str = "rusty-tests: libs/stdlib/tests/date_time_conversion_t
 const RUSTY_TO_NUMBER: &str = "rusty-tests: tests/lit/single/conversion/to_num.st";
 const RUSTY_TO_BITS: &str = "rusty-tests: tests/lit/single/conversion/to_bit.st";
 
-impl Call<'_> {
+impl UnaryCall<'_> {
     /// Returns the basis of `TO_<DST>`, which is the conversion from the operand's type: by RuSTy's tests among integers and among
     /// bit strings, by those of STruC++ among integers and from durations, dates and times.
     pub(super) fn of_overloaded(self, raw: u64) -> Option<&'static str> {

@@ -17,30 +17,30 @@ pub(super) struct RoundedDecimal {
 }
 
 /// A positive fraction of integers of any size.
-struct Fraction {
+struct DecimalFraction {
     numerator: BigUint,
     denominator: BigUint,
 }
 
-impl Fraction {
+impl DecimalFraction {
     /// Returns `significand * 2^exponent` as a fraction.
-    fn binary(significand: u64, exponent: i32) -> Fraction {
-        Fraction {
+    fn binary(significand: u64, exponent: i32) -> DecimalFraction {
+        DecimalFraction {
             numerator: BigUint::from(significand) << u32::try_from(exponent).unwrap_or(0),
             denominator: BigUint::from(1_u32) << u32::try_from(-exponent).unwrap_or(0),
         }
     }
 
     /// Returns the fraction multiplied by 10^places.
-    fn scaled(&self, places: i32) -> Fraction {
+    fn scaled(&self, places: i32) -> DecimalFraction {
         let power = BigUint::from(10_u32).pow(places.unsigned_abs());
         if places < 0 {
-            Fraction {
+            DecimalFraction {
                 numerator: self.numerator.clone(),
                 denominator: &self.denominator * power,
             }
         } else {
-            Fraction {
+            DecimalFraction {
                 numerator: &self.numerator * power,
                 denominator: self.denominator.clone(),
             }
@@ -80,19 +80,22 @@ pub(super) fn shortest(
 ) -> RoundedDecimal {
     // 9 and 17 digits always read back; one more decides to which side the last of them is rounded.
     let most = if ty == ElementaryType::Real { 10 } else { 18 };
-    let number = Fraction::binary(significand, exponent);
+    let number = DecimalFraction::binary(significand, exponent);
     let first = number.decimal_exponent();
     let places = most - 1 - first;
     // What reads back lies between the middles to both neighbours. A middle itself reads as the even one.
     let below = if is_lowest_of_binade {
-        Fraction::binary(4 * significand - 1, exponent - 2)
+        DecimalFraction::binary(4 * significand - 1, exponent - 2)
     } else {
-        Fraction::binary(2 * significand - 1, exponent - 1)
+        DecimalFraction::binary(2 * significand - 1, exponent - 1)
     };
     let interval = Interval {
         least: Bound::of(&below, places),
         number: Bound::of(&number, places),
-        greatest: Bound::of(&Fraction::binary(2 * significand + 1, exponent - 1), places),
+        greatest: Bound::of(
+            &DecimalFraction::binary(2 * significand + 1, exponent - 1),
+            places,
+        ),
         closed: significand.is_multiple_of(2),
     };
     let found = (1..=most.unsigned_abs())
@@ -109,7 +112,7 @@ struct Bound {
 }
 
 impl Bound {
-    fn of(fraction: &Fraction, places: i32) -> Bound {
+    fn of(fraction: &DecimalFraction, places: i32) -> Bound {
         let (floor, has_rest) = fraction.scaled(places).floor();
         Bound {
             // About eighteen digits.
@@ -171,7 +174,7 @@ impl Interval {
 /// Returns the positive number `significand * 2^exponent` with `count` significant digits, at least one, rounded half to
 /// even, without zeros at the end.
 pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> RoundedDecimal {
-    let number = Fraction::binary(significand, exponent);
+    let number = DecimalFraction::binary(significand, exponent);
     let places = i32::from(count.max(1)) - 1 - number.decimal_exponent();
     let scaled = number.scaled(places);
     let rounded = quotient::half_to_even(&scaled.numerator, &scaled.denominator);

@@ -4,7 +4,7 @@
 
 /// A text that is being read from its beginning.
 #[derive(Clone, Copy)]
-pub(super) struct Scanner<'t> {
+pub(super) struct LiteralScanner<'t> {
     rest: &'t [u8],
 }
 
@@ -32,9 +32,9 @@ impl<'t> Digits<'t> {
     }
 }
 
-impl<'t> Scanner<'t> {
-    pub(super) const fn new(text: &'t [u8]) -> Scanner<'t> {
-        Scanner { rest: text }
+impl<'t> LiteralScanner<'t> {
+    pub(super) const fn new(text: &'t [u8]) -> LiteralScanner<'t> {
+        LiteralScanner { rest: text }
     }
 
     pub(super) const fn is_at_end(self) -> bool {
@@ -108,7 +108,7 @@ pub(super) struct Integer<'t> {
 
 impl<'t> Integer<'t> {
     /// Reads the longest integer at the current position.
-    pub(super) fn read(scanner: &mut Scanner<'t>) -> Option<Integer<'t>> {
+    pub(super) fn read(scanner: &mut LiteralScanner<'t>) -> Option<Integer<'t>> {
         for (prefix, base) in [("16#", 16), ("8#", 8), ("2#", 2)] {
             let mut behind = *scanner;
             // Without digits behind it the prefix is a decimal number and something else.
@@ -147,7 +147,7 @@ pub(super) struct Decimal<'t> {
 
 impl<'t> Decimal<'t> {
     /// Reads the longest real number at the current position.
-    pub(super) fn read(scanner: &mut Scanner<'t>) -> Option<Decimal<'t>> {
+    pub(super) fn read(scanner: &mut LiteralScanner<'t>) -> Option<Decimal<'t>> {
         let mut behind = *scanner;
         let negative = behind.sign();
         let whole = behind.digits(10)?;

@@ -1,6 +1,6 @@
 //! Conversions of texts to values.
 
-use super::literal::{Decimal, Digits, Integer, Scanner};
+use super::literal::{Decimal, Digits, Integer, LiteralScanner};
 use crate::calendar;
 use crate::{integer, quotient, real};
 use num_bigint::BigUint;
@@ -29,7 +29,7 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         .map(|&unit| u8::try_from(unit).unwrap_or(0xFF))
         .collect();
     let text = trimmed(&bytes);
-    let mut scanner = Scanner::new(text);
+    let mut scanner = LiteralScanner::new(text);
     let value = match to.family() {
         Family::Boolean => whole(&mut scanner, |scanner| boolean(scanner).map(u64::from)),
         Family::Signed | Family::Unsigned | Family::BitString => number(&mut scanner, choices, |scanner| {
@@ -58,16 +58,19 @@ fn trimmed(mut text: &[u8]) -> &[u8] {
 }
 
 /// Returns the value that `read` reads, if it consumes the text to its end.
-fn whole<'t>(scanner: &mut Scanner<'t>, read: impl Fn(&mut Scanner<'t>) -> Option<u64>) -> Option<u64> {
+fn whole<'t>(
+    scanner: &mut LiteralScanner<'t>,
+    read: impl Fn(&mut LiteralScanner<'t>) -> Option<u64>,
+) -> Option<u64> {
     let value = read(scanner)?;
     scanner.is_at_end().then_some(value)
 }
 
 /// Returns the number that `read` reads: from the whole text, or from its beginning where the choices allow that.
 fn number<'t>(
-    scanner: &mut Scanner<'t>,
+    scanner: &mut LiteralScanner<'t>,
     choices: &ConversionChoices,
-    read: impl Fn(&mut Scanner<'t>) -> Option<u64>,
+    read: impl Fn(&mut LiteralScanner<'t>) -> Option<u64>,
 ) -> Option<u64> {
     match choices.text_reading {
         TextReading::WholeText => whole(scanner, read),
@@ -77,15 +80,15 @@ fn number<'t>(
 
 /// Skips the prefix of the type, if there is one.
 fn behind_prefix<'s, 't>(
-    scanner: &'s mut Scanner<'t>,
+    scanner: &'s mut LiteralScanner<'t>,
     text: &'t [u8],
     to: ElementaryType,
-) -> &'s mut Scanner<'t> {
+) -> &'s mut LiteralScanner<'t> {
     if let Some(at) = text.iter().position(|&byte| byte == b'#')
         && let Ok(prefix) = str::from_utf8(&text[..at])
         && ElementaryType::from_literal_prefix(prefix) == Some(to)
     {
-        *scanner = Scanner::new(&text[at + 1..]);
+        *scanner = LiteralScanner::new(&text[at + 1..]);
     }
     scanner
 }
@@ -102,14 +105,14 @@ fn residue(integer: Integer<'_>, to: ElementaryType) -> u64 {
     integer::wrapped(if integer.negative { -value } else { value }, to)
 }
 
-fn boolean(scanner: &mut Scanner<'_>) -> Option<bool> {
+fn boolean(scanner: &mut LiteralScanner<'_>) -> Option<bool> {
     if scanner.word("TRUE").is_some() {
         return Some(true);
     }
     Integer::read(scanner).map(|integer| integer.digits.values().any(|digit| digit != 0))
 }
 
-fn real_number(scanner: &mut Scanner<'_>, to: ElementaryType) -> Option<u64> {
+fn real_number(scanner: &mut LiteralScanner<'_>, to: ElementaryType) -> Option<u64> {
     for (word, raw) in [
         ("NaN", real::not_a_number(to)),
         ("Infinity", real::infinite(false, to)),
@@ -172,7 +175,7 @@ const UNITS: [(&str, u64); 7] = [
 
 /// Reads a duration literal without its prefix: `1d2h3.5s`, `-25h_15m`. Units go from the greatest to the least, and only
 /// the last may have a fraction; fractions of a nanosecond are dropped.
-fn duration(scanner: &mut Scanner<'_>) -> Option<u64> {
+fn duration(scanner: &mut LiteralScanner<'_>) -> Option<u64> {
     let negative = scanner.sign();
     let mut total = BigUint::ZERO;
     let mut units = &UNITS[..];
@@ -216,7 +219,7 @@ fn part(digits: Digits<'_>, unit: u64) -> BigUint {
 }
 
 /// Reads a date such as `2024-02-29`; returns the days since 1970.
-fn date(scanner: &mut Scanner<'_>) -> Option<i64> {
+fn date(scanner: &mut LiteralScanner<'_>) -> Option<i64> {
     let year = field(scanner, 0, 99_999)?;
     scanner.any_of(b"-")?;
     let month = field(scanner, 1, 12)?;
@@ -226,7 +229,7 @@ fn date(scanner: &mut Scanner<'_>) -> Option<i64> {
 }
 
 /// Reads a time of day such as `12:34:56.789`; returns the nanoseconds since midnight, without their fraction.
-fn time_of_day(scanner: &mut Scanner<'_>) -> Option<i64> {
+fn time_of_day(scanner: &mut LiteralScanner<'_>) -> Option<i64> {
     let hour = field(scanner, 0, 23)?;
     scanner.any_of(b":")?;
     let minute = field(scanner, 0, 59)?;
@@ -239,14 +242,14 @@ fn time_of_day(scanner: &mut Scanner<'_>) -> Option<i64> {
     Some(((hour * 60 + minute) * 60 + second) * 1_000_000_000 + fraction)
 }
 
-fn date_and_time(scanner: &mut Scanner<'_>) -> Option<u64> {
+fn date_and_time(scanner: &mut LiteralScanner<'_>) -> Option<u64> {
     let days = date(scanner)?;
     scanner.any_of(b"-")?;
     nanoseconds(days, time_of_day(scanner)?)
 }
 
 /// Reads a number from `least` to `greatest`, in any number of digits.
-fn field(scanner: &mut Scanner<'_>, least: i64, greatest: i64) -> Option<i64> {
+fn field(scanner: &mut LiteralScanner<'_>, least: i64, greatest: i64) -> Option<i64> {
     let number = scanner.digits(10)?.saturated();
     (least..=greatest).contains(&number).then_some(number)
 }

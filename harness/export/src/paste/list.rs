@@ -5,12 +5,12 @@ use super::{Complaint, Pasted, column};
 use crate::page::{MAGIC, PAGE_NUMBER_STEP};
 
 /// A number of a list, and the line on which it stands.
-type Listed = (i32, usize);
+type NumberAndLine = (i32, usize);
 
 /// Parses lines of which none names an element.
 pub(super) fn read(lines: &[&str]) -> Pasted {
     let mut pasted = Pasted::default();
-    let mut rows: Vec<Vec<Listed>> = Vec::new();
+    let mut rows: Vec<Vec<NumberAndLine>> = Vec::new();
     for (at, line) in lines.iter().enumerate() {
         let (row, complaints) = row(line, at + 1);
         // A line without any number is a heading or a remark.
@@ -19,7 +19,7 @@ pub(super) fn read(lines: &[&str]) -> Pasted {
             rows.push(row);
         }
     }
-    let numbers: Vec<Listed> = if are_numbered(&rows) {
+    let numbers: Vec<NumberAndLine> = if are_numbered(&rows) {
         rows.iter().map(|row| row[1]).collect()
     } else {
         rows.concat()
@@ -41,7 +41,7 @@ fn is_of_a_page(number: i32) -> bool {
 }
 
 /// Returns whether every row is the index of an element and its value.
-fn are_numbered(rows: &[Vec<Listed>]) -> bool {
+fn are_numbered(rows: &[Vec<NumberAndLine>]) -> bool {
     let mut next = 0;
     let counts = rows.iter().all(|row| match row[..] {
         [(index, _), _] => {
@@ -55,7 +55,7 @@ fn are_numbered(rows: &[Vec<Listed>]) -> bool {
 }
 
 /// Parses the numbers of a line; also returns the complaints about parts that are no numbers.
-fn row(line: &str, at: usize) -> (Vec<Listed>, Vec<Complaint>) {
+fn row(line: &str, at: usize) -> (Vec<NumberAndLine>, Vec<Complaint>) {
     let inside = line.trim_matches(|c: char| is_blank(c) || matches!(c, '[' | ']' | '{' | '}' | ';' | ','));
     if let Some(Number::Whole(value)) = number(inside) {
         return (vec![(value, at)], Vec::new());

@@ -6,7 +6,7 @@ use super::*;
 fn what_the_reference_computes_is_judged_as_it_must_be_in_every_dialect_and_form() {
     let cases = cases(&FILES);
     for dialect in DialectName::ALL {
-        let exported = Exported::of(&plan(dialect), &cases);
+        let exported = ExportFolder::of(&plan(dialect), &cases);
         assert!(exported.cases > 40, "{dialect}: {}", exported.cases);
         for form in [list, watch_list, table, numbers] {
             let text: String = exported.arrays.iter().map(|array| form(array)).collect();
@@ -23,9 +23,9 @@ fn what_the_reference_computes_is_judged_as_it_must_be_in_every_dialect_and_form
     }
 }
 
-fn few() -> Exported {
+fn few() -> ExportFolder {
     let files = ["widening/integer.toml", "conversion/real-to-integer-edges.toml"];
-    Exported::of(
+    ExportFolder::of(
         &ExportPlan {
             sample: Some(24),
             ..plan(DialectName::IronplcEd3)

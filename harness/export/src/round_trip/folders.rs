@@ -66,7 +66,7 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
 fn pages_are_named_by_their_text() {
     let cases = cases(&["widening/integer.toml"]);
     let identities = |plan: &ExportPlan| {
-        let exported = Exported::of(plan, &cases);
+        let exported = ExportFolder::of(plan, &cases);
         exported.arrays.iter().map(|array| array[1]).collect::<Vec<i32>>()
     };
     let plan = plan(DialectName::IronplcEd2);
@@ -115,7 +115,7 @@ fn a_case_that_is_not_accepted_is_named_by_its_message_and_taken_off_its_page_by
         sample: Some(40),
         ..plan(DialectName::IronplcEd3)
     };
-    let mut exported = Exported::of(&plan, &cases);
+    let mut exported = ExportFolder::of(&plan, &cases);
     let manifest = exported.manifest();
     // The last page has types of its own before the program.
     let at = manifest.pages.len() - 1;

@@ -235,7 +235,7 @@ struct PassSearch<'a, T: 'static> {
 
 /// A position in a round: the sites that a pass is to change next.
 #[derive(Clone, Copy)]
-struct Position {
+struct RoundPosition {
     pass: usize,
     /// The number of sites that the pass has in the best candidate.
     sites: usize,
@@ -247,7 +247,7 @@ struct Position {
 struct CandidatePack<T> {
     candidates: Vec<T>,
     /// The position at which each was made.
-    positions: Vec<Position>,
+    positions: Vec<RoundPosition>,
     keys: Vec<u64>,
 }
 
@@ -275,7 +275,7 @@ impl<T: Clone> PassSearch<'_, T> {
             }
             if let Some(found) = self.judge(pack) {
                 // After a change the next sites have moved to this position.
-                position = Position {
+                position = RoundPosition {
                     sites: self.sites(found.pass),
                     ..found
                 };
@@ -284,9 +284,9 @@ impl<T: Clone> PassSearch<'_, T> {
     }
 
     /// Returns the first position of a pass.
-    fn begin(&self, pass: usize) -> Position {
+    fn begin(&self, pass: usize) -> RoundPosition {
         let sites = self.sites(pass);
-        Position {
+        RoundPosition {
             pass,
             sites,
             chunk: sites,
@@ -295,7 +295,7 @@ impl<T: Clone> PassSearch<'_, T> {
     }
 
     /// Moves a position behind the end of a chunk size or of a pass to the next one. Returns whether there is a site.
-    fn settle(&self, position: &mut Position) -> bool {
+    fn settle(&self, position: &mut RoundPosition) -> bool {
         while position.at >= position.sites || position.chunk == 0 {
             position.chunk = position.chunk.min(position.sites) / 2;
             position.at = 0;
@@ -323,7 +323,7 @@ impl<T: Clone> PassSearch<'_, T> {
     ///
     /// # Errors
     /// [`StopReason`] where the budget admits no candidate more and none was collected.
-    fn pack(&mut self, position: &mut Position) -> Result<CandidatePack<T>, StopReason> {
+    fn pack(&mut self, position: &mut RoundPosition) -> Result<CandidatePack<T>, StopReason> {
         let mut pack = CandidatePack {
             candidates: Vec::new(),
             positions: Vec::new(),
@@ -365,7 +365,7 @@ impl<T: Clone> PassSearch<'_, T> {
     }
 
     /// Returns the candidate with the sites of a position changed, and its key, if it is lighter and was not seen before.
-    fn candidate(&self, position: Position) -> Option<(T, u64)> {
+    fn candidate(&self, position: RoundPosition) -> Option<(T, u64)> {
         let pass = self.method.passes.get(position.pass)?;
         let mut candidate = self.best.clone();
         let mut sites = Sites::new(position.at..position.at + position.chunk);
@@ -378,7 +378,7 @@ impl<T: Clone> PassSearch<'_, T> {
     }
 
     /// Judges the candidates of a pack; the first interesting one becomes the best. Returns its position.
-    fn judge(&mut self, pack: CandidatePack<T>) -> Option<Position> {
+    fn judge(&mut self, pack: CandidatePack<T>) -> Option<RoundPosition> {
         let verdicts = self.judge.judge(&pack.candidates);
         for verdict in &verdicts {
             match verdict {

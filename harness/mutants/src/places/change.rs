@@ -9,7 +9,7 @@ use stickler_types::Code;
 
 /// A change to one place of a program.
 #[derive(Clone, PartialEq, Debug)]
-pub enum Change {
+pub enum SourceChange {
     /// An error is reported that is none.
     Refuse(Span),
     /// The errors of these numbers are not reported.
@@ -28,24 +28,24 @@ pub enum Change {
 }
 
 /// Makes the changes of a saboteur.
-pub fn apply<'c>(analysis: &mut Analysis<'_>, changes: impl IntoIterator<Item = &'c Change>) {
+pub fn apply<'c>(analysis: &mut Analysis<'_>, changes: impl IntoIterator<Item = &'c SourceChange>) {
     let mut admitted = Vec::new();
     let mut refused = Vec::new();
     let mut edits = Vec::new();
     for change in changes {
         match change {
-            Change::Refuse(span) => refused.push(SpannedDiagnostic::new(
+            SourceChange::Refuse(span) => refused.push(SpannedDiagnostic::new(
                 Code::AssignmentTypeMismatch,
                 *span,
                 "this is refused here",
             )),
-            Change::Admit(errors) => admitted.extend(errors),
-            Change::Code {
+            SourceChange::Admit(errors) => admitted.extend(errors),
+            SourceChange::Code {
                 at,
                 removed,
                 inserted,
             } => edits.push((*at, *removed, &inserted[..])),
-            Change::Bit(id) => {
+            SourceChange::Bit(id) => {
                 if let ExpressionKind::Bit { index, .. } = &mut analysis.unit.expressions[id.0 as usize].kind
                 {
                     *index ^= 1;

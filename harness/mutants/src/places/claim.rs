@@ -5,7 +5,7 @@ use stickler_types::{ElementaryType, Family};
 
 /// A claim of the documents about values that change their type, or about bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Claim {
+pub enum ConversionClaim {
     /// Whether a value converts implicitly where another type is expected, and to what.
     Implicit(PairKind),
     /// Whether an operand converts to the type in which its operator computes, and to what.
@@ -15,7 +15,7 @@ pub enum Claim {
     /// The result of a type conversion function.
     Function(PairKind),
     /// A bit that is selected.
-    Bit(BitClaim, Direction, Form),
+    Bit(BitClaim, Direction, PartForm),
 }
 
 /// The kinds of pairs of types between which values convert.
@@ -110,7 +110,7 @@ pub enum Direction {
 
 /// The forms of partial access.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Form {
+pub enum PartForm {
     /// `.n`.
     Short,
     /// `.%Xn`.
@@ -121,7 +121,7 @@ pub enum Form {
 
 /// The way in which a claim is broken.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Fault {
+pub enum ClaimBreach {
     /// A program that must be accepted is rejected.
     Refused,
     /// A program that must be rejected is accepted.
@@ -134,9 +134,9 @@ pub enum Fault {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Rule {
     /// The claim.
-    pub claim: Claim,
+    pub claim: ConversionClaim,
     /// The way in which it is broken.
-    pub fault: Fault,
+    pub fault: ClaimBreach,
 }
 
 impl PairKind {
@@ -253,58 +253,67 @@ impl Rule {
     /// Returns all rules, in the order of the table.
     #[must_use]
     pub fn all() -> Vec<Rule> {
-        let pairs = |claim: fn(PairKind) -> Claim, faults: &'static [Fault]| {
+        let pairs = |claim: fn(PairKind) -> ConversionClaim, faults: &'static [ClaimBreach]| {
             let rules = PairKind::ALL.into_iter().flat_map(move |kind| {
                 let claim = claim(kind);
                 faults.iter().map(move |&fault| Rule { claim, fault })
             });
             rules.collect::<Vec<_>>()
         };
-        let mut rules = pairs(Claim::Implicit, &[Fault::Refused, Fault::Wrong, Fault::Admitted]);
+        let mut rules = pairs(
+            ConversionClaim::Implicit,
+            &[ClaimBreach::Refused, ClaimBreach::Wrong, ClaimBreach::Admitted],
+        );
         rules.extend(LiteralPair::ALL.into_iter().flat_map(|pair| {
-            let claim = Claim::Literal(pair);
-            [Fault::Refused, Fault::Admitted].map(|fault| Rule { claim, fault })
+            let claim = ConversionClaim::Literal(pair);
+            [ClaimBreach::Refused, ClaimBreach::Admitted].map(|fault| Rule { claim, fault })
         }));
-        rules.extend(pairs(Claim::Operand, &[Fault::Refused, Fault::Wrong]));
-        rules.extend(pairs(Claim::Function, &[Fault::Refused, Fault::Wrong]));
+        rules.extend(pairs(
+            ConversionClaim::Operand,
+            &[ClaimBreach::Refused, ClaimBreach::Wrong],
+        ));
+        rules.extend(pairs(
+            ConversionClaim::Function,
+            &[ClaimBreach::Refused, ClaimBreach::Wrong],
+        ));
         rules.extend(bit_rules());
         rules
     }
 }
 
 fn bit_rules() -> Vec<Rule> {
-    const CLAIMS: [(BitClaim, &[Fault], &[Form]); 5] = [
+    const CLAIMS: [(BitClaim, &[ClaimBreach], &[PartForm]); 5] = [
         (
             BitClaim::Selected,
-            &[Fault::Refused, Fault::Wrong],
-            &[Form::Short, Form::PartialAccess],
+            &[ClaimBreach::Refused, ClaimBreach::Wrong],
+            &[PartForm::Short, PartForm::PartialAccess],
         ),
         (
             BitClaim::Outside,
-            &[Fault::Admitted],
-            &[Form::Short, Form::PartialAccess],
+            &[ClaimBreach::Admitted],
+            &[PartForm::Short, PartForm::PartialAccess],
         ),
         (
             BitClaim::NoBits,
-            &[Fault::Admitted],
-            &[Form::Short, Form::PartialAccess],
+            &[ClaimBreach::Admitted],
+            &[PartForm::Short, PartForm::PartialAccess],
         ),
         (
             BitClaim::NoSuchForm,
-            &[Fault::Admitted],
-            &[Form::PartialAccess, Form::Wider],
+            &[ClaimBreach::Admitted],
+            &[PartForm::PartialAccess, PartForm::Wider],
         ),
         (
             BitClaim::Rendered,
-            &[Fault::Wrong],
-            &[Form::Short, Form::PartialAccess],
+            &[ClaimBreach::Wrong],
+            &[PartForm::Short, PartForm::PartialAccess],
         ),
     ];
     let mut rules = Vec::new();
     for (claim, faults, forms) in CLAIMS {
         for direction in [Direction::Read, Direction::Written] {
             for &form in forms {
-                let claim = Claim::Bit(claim, direction, form);
+                let claim = ConversionClaim::Bit(claim, direction, form);
                 rules.extend(faults.iter().map(|&fault| Rule { claim, fault }));
             }
         }
@@ -315,16 +324,16 @@ fn bit_rules() -> Vec<Rule> {
 impl fmt::Display for Rule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let fault = match self.fault {
-            Fault::Refused => "refused",
-            Fault::Admitted => "admitted",
-            Fault::Wrong => "wrong",
+            ClaimBreach::Refused => "refused",
+            ClaimBreach::Admitted => "admitted",
+            ClaimBreach::Wrong => "wrong",
         };
         match self.claim {
-            Claim::Implicit(kind) => write!(f, "implicit.{}", kind.name()),
-            Claim::Operand(kind) => write!(f, "operand.{}", kind.name()),
-            Claim::Literal(pair) => write!(f, "literal.{}", pair.name()),
-            Claim::Function(kind) => write!(f, "function.{}", kind.name()),
-            Claim::Bit(claim, direction, form) => {
+            ConversionClaim::Implicit(kind) => write!(f, "implicit.{}", kind.name()),
+            ConversionClaim::Operand(kind) => write!(f, "operand.{}", kind.name()),
+            ConversionClaim::Literal(pair) => write!(f, "literal.{}", pair.name()),
+            ConversionClaim::Function(kind) => write!(f, "function.{}", kind.name()),
+            ConversionClaim::Bit(claim, direction, form) => {
                 let claim = match claim {
                     BitClaim::Selected => "bit",
                     BitClaim::Outside => "bit-outside",
@@ -337,9 +346,9 @@ impl fmt::Display for Rule {
                     Direction::Written => "written",
                 };
                 let form = match form {
-                    Form::Short => "short",
-                    Form::PartialAccess => "partial-access",
-                    Form::Wider => "wider",
+                    PartForm::Short => "short",
+                    PartForm::PartialAccess => "partial-access",
+                    PartForm::Wider => "wider",
                 };
                 write!(f, "{claim}.{direction}-{form}")
             }

@@ -7,18 +7,18 @@ use serde::Deserialize;
 const TEXT: &str = include_str!("../../unnoticed.toml");
 
 /// The saboteurs that nothing notices for a reason.
-pub struct ExplainedSaboteurs(Vec<Entry>);
+pub struct ExplainedSaboteurs(Vec<UnnoticedEntry>);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    unnoticed: Vec<Entry>,
+struct UnnoticedFile {
+    unnoticed: Vec<UnnoticedEntry>,
 }
 
 /// Saboteurs that nothing notices for one reason: each of the rules in each of the places.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
+struct UnnoticedEntry {
     rules: Vec<String>,
     /// Places as the program prints them: `target.initial-value`.
     places: Vec<String>,
@@ -53,7 +53,7 @@ impl ExplainedSaboteurs {
     }
 
     pub(super) fn from_text(text: &str) -> anyhow::Result<ExplainedSaboteurs> {
-        let file: File = toml::from_str(text)?;
+        let file: UnnoticedFile = toml::from_str(text)?;
         for entry in &file.unnoticed {
             let what = || format!("{} in {}", entry.rules.join(", "), entry.places.join(", "));
             anyhow::ensure!(!entry.reason.trim().is_empty(), "{}: no reason", what());
@@ -101,7 +101,7 @@ impl ExplainedSaboteurs {
     }
 }
 
-impl Entry {
+impl UnnoticedEntry {
     fn explains(&self, saboteur: &Saboteur) -> bool {
         let rule = saboteur.rule.to_string();
         self.rules.contains(&rule) && self.names(saboteur.place)

@@ -1,16 +1,18 @@
 //! The saboteurs that there must be: every rule in every place of `places.toml` in which it can apply.
 
-use super::claim::{BitClaim, Claim, Direction, Fault, Form, LiteralPair, PairKind, Rule};
+use super::claim::{
+    BitClaim, ClaimBreach, ConversionClaim, Direction, LiteralPair, PairKind, PartForm, Rule,
+};
 use super::saboteur::{BrokenPlace, Saboteur};
 use std::collections::BTreeSet;
 use stickler_reference::Dialect;
 use stickler_reference::conversion::{conversion_function_name, implicit};
 use stickler_reference::dialect::PartialAccess;
-use stickler_suite::{Place, Role, Suite};
+use stickler_suite::{ProgramPlace, Role, Suite};
 use stickler_types::{DialectName, ElementaryType};
 
 /// A value that goes from one type to another in a dialect.
-type Flow = (DialectName, ElementaryType, ElementaryType);
+type ValueFlow = (DialectName, ElementaryType, ElementaryType);
 
 /// Returns every rule in every place in which some dialect has it.
 pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
@@ -21,7 +23,7 @@ pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
         for role in [Role::Source, Role::Target, Role::Surrounding] {
             let places = suite.places.of(role).iter();
             for place in places.filter(|place| fits(rule, role, place)) {
-                let stands = |&(dialect, from, to): &Flow| place.stands(dialect, from.name(), to.name());
+                let stands = |&(dialect, from, to): &ValueFlow| place.stands(dialect, from.name(), to.name());
                 if flows.iter().any(stands) {
                     let place = broken(role, place);
                     required.insert(Saboteur { rule, place });
@@ -32,7 +34,7 @@ pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
     required
 }
 
-fn broken(role: Role, place: &Place) -> BrokenPlace {
+fn broken(role: Role, place: &ProgramPlace) -> BrokenPlace {
     // There are some dozens of places, and the program is about to end when they are no longer needed.
     let name: &'static str = place.name().to_owned().leak();
     match role {
@@ -43,7 +45,7 @@ fn broken(role: Role, place: &Place) -> BrokenPlace {
 }
 
 /// Returns the values that a rule speaks of.
-fn flows(rule: Rule, dialects: &[(DialectName, Dialect)]) -> Vec<Flow> {
+fn flows(rule: Rule, dialects: &[(DialectName, Dialect)]) -> Vec<ValueFlow> {
     let mut flows = Vec::new();
     for (name, dialect) in dialects {
         for from in ElementaryType::ALL {
@@ -60,28 +62,30 @@ fn flows(rule: Rule, dialects: &[(DialectName, Dialect)]) -> Vec<Flow> {
 fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: ElementaryType) -> bool {
     let converts = || implicit(from, to, dialect).is_some();
     match rule.claim {
-        Claim::Implicit(kind) => {
-            PairKind::of(from, to) == Some(kind) && converts() == (rule.fault != Fault::Admitted)
+        ConversionClaim::Implicit(kind) => {
+            PairKind::of(from, to) == Some(kind) && converts() == (rule.fault != ClaimBreach::Admitted)
         }
-        Claim::Operand(kind) => PairKind::of(from, to) == Some(kind) && converts() && has_operators(to),
-        Claim::Function(kind) => {
+        ConversionClaim::Operand(kind) => {
+            PairKind::of(from, to) == Some(kind) && converts() && has_operators(to)
+        }
+        ConversionClaim::Function(kind) => {
             PairKind::of(from, to) == Some(kind) && conversion_function_name(from, to, dialect).is_some()
         }
         // A literal has no type of its own.
-        Claim::Literal(pair) => from == to && meets(pair, to),
-        Claim::Bit(claim, direction, form) => {
+        ConversionClaim::Literal(pair) => from == to && meets(pair, to),
+        ConversionClaim::Bit(claim, direction, form) => {
             let (base, other) = match direction {
                 Direction::Read => (from, to),
                 Direction::Written => (to, from),
             };
             let has_bits = base.is_integer() || base.is_bit_string();
             let form_exists = match form {
-                Form::Short => dialect.bit_access,
-                Form::PartialAccess => matches!(
+                PartForm::Short => dialect.bit_access,
+                PartForm::PartialAccess => matches!(
                     dialect.partial_access,
                     PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords
                 ),
-                Form::Wider => false,
+                PartForm::Wider => false,
             };
             match claim {
                 BitClaim::Selected | BitClaim::Outside | BitClaim::Rendered => {
@@ -90,7 +94,7 @@ fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: Elementary
                 BitClaim::NoBits => !has_bits && form_exists && other == ElementaryType::Bool,
                 BitClaim::NoSuchForm => {
                     let part = match form {
-                        Form::Wider => other.is_bit_string(),
+                        PartForm::Wider => other.is_bit_string(),
                         _ => other == ElementaryType::Bool,
                     };
                     has_bits && dialect.bit_access && !form_exists && part
@@ -118,22 +122,22 @@ fn meets(pair: LiteralPair, to: ElementaryType) -> bool {
 
 /// Returns whether a rule can apply in a place at all. What selects a bit, calls or computes is no literal; behind a parameter it is
 /// a variable again; and only a variable has bits.
-fn fits(rule: Rule, role: Role, place: &Place) -> bool {
+fn fits(rule: Rule, role: Role, place: &ProgramPlace) -> bool {
     match (rule.claim, role) {
         (_, Role::Surrounding) => true,
-        (Claim::Implicit(_), Role::Source) => true,
-        (Claim::Implicit(_) | Claim::Literal(_), Role::Target) => !place.is_in("operand"),
+        (ConversionClaim::Implicit(_), Role::Source) => true,
+        (ConversionClaim::Implicit(_) | ConversionClaim::Literal(_), Role::Target) => !place.is_in("operand"),
         // It is a source of its own.
-        (Claim::Literal(_), Role::Source) => false,
-        (Claim::Operand(_) | Claim::Function(_), Role::Source) => true,
+        (ConversionClaim::Literal(_), Role::Source) => false,
+        (ConversionClaim::Operand(_) | ConversionClaim::Function(_), Role::Source) => true,
         // An operand meets the other one and no target.
-        (Claim::Operand(_), Role::Target) => place.is_in("operand"),
-        (Claim::Function(_), Role::Target) => !place.is_literal() && !place.is_behind_a_parameter(),
-        (Claim::Bit(_, Direction::Read, _), Role::Source) => place.is_in("variable"),
-        (Claim::Bit(_, Direction::Read, _), Role::Target) => {
+        (ConversionClaim::Operand(_), Role::Target) => place.is_in("operand"),
+        (ConversionClaim::Function(_), Role::Target) => !place.is_literal() && !place.is_behind_a_parameter(),
+        (ConversionClaim::Bit(_, Direction::Read, _), Role::Source) => place.is_in("variable"),
+        (ConversionClaim::Bit(_, Direction::Read, _), Role::Target) => {
             !place.is_literal() && !place.is_behind_a_parameter()
         }
-        (Claim::Bit(_, Direction::Written, _), Role::Source) => true,
-        (Claim::Bit(_, Direction::Written, _), Role::Target) => place.is_in("variable"),
+        (ConversionClaim::Bit(_, Direction::Written, _), Role::Source) => true,
+        (ConversionClaim::Bit(_, Direction::Written, _), Role::Target) => place.is_in("variable"),
     }
 }

@@ -8,22 +8,22 @@ use stickler_reference::syntax::tree::{
 
 /// The program organization units and the global variables of a source text.
 #[derive(Debug, Default)]
-pub struct Names<'u> {
+pub struct SourceNames<'u> {
     pous: FxHashMap<CaseFolded<'u>, &'u Pou<'u>>,
-    globals: FxHashMap<CaseFolded<'u>, Variable<'u>>,
+    globals: FxHashMap<CaseFolded<'u>, SectionVariable<'u>>,
 }
 
 /// The variables of a program organization unit.
 #[derive(Debug, Default)]
 pub struct Variables<'u> {
-    by_name: FxHashMap<CaseFolded<'u>, Variable<'u>>,
+    by_name: FxHashMap<CaseFolded<'u>, SectionVariable<'u>>,
     /// The name of the function whose result is a variable of that name.
     function: Option<CaseFolded<'u>>,
 }
 
 /// A variable, and the section in which it is declared.
 #[derive(Clone, Copy, Debug)]
-pub struct Variable<'u> {
+pub struct SectionVariable<'u> {
     /// The kind of section.
     pub kind: VariableKind,
     /// Whether CONSTANT stands behind the section's keyword.
@@ -33,10 +33,10 @@ pub struct Variable<'u> {
     specification: &'u TypeSpecification<'u>,
 }
 
-impl<'u> Names<'u> {
+impl<'u> SourceNames<'u> {
     /// Collects the names of a source text.
-    pub fn new(unit: &'u SourceUnit<'u>) -> Names<'u> {
-        let mut names = Names::default();
+    pub fn new(unit: &'u SourceUnit<'u>) -> SourceNames<'u> {
+        let mut names = SourceNames::default();
         for declaration in &unit.declarations {
             match declaration {
                 Declaration::Pou(pou) => {
@@ -59,7 +59,7 @@ impl<'u> Names<'u> {
     }
 
     /// Returns a variable of a unit, or else a global one.
-    pub fn variable(&self, variables: &Variables<'u>, name: &str) -> Option<Variable<'u>> {
+    pub fn variable(&self, variables: &Variables<'u>, name: &str) -> Option<SectionVariable<'u>> {
         let name = CaseFolded(name);
         let found = variables.by_name.get(&name).or_else(|| self.globals.get(&name));
         found.copied()
@@ -74,7 +74,7 @@ impl<'u> Names<'u> {
     }
 
     /// Returns whether a variable is an instance of a function block.
-    pub fn is_instance(&self, variable: Variable<'_>) -> bool {
+    pub fn is_instance(&self, variable: SectionVariable<'_>) -> bool {
         self.is_block(variable.specification)
     }
 }
@@ -98,12 +98,12 @@ impl<'u> Variables<'u> {
     }
 }
 
-fn declare<'u>(variables: &mut FxHashMap<CaseFolded<'u>, Variable<'u>>, block: &'u VariableBlock<'u>) {
+fn declare<'u>(variables: &mut FxHashMap<CaseFolded<'u>, SectionVariable<'u>>, block: &'u VariableBlock<'u>) {
     let retained = block
         .retention
         .is_some_and(|word| word.eq_ignore_ascii_case("RETAIN"));
     for group in &block.groups {
-        let variable = Variable {
+        let variable = SectionVariable {
             kind: block.kind,
             constant: block.constant,
             retained,

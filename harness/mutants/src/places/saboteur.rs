@@ -1,7 +1,7 @@
 //! Saboteurs: engines that are the reference but for one claim, which they break in one place.
 
 use super::analysis::Analysis;
-use super::change::{self, Change};
+use super::change::{self, SourceChange};
 use super::claim::Rule;
 use super::site::{Site, sites};
 use std::fmt;
@@ -54,7 +54,7 @@ impl Saboteur {
     }
 
     /// Returns the changes that the saboteur makes at sites of a program.
-    fn changes(self, sites: &[Site]) -> Vec<&Change> {
+    fn changes(self, sites: &[Site]) -> Vec<&SourceChange> {
         let broken = |site: &&Site| Saboteur::of(site).any(|saboteur| saboteur == self);
         sites.iter().filter(broken).map(|site| &site.change).collect()
     }

@@ -1,9 +1,11 @@
 //! The places of a program at which a rule applies, and the change that breaks it there.
 
 use super::analysis::Analysis;
-use super::change::Change;
-use super::claim::{BitClaim, Claim, Direction, Fault, Form, LiteralPair, PairKind, Rule};
-use super::standing::{Standing, refused_base};
+use super::change::SourceChange;
+use super::claim::{
+    BitClaim, ClaimBreach, ConversionClaim, Direction, LiteralPair, PairKind, PartForm, Rule,
+};
+use super::standing::{PlaceOfExpression, refused_base};
 use super::wrong_code::wrong_code;
 use rustc_hash::FxHashMap;
 use stickler_reference::instruction::{Instruction, Label, Part};
@@ -18,18 +20,18 @@ pub struct Site {
     /// The rule.
     pub rule: Rule,
     /// The places of `places.toml`.
-    pub standing: Standing,
+    pub standing: PlaceOfExpression,
     /// The types between which a value converts.
     pub pair: Option<(ElementaryType, ElementaryType)>,
     /// The type of which a bit is selected, and the number of the bit.
     pub bit: Option<(ElementaryType, u64)>,
     /// The change that breaks the rule there.
-    pub change: Change,
+    pub change: SourceChange,
 }
 
 /// Returns all places of a program at which rules can be broken; those of rendered texts only if the program is rendered.
 pub fn sites(analysis: &Analysis<'_>, rendered: bool) -> Vec<Site> {
-    let mut finder = Finder {
+    let mut finder = SiteFinder {
         analysis,
         sites: Vec::new(),
         errors: errors_by_span(analysis),
@@ -56,14 +58,20 @@ fn errors_by_span(analysis: &Analysis<'_>) -> Errors {
     errors
 }
 
-struct Finder<'a, 's> {
+struct SiteFinder<'a, 's> {
     analysis: &'a Analysis<'s>,
     sites: Vec<Site>,
     errors: Errors,
 }
 
-impl Finder<'_, '_> {
-    fn add(&mut self, claim: Claim, fault: Fault, standing: Standing, change: Change) -> &mut Site {
+impl SiteFinder<'_, '_> {
+    fn add(
+        &mut self,
+        claim: ConversionClaim,
+        fault: ClaimBreach,
+        standing: PlaceOfExpression,
+        change: SourceChange,
+    ) -> &mut Site {
         self.sites.push(Site {
             rule: Rule { claim, fault },
             standing,
@@ -82,24 +90,24 @@ impl Finder<'_, '_> {
                 from: Some(from),
                 to,
                 fits,
-            } => self.converting(Claim::Implicit, (from, to), fits, standing, found),
+            } => self.converting(ConversionClaim::Implicit, (from, to), fits, standing, found),
             UseKind::Captured { from, to, fits } => {
-                let standing = Standing {
+                let standing = PlaceOfExpression {
                     source: None,
                     ..standing
                 };
-                self.converting(Claim::Implicit, (from, to), fits, standing, found);
+                self.converting(ConversionClaim::Implicit, (from, to), fits, standing, found);
             }
             UseKind::Operand { from, to } => {
-                self.converting(Claim::Operand, (from, to), true, standing, found);
+                self.converting(ConversionClaim::Operand, (from, to), true, standing, found);
             }
             UseKind::Converted { from, to } => {
                 let Some(call) = standing.call else { return };
-                let standing = Standing {
+                let standing = PlaceOfExpression {
                     source: standing.source,
                     ..self.analysis.standings.of(call)
                 };
-                self.converting(Claim::Function, (from, to), true, standing, found);
+                self.converting(ConversionClaim::Function, (from, to), true, standing, found);
             }
             UseKind::Expected { from: None, to, fits } => self.literal(to, fits, standing, found),
             UseKind::BitRead { of } => self.bit(Direction::Read, of, standing.of_bit(), found),
@@ -110,10 +118,10 @@ impl Finder<'_, '_> {
     /// Breaks a conversion, whether implicit or by a call.
     fn converting(
         &mut self,
-        claim: fn(PairKind) -> Claim,
+        claim: fn(PairKind) -> ConversionClaim,
         (from, to): (ElementaryType, ElementaryType),
         fits: bool,
-        standing: Standing,
+        standing: PlaceOfExpression,
         found: TracedUse,
     ) {
         let Some(kind) = PairKind::of(from, to) else {
@@ -123,14 +131,14 @@ impl Finder<'_, '_> {
         let pair = Some((from, to));
         if !fits {
             if let Some(change) = self.admitted(found.expression, &MISFITS) {
-                self.add(claim, Fault::Admitted, standing, change).pair = pair;
+                self.add(claim, ClaimBreach::Admitted, standing, change).pair = pair;
             }
             return;
         }
-        let refused = Change::Refuse(self.analysis.expression(found.expression).span);
-        self.add(claim, Fault::Refused, standing, refused).pair = pair;
+        let refused = SourceChange::Refuse(self.analysis.expression(found.expression).span);
+        self.add(claim, ClaimBreach::Refused, standing, refused).pair = pair;
         if let Some(change) = self.made_wrong(kind, (from, to), found) {
-            self.add(claim, Fault::Wrong, standing, change).pair = pair;
+            self.add(claim, ClaimBreach::Wrong, standing, change).pair = pair;
         }
     }
 
@@ -139,7 +147,7 @@ impl Finder<'_, '_> {
         kind: PairKind,
         (from, to): (ElementaryType, ElementaryType),
         found: TracedUse,
-    ) -> Option<Change> {
+    ) -> Option<SourceChange> {
         let program = &self.analysis.program.as_ref()?.program;
         let end = found.end?;
         let performed = match program.code.get(end.checked_sub(1)? as usize) {
@@ -151,26 +159,26 @@ impl Finder<'_, '_> {
         let nothing = u32::try_from(program.text_constants.len()).ok()?;
         let wrong = wrong_code(kind, (from, to), performed, nothing)?;
         let removed = u32::from(wrong.replaces);
-        Some(Change::Code {
+        Some(SourceChange::Code {
             at: end - removed,
             removed,
             inserted: wrong.code,
         })
     }
 
-    fn literal(&mut self, to: ElementaryType, fits: bool, standing: Standing, found: TracedUse) {
+    fn literal(&mut self, to: ElementaryType, fits: bool, standing: PlaceOfExpression, found: TracedUse) {
         let Some(pair) = self
             .literal_kind(found.expression)
             .map(|kind| literal_pair(kind, to))
         else {
             return;
         };
-        let claim = Claim::Literal(pair);
+        let claim = ConversionClaim::Literal(pair);
         if fits {
             let span = self.analysis.expression(found.expression).span;
-            self.add(claim, Fault::Refused, standing, Change::Refuse(span));
+            self.add(claim, ClaimBreach::Refused, standing, SourceChange::Refuse(span));
         } else if let Some(change) = self.admitted(found.expression, &MISFITS) {
-            self.add(claim, Fault::Admitted, standing, change);
+            self.add(claim, ClaimBreach::Admitted, standing, change);
         }
     }
 
@@ -188,24 +196,30 @@ impl Finder<'_, '_> {
         }
     }
 
-    fn bit(&mut self, direction: Direction, of: ElementaryType, standing: Standing, found: TracedUse) {
+    fn bit(
+        &mut self,
+        direction: Direction,
+        of: ElementaryType,
+        standing: PlaceOfExpression,
+        found: TracedUse,
+    ) {
         let Some(form) = self.form(found.expression) else {
             return;
         };
         let ExpressionKind::Bit { index, .. } = self.analysis.expression(found.expression).kind else {
             return;
         };
-        let claim = Claim::Bit(BitClaim::Selected, direction, form);
+        let claim = ConversionClaim::Bit(BitClaim::Selected, direction, form);
         let bit = Some((of, index));
-        let refused = Change::Refuse(self.analysis.expression(found.expression).span);
-        self.add(claim, Fault::Refused, standing, refused).bit = bit;
+        let refused = SourceChange::Refuse(self.analysis.expression(found.expression).span);
+        self.add(claim, ClaimBreach::Refused, standing, refused).bit = bit;
         if let Some(change) = self.other_bit(found) {
-            self.add(claim, Fault::Wrong, standing, change).bit = bit;
+            self.add(claim, ClaimBreach::Wrong, standing, change).bit = bit;
         }
     }
 
     /// Selects the neighbour of a bit.
-    fn other_bit(&self, found: TracedUse) -> Option<Change> {
+    fn other_bit(&self, found: TracedUse) -> Option<SourceChange> {
         let code = &self.analysis.program.as_ref()?.program.code;
         let is_bit = |&at: &Label| {
             let instruction = code.get(at as usize);
@@ -225,7 +239,7 @@ impl Finder<'_, '_> {
             },
             _ => return None,
         };
-        Some(Change::Code {
+        Some(SourceChange::Code {
             at,
             removed: 1,
             inserted: vec![instruction],
@@ -267,8 +281,8 @@ impl Finder<'_, '_> {
                 continue;
             };
             self.add(
-                Claim::Bit(claim, direction, form),
-                Fault::Admitted,
+                ConversionClaim::Bit(claim, direction, form),
+                ClaimBreach::Admitted,
                 standing,
                 change,
             );
@@ -286,14 +300,14 @@ impl Finder<'_, '_> {
                 false => Direction::Read,
             };
             if let Some(form) = self.form(id) {
-                let claim = Claim::Bit(BitClaim::Rendered, direction, form);
-                self.add(claim, Fault::Wrong, standing, Change::Bit(id));
+                let claim = ConversionClaim::Bit(BitClaim::Rendered, direction, form);
+                self.add(claim, ClaimBreach::Wrong, standing, SourceChange::Bit(id));
             }
         }
     }
 
     /// Returns the form in which a bit is selected, or a part that the dialect does not have.
-    fn form(&self, id: ExpressionId) -> Option<Form> {
+    fn form(&self, id: ExpressionId) -> Option<PartForm> {
         let Span { end, .. } = self.analysis.expression(id).span;
         let base = match self.analysis.expression(id).kind {
             ExpressionKind::Bit { base, .. } => base,
@@ -302,11 +316,11 @@ impl Finder<'_, '_> {
         let start = self.analysis.expression(base).span.end;
         let suffix = self.analysis.source.get(start as usize..end as usize)?;
         let Some((_, part)) = suffix.split_once('%') else {
-            return Some(Form::Short);
+            return Some(PartForm::Short);
         };
         match part.as_bytes().first()?.to_ascii_uppercase() {
-            b'B' | b'W' | b'D' | b'L' => Some(Form::Wider),
-            _ => Some(Form::PartialAccess),
+            b'B' | b'W' | b'D' | b'L' => Some(PartForm::Wider),
+            _ => Some(PartForm::PartialAccess),
         }
     }
 
@@ -314,13 +328,13 @@ impl Finder<'_, '_> {
         self.admitted_at(spans, codes).is_some()
     }
 
-    fn admitted(&self, id: ExpressionId, codes: &[Code]) -> Option<Change> {
+    fn admitted(&self, id: ExpressionId, codes: &[Code]) -> Option<SourceChange> {
         let span = self.analysis.expression(id).span;
         self.admitted_at([span, span], codes)
     }
 
     /// Returns the change that does not report errors with these codes at these places; `None` where there are none.
-    fn admitted_at(&self, spans: [Span; 2], codes: &[Code]) -> Option<Change> {
+    fn admitted_at(&self, spans: [Span; 2], codes: &[Code]) -> Option<SourceChange> {
         let found = spans
             .into_iter()
             .filter_map(|Span { start, end }| self.errors.get(&(start, end)));
@@ -329,7 +343,7 @@ impl Finder<'_, '_> {
             .copied()
             .filter(|&index| codes.contains(&self.analysis.diagnostics[index].code))
             .collect();
-        (!errors.is_empty()).then_some(Change::Admit(errors))
+        (!errors.is_empty()).then_some(SourceChange::Admit(errors))
     }
 }
 

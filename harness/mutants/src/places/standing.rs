@@ -1,6 +1,6 @@
 //! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
 
-use super::names::{Names, Variable, Variables};
+use super::names::{SectionVariable, SourceNames, Variables};
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::tree::{
     Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
@@ -10,7 +10,7 @@ use stickler_reference::syntax::tree::{
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Standing {
+pub struct PlaceOfExpression {
     /// The form of the expression; of one that is written, the form of the value.
     pub source: Option<&'static str>,
     /// The form of what a bit is selected of, where the expression selects one.
@@ -25,28 +25,28 @@ pub struct Standing {
     pub written: bool,
 }
 
-impl Standing {
+impl PlaceOfExpression {
     /// Returns the places of a bit: where it is read, its source is that of what it is part of.
-    pub fn of_bit(self) -> Standing {
+    pub fn of_bit(self) -> PlaceOfExpression {
         let source = if self.written { self.source } else { self.base };
-        Standing { source, ..self }
+        PlaceOfExpression { source, ..self }
     }
 }
 
 /// The places of all expressions of a program.
 #[derive(Debug)]
-pub struct Standings(Vec<Standing>);
+pub struct Standings(Vec<PlaceOfExpression>);
 
 impl Standings {
     /// Finds the places of all expressions.
     pub fn new(unit: &SourceUnit<'_>, lines: &LineIndex) -> Standings {
-        let names = Names::new(unit);
+        let names = SourceNames::new(unit);
         let mut walk = Walk {
             unit,
             lines,
             names: &names,
             variables: Variables::default(),
-            found: vec![Standing::default(); unit.expressions.len()],
+            found: vec![PlaceOfExpression::default(); unit.expressions.len()],
             around: Vec::new(),
             body: None,
             waiting: Vec::new(),
@@ -58,7 +58,7 @@ impl Standings {
     }
 
     /// Returns the places of an expression.
-    pub fn of(&self, id: ExpressionId) -> Standing {
+    pub fn of(&self, id: ExpressionId) -> PlaceOfExpression {
         self.0.get(id.0 as usize).copied().unwrap_or_default()
     }
 }
@@ -66,15 +66,15 @@ impl Standings {
 struct Walk<'w, 'u> {
     unit: &'u SourceUnit<'u>,
     lines: &'w LineIndex,
-    names: &'w Names<'u>,
+    names: &'w SourceNames<'u>,
     variables: Variables<'u>,
-    found: Vec<Standing>,
+    found: Vec<PlaceOfExpression>,
     /// The statements around, the innermost last.
     around: Vec<&'static str>,
     /// The body around.
     body: Option<&'static str>,
     /// Expressions whose parts have not been visited yet.
-    waiting: Vec<(ExpressionId, Standing)>,
+    waiting: Vec<(ExpressionId, PlaceOfExpression)>,
 }
 
 impl<'u> Walk<'_, 'u> {
@@ -253,7 +253,7 @@ impl<'u> Walk<'_, 'u> {
             ("result", true) => "result-and-return",
             _ => place,
         });
-        let written = Standing {
+        let written = PlaceOfExpression {
             source: self.source(value),
             target: place,
             written: true,
@@ -261,7 +261,7 @@ impl<'u> Walk<'_, 'u> {
         };
         self.found[target.0 as usize] = written;
         self.parts(target, written);
-        let arriving = Standing {
+        let arriving = PlaceOfExpression {
             target: place,
             ..self.here()
         };
@@ -269,20 +269,20 @@ impl<'u> Walk<'_, 'u> {
     }
 
     /// Returns the surrounding of what stands here, with no source and no target.
-    fn here(&self) -> Standing {
+    fn here(&self) -> PlaceOfExpression {
         let surrounding = match self.around[..] {
             [] => self.body,
             [.., _, _, _] => Some("nested"),
             [.., innermost] => Some(innermost),
         };
-        Standing {
+        PlaceOfExpression {
             surrounding,
-            ..Standing::default()
+            ..PlaceOfExpression::default()
         }
     }
 
     fn value(&mut self, id: ExpressionId, target: &'static str) {
-        let standing = Standing {
+        let standing = PlaceOfExpression {
             target: Some(target),
             ..self.here()
         };
@@ -290,10 +290,10 @@ impl<'u> Walk<'_, 'u> {
     }
 
     /// Visits an expression and all of its parts. A chain of operators may be long, so this does not recurse.
-    fn visit(&mut self, id: ExpressionId, standing: Standing) {
+    fn visit(&mut self, id: ExpressionId, standing: PlaceOfExpression) {
         self.waiting.push((id, standing));
         while let Some((id, standing)) = self.waiting.pop() {
-            self.found[id.0 as usize] = Standing {
+            self.found[id.0 as usize] = PlaceOfExpression {
                 source: self.source(id),
                 base: self.base(id),
                 ..standing
@@ -303,8 +303,8 @@ impl<'u> Walk<'_, 'u> {
     }
 
     /// Visits the parts of an expression later.
-    fn parts(&mut self, id: ExpressionId, standing: Standing) {
-        let elsewhere = |target| Standing {
+    fn parts(&mut self, id: ExpressionId, standing: PlaceOfExpression) {
+        let elsewhere = |target| PlaceOfExpression {
             target: Some(target),
             call: None,
             written: false,
@@ -352,8 +352,8 @@ impl<'u> Walk<'_, 'u> {
         call: ExpressionId,
         callee: ExpressionId,
         argument: &Argument<'_>,
-        standing: Standing,
-    ) -> (ExpressionId, Standing) {
+        standing: PlaceOfExpression,
+    ) -> (ExpressionId, PlaceOfExpression) {
         let name = match &self.unit.expressions[callee.0 as usize].kind {
             ExpressionKind::Name(name) => name.text,
             _ => "",
@@ -373,7 +373,7 @@ impl<'u> Walk<'_, 'u> {
             Argument::Output { target, .. } => (*target, "block-output"),
             Argument::Named { value: id, .. } | Argument::Positional(id) => (*id, standard_argument(name)),
         };
-        let standing = Standing {
+        let standing = PlaceOfExpression {
             target: Some(target),
             call: Some(call),
             written: matches!(argument, Argument::Output { .. }),
@@ -429,8 +429,8 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Name(name) => {
                 let variable = self.names.variable(&self.variables, name.text)?;
                 section(variable.kind).unwrap_or(match variable {
-                    Variable { constant: true, .. } => "constant",
-                    Variable { retained: true, .. } => "retained",
+                    SectionVariable { constant: true, .. } => "constant",
+                    SectionVariable { retained: true, .. } => "retained",
                     _ => "variable",
                 })
             }

@@ -4,7 +4,9 @@
 
 use super::inferred::Inferred;
 use super::memory::MemoryLayout;
-use super::model::{InitialRoutine, InitialValue, Instance, Model, PouEntry, SourceText, TopLevelName};
+use super::model::{
+    DefaultInitialValue, InitialRoutine, Instance, Model, PouEntry, SourceText, TopLevelName,
+};
 use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
@@ -193,7 +195,7 @@ impl<'u> Declarer<'u, '_> {
     }
 
     /// Says what a routine does that has been handed out: it makes the default value of a type.
-    pub(super) fn define_routine(&mut self, routine: RoutineId, value: InitialValue<'u>) {
+    pub(super) fn define_routine(&mut self, routine: RoutineId, value: DefaultInitialValue<'u>) {
         let pou = self.current.map(saturating_u32);
         self.model
             .initial_values

@@ -5,7 +5,7 @@
 use super::contexts::ValueContext;
 use super::locations::{Location, VariablePlace};
 use super::lowering::Lowering;
-use super::model::{DeclaredVariable, InitialValue};
+use super::model::{DeclaredVariable, DefaultInitialValue};
 use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::instruction::{Instruction, RoutineId};
 use crate::source::Span;
@@ -213,12 +213,12 @@ impl<'m> Lowering<'m> {
     }
 
     /// Makes a routine that gives a variable, which is its instance, the default of its type.
-    pub(super) fn initial_value(&mut self, routine: RoutineId, value: InitialValue<'m>) {
+    pub(super) fn initial_value(&mut self, routine: RoutineId, value: DefaultInitialValue<'m>) {
         let model = self.model;
         let start = Location::Instance(0);
         self.emitter.begin(routine);
         match value {
-            InitialValue::Structure(ty, groups) => {
+            DefaultInitialValue::Structure(ty, groups) => {
                 let TypeKind::Structure(structure) = model.types.kind(ty) else {
                     return;
                 };
@@ -238,7 +238,7 @@ impl<'m> Lowering<'m> {
                     }
                 }
             }
-            InitialValue::Elements(ty) => {
+            DefaultInitialValue::Elements(ty) => {
                 let TypeKind::Array(shape) = model.types.kind(ty) else {
                     return;
                 };
@@ -252,7 +252,7 @@ impl<'m> Lowering<'m> {
                     });
                 }
             }
-            InitialValue::Declared(base, initializer) => {
+            DefaultInitialValue::Declared(base, initializer) => {
                 self.set_line(initializer.span);
                 self.initialize(start, base, Some(initializer));
             }

@@ -164,14 +164,14 @@ pub(super) enum EnumeratedName {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InitialRoutine<'u> {
     pub(super) routine: RoutineId,
-    pub(super) value: InitialValue<'u>,
+    pub(super) value: DefaultInitialValue<'u>,
     /// The POU with whose variables the type is declared, if it is; of these only constants are known there.
     pub(super) pou: Option<u32>,
 }
 
 /// The default value of the variables of a type.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum InitialValue<'u> {
+pub(super) enum DefaultInitialValue<'u> {
     /// The elements of a structure, each its own.
     Structure(TypeId, &'u [VariableGroup<'u>]),
     /// Every element of an array the default of its type.

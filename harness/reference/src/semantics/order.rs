@@ -5,7 +5,7 @@
 
 use super::cycles::{WalkEvent, walk};
 use super::declare::{DeclaredNode, Declarer, TypeNode};
-use super::model::{InitialValue, Model, TopLevelName};
+use super::model::{DefaultInitialValue, Model, TopLevelName};
 use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::source::Span;
 use crate::syntax::tree::{
@@ -87,7 +87,7 @@ impl<'u> Declarer<'u, '_> {
             return self.model.types.add_alias(base, ty.name.text, default);
         }
         let routine = self.routine();
-        self.define_routine(routine, InitialValue::Declared(base, initializer));
+        self.define_routine(routine, DefaultInitialValue::Declared(base, initializer));
         self.model
             .types
             .add_alias(base, ty.name.text, DefaultValue::Routine(routine))

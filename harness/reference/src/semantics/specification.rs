@@ -2,7 +2,7 @@
 
 use super::declare::Declarer;
 use super::memory::MAX_CELLS;
-use super::model::{InitialValue, TopLevelName};
+use super::model::{DefaultInitialValue, TopLevelName};
 use super::scope::NamedList;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
@@ -210,7 +210,7 @@ impl<'u> Declarer<'u, '_> {
         };
         let id = self.model.types.add_array(shape, extent);
         if let DefaultValue::Routine(routine) = default {
-            self.define_routine(routine, InitialValue::Elements(id));
+            self.define_routine(routine, DefaultInitialValue::Elements(id));
         }
         id
     }
@@ -265,7 +265,7 @@ impl<'u> Declarer<'u, '_> {
             .types
             .add(TypeKind::Structure(Box::new(structure)), extent);
         if let DefaultValue::Routine(routine) = extent.default {
-            self.define_routine(routine, InitialValue::Structure(id, groups));
+            self.define_routine(routine, DefaultInitialValue::Structure(id, groups));
         }
         id
     }

@@ -9,11 +9,11 @@ use stickler_run::Header;
 const FORMAT: u32 = 1;
 
 #[derive(Serialize)]
-struct Document<'c> {
+struct ComparisonDocument<'c> {
     format: u32,
     old: &'c Header,
     new: &'c Header,
-    engines: Vec<Pair<'c>>,
+    engines: Vec<EnginePair<'c>>,
     counts: Counts,
     changes: &'c [Change],
     added: &'c [UnmatchedCase],
@@ -22,7 +22,7 @@ struct Document<'c> {
 
 /// The name of an engine in each run.
 #[derive(Serialize)]
-struct Pair<'c> {
+struct EnginePair<'c> {
     old: &'c str,
     new: &'c str,
 }
@@ -46,14 +46,14 @@ struct Counts {
 /// Returns the error of writing to `out`.
 pub fn write_json(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
     let count = |kind| comparison.of_kind(kind).count();
-    let document = Document {
+    let document = ComparisonDocument {
         format: FORMAT,
         old: &comparison.old,
         new: &comparison.new,
         engines: comparison
             .engines
             .iter()
-            .map(|(old, new)| Pair { old, new })
+            .map(|(old, new)| EnginePair { old, new })
             .collect(),
         counts: Counts {
             crashed: count(Kind::Crashed),

@@ -17,11 +17,11 @@ pub(super) struct OlderCase {
     pub(super) verdict: Verdict,
     expectation: u32,
     said: u64,
-    texts: Option<Box<Texts>>,
+    texts: Option<Box<OlderTexts>>,
 }
 
 /// The texts of a case that did not simply pass.
-struct Texts {
+struct OlderTexts {
     /// The text of the expected facts; empty where the log does not contain them.
     expected: String,
     said: String,
@@ -47,7 +47,7 @@ impl OlderCase {
             expectation: case.expectation,
             said: fingerprint(&said),
             texts: tells_more.then(|| {
-                Box::new(Texts {
+                Box::new(OlderTexts {
                     expected: clip(&Fact::text(&case.expected), MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
                     said: clip(&said, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
                 })

@@ -72,13 +72,13 @@ fn version(header: &Header, name: &str) -> String {
 }
 
 /// A group of cases of one probe in one dialect that changed alike.
-struct Group<'c> {
+struct ChangedAlike<'c> {
     probe: &'c str,
     changes: Vec<&'c Change>,
 }
 
-fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<Group<'c>> {
-    let mut groups: Vec<Group<'c>> = Vec::new();
+fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<ChangedAlike<'c>> {
+    let mut groups: Vec<ChangedAlike<'c>> = Vec::new();
     let mut places = std::collections::HashMap::new();
     for change in changes {
         let alike = (
@@ -91,7 +91,7 @@ fn groups<'c>(changes: impl Iterator<Item = &'c Change>) -> Vec<Group<'c>> {
         let place = *places.entry(alike).or_insert(groups.len());
         match groups.get_mut(place) {
             Some(group) => group.changes.push(change),
-            None => groups.push(Group {
+            None => groups.push(ChangedAlike {
                 probe: alike.0,
                 changes: vec![change],
             }),
@@ -118,7 +118,7 @@ fn word(kind: Kind) -> &'static str {
 }
 
 /// Writes the first line of a group: `BROKEN 12 cases of widening/integer::assignment in ironplc-ed2: pass → fail`
-fn write_head(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+fn write_head(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
     let Some(first) = group.changes.first() else {
         return Ok(());
     };
@@ -141,7 +141,7 @@ fn write_head(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Resu
     }
 }
 
-fn write_whole(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+fn write_whole(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
     write_head(out, group, several)?;
     let detailed = group
         .changes
@@ -175,7 +175,7 @@ fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Res
 }
 
 /// Writes a group in one line, and the results of its first case in a second one.
-fn write_line(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Result<()> {
+fn write_line(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> io::Result<()> {
     write_head(out, group, several)?;
     let Some(first) = group
         .changes
@@ -193,7 +193,7 @@ fn write_line(out: &mut dyn Write, group: &Group<'_>, several: bool) -> io::Resu
     write_texts(out, first, detail)
 }
 
-fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[Group<'_>]) -> io::Result<()> {
+fn write_rest(out: &mut dyn Write, kind: Kind, groups: &[ChangedAlike<'_>]) -> io::Result<()> {
     let rest = groups.get(MAX_SHOWN..).unwrap_or_default();
     let cases: usize = rest.iter().map(|group| group.changes.len()).sum();
     if cases > 0 {

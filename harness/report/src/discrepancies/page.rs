@@ -1,6 +1,6 @@
 //! Writes the page of a cluster, and the list of an engine's pages.
 
-use super::{Cluster, Key};
+use super::{Cluster, ClusterKey};
 use crate::basis::Basis;
 use crate::engine;
 use crate::summary::{code, fence, inline};
@@ -34,7 +34,7 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left
 }
 
 /// Returns the line for one page in the list of pages.
-pub(super) fn entry(file: &str, key: &Key, cluster: &Cluster) -> String {
+pub(super) fn entry(file: &str, key: &ClusterKey, cluster: &Cluster) -> String {
     format!(
         "| {} | [{}: {}]({file}) | {} |\n",
         cluster.number(),
@@ -45,7 +45,7 @@ pub(super) fn entry(file: &str, key: &Key, cluster: &Cluster) -> String {
 }
 
 /// Returns the page of a cluster.
-pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &Key, cluster: &Cluster) -> String {
+pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &ClusterKey, cluster: &Cluster) -> String {
     let case = &cluster.smallest;
     let mut text = format!(
         "# {}: {}\n\n{}.\n\n",

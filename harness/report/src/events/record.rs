@@ -9,11 +9,11 @@ use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, 
 /// A line that is not about a case.
 #[derive(Serialize, Deserialize)]
 #[serde(tag = "type", rename_all = "lowercase")]
-pub(super) enum Frame<'r> {
+pub(super) enum RunLine<'r> {
     /// The first line.
     Header(Cow<'r, Header>),
     /// The common properties of the cases of a group, before the first of them.
-    Group(GroupRecord<'r>),
+    Group(GroupLine<'r>),
     /// A cause of failing cases, after all cases.
     Cause(Box<Cow<'r, Cause>>),
     /// The last line of a complete run.
@@ -22,14 +22,14 @@ pub(super) enum Frame<'r> {
 
 /// A group and the number by which the lines of its cases name it.
 #[derive(Serialize, Deserialize)]
-pub(super) struct GroupRecord<'r> {
+pub(super) struct GroupLine<'r> {
     number: GroupNumber,
     group: Cow<'r, Group>,
 }
 
 /// A line about a case. Properties that the line leaves out are empty or unknown.
 #[derive(Serialize, Deserialize)]
-pub(super) struct CaseRecord<'r> {
+pub(super) struct CaseObject<'r> {
     #[serde(rename = "type")]
     verdict: Verdict,
     group: GroupNumber,
@@ -52,18 +52,18 @@ pub(super) struct CaseRecord<'r> {
     baseline: Option<Cow<'r, BaselineNote>>,
 }
 
-impl<'r> GroupRecord<'r> {
-    pub(super) const fn new(number: GroupNumber, group: &'r Group) -> GroupRecord<'r> {
-        GroupRecord {
+impl<'r> GroupLine<'r> {
+    pub(super) const fn new(number: GroupNumber, group: &'r Group) -> GroupLine<'r> {
+        GroupLine {
             number,
             group: Cow::Borrowed(group),
         }
     }
 }
 
-impl<'r> CaseRecord<'r> {
-    pub(super) fn new(case: &'r CaseEvent, group: GroupNumber) -> CaseRecord<'r> {
-        CaseRecord {
+impl<'r> CaseObject<'r> {
+    pub(super) fn new(case: &'r CaseEvent, group: GroupNumber) -> CaseObject<'r> {
+        CaseObject {
             verdict: case.verdict,
             group,
             case: Group::arguments(&case.id).into(),
@@ -125,20 +125,20 @@ impl Decoder {
         let broken = |source| LogError::Line { line: number, source };
         let Tag { kind } = serde_json::from_slice(line).map_err(broken)?;
         if !matches!(&*kind, "header" | "group" | "cause" | "footer") {
-            let record: CaseRecord<'_> = serde_json::from_slice(line).map_err(broken)?;
+            let record: CaseObject<'_> = serde_json::from_slice(line).map_err(broken)?;
             let group = self.groups.get(record.group);
             let group = group.ok_or(LogError::Group { line: number })?;
             return Ok(Some(Event::Case(record.event(group))));
         }
         match serde_json::from_slice(line).map_err(broken)? {
-            Frame::Header(header) => Ok(Some(Event::Header(header.into_owned()))),
-            Frame::Cause(cause) => Ok(Some(Event::Cause((*cause).into_owned()))),
-            Frame::Footer(footer) => Ok(Some(Event::Footer(footer.into_owned()))),
-            Frame::Group(record) if record.number == self.groups.len() => {
+            RunLine::Header(header) => Ok(Some(Event::Header(header.into_owned()))),
+            RunLine::Cause(cause) => Ok(Some(Event::Cause((*cause).into_owned()))),
+            RunLine::Footer(footer) => Ok(Some(Event::Footer(footer.into_owned()))),
+            RunLine::Group(record) if record.number == self.groups.len() => {
                 self.groups.push(record.group.into_owned());
                 Ok(None)
             }
-            Frame::Group(_) => Err(LogError::Group { line: number }),
+            RunLine::Group(_) => Err(LogError::Group { line: number }),
         }
     }
 }

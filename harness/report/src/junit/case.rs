@@ -1,13 +1,13 @@
 //! The JUnit test of a case that did not pass.
 
-use super::suite::{Kind, Problem, Test};
+use super::suite::{JunitTest, Problem, TestResult};
 use crate::text::noted;
 use crate::{compared, diff, engine};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, EngineHeader, Fact, Verdict};
 
 /// Returns the test of a case that did not pass.
-pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> Test<'c> {
+pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> JunitTest<'c> {
     let problem = kind(case.verdict).map(|(kind, message)| Problem {
         kind,
         type_name: case.verdict.as_str(),
@@ -18,12 +18,12 @@ pub(super) fn test<'c>(case: &'c CaseEvent, engine: Option<&EngineHeader>) -> Te
         },
         text: description(case, engine),
     });
-    Test {
+    JunitTest {
         name: &case.id,
         microseconds: case.duration_us,
         problem,
         output: observations(case),
-        ..Test::default()
+        ..JunitTest::default()
     }
 }
 
@@ -40,20 +40,20 @@ fn observations(case: &CaseEvent) -> String {
 }
 
 /// Returns the JUnit kind of a verdict, with its message; `None` for a pass.
-pub(super) fn kind(verdict: Verdict) -> Option<(Kind, &'static str)> {
+pub(super) fn kind(verdict: Verdict) -> Option<(TestResult, &'static str)> {
     match verdict {
         Verdict::Pass => None,
-        Verdict::Fail => Some((Kind::Failure, "not as expected")),
+        Verdict::Fail => Some((TestResult::Failure, "not as expected")),
         Verdict::Differs => Some((
-            Kind::Skipped,
+            TestResult::Skipped,
             "differs from a source that does not bind the engine",
         )),
-        Verdict::Xpass => Some((Kind::Failure, "passes, but its baseline expects it not to")),
-        Verdict::Crash => Some((Kind::Error, "the engine crashed")),
-        Verdict::Timeout => Some((Kind::Error, "the engine did not answer in time")),
-        Verdict::Error => Some((Kind::Error, "the engine made no sense")),
-        Verdict::Xfail => Some((Kind::Skipped, "fails, as its baseline expects")),
-        Verdict::Unsupported => Some((Kind::Skipped, "the engine does not support it")),
+        Verdict::Xpass => Some((TestResult::Failure, "passes, but its baseline expects it not to")),
+        Verdict::Crash => Some((TestResult::Error, "the engine crashed")),
+        Verdict::Timeout => Some((TestResult::Error, "the engine did not answer in time")),
+        Verdict::Error => Some((TestResult::Error, "the engine made no sense")),
+        Verdict::Xfail => Some((TestResult::Skipped, "fails, as its baseline expects")),
+        Verdict::Unsupported => Some((TestResult::Skipped, "the engine does not support it")),
     }
 }
 

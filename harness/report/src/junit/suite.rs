@@ -4,14 +4,14 @@ use quick_junit::{NonSuccessKind, TestCase, TestCaseStatus, TestSuite};
 use std::time::Duration;
 
 /// A test suite, which adds up the time of its tests.
-pub(super) struct Suite {
+pub(super) struct JunitSuite {
     suite: TestSuite,
     time: Duration,
 }
 
 /// A test of a test suite.
 #[derive(Default)]
-pub(super) struct Test<'a> {
+pub(super) struct JunitTest<'a> {
     /// The name of the test within its suite.
     pub(super) name: &'a str,
     /// The duration of the test, in microseconds.
@@ -27,7 +27,7 @@ pub(super) struct Test<'a> {
 /// A failure, an error or a skip of a test.
 pub(super) struct Problem<'a> {
     /// The kind of problem in JUnit's terms.
-    pub(super) kind: Kind,
+    pub(super) kind: TestResult,
     /// The kind of problem in Stickler's terms.
     pub(super) type_name: &'a str,
     /// The message, on one line; line ends and tabs in it become spaces, as XML readers normalize the attribute.
@@ -38,7 +38,7 @@ pub(super) struct Problem<'a> {
 
 /// The JUnit kind of a test that did not simply pass.
 #[derive(Clone, Copy)]
-pub(super) enum Kind {
+pub(super) enum TestResult {
     /// The test gave a wrong result.
     Failure,
     /// The test gave no result.
@@ -47,17 +47,17 @@ pub(super) enum Kind {
     Skipped,
 }
 
-impl Suite {
+impl JunitSuite {
     /// Creates a test suite without tests.
-    pub(super) fn new(name: &str) -> Suite {
-        Suite {
+    pub(super) fn new(name: &str) -> JunitSuite {
+        JunitSuite {
             suite: TestSuite::new(name),
             time: Duration::ZERO,
         }
     }
 
     /// Adds a test.
-    pub(super) fn add(&mut self, test: Test<'_>) {
+    pub(super) fn add(&mut self, test: JunitTest<'_>) {
         let time = Duration::from_micros(test.microseconds);
         let mut case = TestCase::new(
             test.name,
@@ -83,9 +83,9 @@ impl Suite {
 
 fn status(problem: Problem<'_>) -> TestCaseStatus {
     let mut status = match problem.kind {
-        Kind::Failure => TestCaseStatus::non_success(NonSuccessKind::Failure),
-        Kind::Error => TestCaseStatus::non_success(NonSuccessKind::Error),
-        Kind::Skipped => TestCaseStatus::skipped(),
+        TestResult::Failure => TestCaseStatus::non_success(NonSuccessKind::Failure),
+        TestResult::Error => TestCaseStatus::non_success(NonSuccessKind::Error),
+        TestResult::Skipped => TestCaseStatus::skipped(),
     };
     status
         .set_type(problem.type_name)

@@ -1,14 +1,14 @@
 //! The JUnit test of several cases of a probe with one verdict.
 
 use super::case::kind;
-use super::suite::{Problem, Test};
+use super::suite::{JunitTest, Problem};
 use crate::groups::Group;
 use stickler_run::{CaseEvent, Fact, Verdict};
 use stickler_types::counted;
 
 /// The number of cases with one verdict, and the sums of their observations and times.
 #[derive(Default)]
-pub(super) struct Tally {
+pub(super) struct ProbeTally {
     cases: u64,
     observations: u64,
     microseconds: u64,
@@ -16,10 +16,10 @@ pub(super) struct Tally {
     got: String,
 }
 
-impl Tally {
+impl ProbeTally {
     /// Adds a case.
     pub(super) fn take(&mut self, case: &CaseEvent) {
-        self.add(Tally {
+        self.add(ProbeTally {
             cases: 1,
             observations: case.observations.len() as u64,
             microseconds: case.duration_us,
@@ -31,7 +31,7 @@ impl Tally {
     }
 
     /// Adds the cases of another tally.
-    pub(super) fn add(&mut self, other: Tally) {
+    pub(super) fn add(&mut self, other: ProbeTally) {
         if self.cases == 0 {
             self.got = other.got;
         }
@@ -41,7 +41,7 @@ impl Tally {
     }
 
     /// Returns the test of the cases of a probe with this verdict; `None` where there are none.
-    pub(super) fn tests<'g>(&self, group: &'g Group, verdict: Verdict) -> Option<Test<'g>> {
+    pub(super) fn tests<'g>(&self, group: &'g Group, verdict: Verdict) -> Option<JunitTest<'g>> {
         let problem = kind(verdict).map(|(kind, message)| {
             let cases = counted(self.cases, "case", "cases");
             Problem {
@@ -52,12 +52,12 @@ impl Tally {
             }
         });
         let properties = [("cases", self.cases), ("observations", self.observations)];
-        (self.cases > 0).then(|| Test {
+        (self.cases > 0).then(|| JunitTest {
             name: &group.id,
             microseconds: self.microseconds,
             problem,
             properties: properties.into_iter().filter(|(_, number)| *number > 0).collect(),
-            ..Test::default()
+            ..JunitTest::default()
         })
     }
 }

@@ -11,23 +11,23 @@ const MAX_CHARACTERS: usize = 80;
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]
-pub(super) struct Answers {
+pub(super) struct PageAnswers {
     words: WordTable,
-    columns: Vec<Column>,
+    columns: Vec<AnswerColumn>,
     /// The index of the column of an engine and a dialect, by the numbers of their words.
     numbers: HashMap<(u32, u32), usize>,
 }
 
 /// The answers of an engine in a dialect.
-struct Column {
+struct AnswerColumn {
     engine: u32,
     dialect: u32,
-    answers: HashMap<QuestionNumber, Answer>,
+    answers: HashMap<QuestionNumber, EngineAnswer>,
 }
 
 /// An answer. Several cases may ask the same; the greatest answer counts, so that what deviates is seen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Answer {
+enum EngineAnswer {
     /// The engine answers as the source of the case says.
     Met,
     /// No source says what the answer must be; holds the word of the recorded answer.
@@ -56,22 +56,22 @@ struct ColumnData {
     other: (Vec<QuestionNumber>, Vec<u32>, Vec<Option<usize>>),
 }
 
-impl Answers {
+impl PageAnswers {
     /// Adds the answer of a case to a question. `number` is that of the case among those that did not pass.
     pub(super) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
         let answer = match case.verdict {
             Verdict::Pass | Verdict::Xpass if case.open => match recorded(case) {
-                Some(recorded) => Answer::Recorded(self.words.number(recorded)),
+                Some(recorded) => EngineAnswer::Recorded(self.words.number(recorded)),
                 None => return,
             },
-            Verdict::Pass | Verdict::Xpass => Answer::Met,
-            _ => Answer::Other(self.words.number(&other(&case.got)), number),
+            Verdict::Pass | Verdict::Xpass => EngineAnswer::Met,
+            _ => EngineAnswer::Other(self.words.number(&other(&case.got)), number),
         };
         let key = (self.words.number(&case.engine), self.words.number(&case.dialect));
         let next = self.columns.len();
         let column = *self.numbers.entry(key).or_insert(next);
         if column == next {
-            self.columns.push(Column {
+            self.columns.push(AnswerColumn {
                 engine: key.0,
                 dialect: key.1,
                 answers: HashMap::new(),
@@ -84,15 +84,15 @@ impl Answers {
     /// Returns the data for the page.
     pub(super) fn into_data(self) -> AnswersData {
         AnswersData {
-            columns: self.columns.into_iter().map(Column::into_data).collect(),
+            columns: self.columns.into_iter().map(AnswerColumn::into_data).collect(),
             words: self.words.all().to_vec(),
         }
     }
 }
 
-impl Column {
+impl AnswerColumn {
     fn into_data(self) -> ColumnData {
-        let mut answers: Vec<(QuestionNumber, Answer)> = self.answers.into_iter().collect();
+        let mut answers: Vec<(QuestionNumber, EngineAnswer)> = self.answers.into_iter().collect();
         answers.sort_unstable();
         let mut data = ColumnData {
             engine: self.engine,
@@ -109,12 +109,12 @@ impl Column {
         };
         for (question, answer) in answers {
             match answer {
-                Answer::Met => data.met.push(distance(0, question)),
-                Answer::Recorded(word) => {
+                EngineAnswer::Met => data.met.push(distance(0, question)),
+                EngineAnswer::Recorded(word) => {
                     data.recorded.0.push(distance(1, question));
                     data.recorded.1.push(word);
                 }
-                Answer::Other(word, case) => {
+                EngineAnswer::Other(word, case) => {
                     data.other.0.push(distance(2, question));
                     data.other.1.push(word);
                     data.other.2.push(case);
@@ -163,7 +163,7 @@ fn shortened(text: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::Answers;
+    use super::PageAnswers;
     use crate::sample;
     use serde_json::json;
     use stickler_run::Verdict;
@@ -171,7 +171,7 @@ mod tests {
     #[test]
     fn what_deviates_is_seen_whichever_case_comes_first() {
         for order in [[Verdict::Pass, Verdict::Fail], [Verdict::Fail, Verdict::Pass]] {
-            let mut answers = Answers::default();
+            let mut answers = PageAnswers::default();
             for verdict in order {
                 answers.take(&sample::case("a::p(1)", verdict), 7, Some(3));
             }

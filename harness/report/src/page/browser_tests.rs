@@ -12,7 +12,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
-use stickler_conversions::overview::{Statement, Statements, StatementsBuilder, part_of_program};
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder, part_of_program};
 use stickler_run::{CaseEvent, Event, Verdict};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -85,7 +85,7 @@ fn statements() -> Statements {
     let mut builder = StatementsBuilder::new(vec![DialectName::IronplcEd2, DialectName::Plcnext]);
     let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
     let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
-    let implicit = Statement {
+    let implicit = CaseStatement {
         dialect: DialectName::IronplcEd2,
         word,
         basis: "ironplc-type-conversions: Integer widening",
@@ -96,7 +96,7 @@ fn statements() -> Statements {
     let part = part_of_program(BIT).expect("an access");
     builder.add_part(
         &part,
-        &Statement {
+        &CaseStatement {
             word,
             case: &bit,
             ..implicit

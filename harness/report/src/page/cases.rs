@@ -1,6 +1,6 @@
 //! The cases that did not pass, in columns of numbers.
 
-use super::texts::{TextNumber, Texts};
+use super::texts::{TextNumber, TextTable};
 use crate::groups::{Group, GroupNumber, Groups};
 use crate::text::{clip_facts, noted, visible};
 use serde::Serialize;
@@ -18,8 +18,8 @@ const MAX_CHARACTERS: usize = 500;
 
 /// The cases that did not pass, gathered while the run goes on.
 #[derive(Default)]
-pub(super) struct FailedCases {
-    texts: Texts,
+pub(super) struct MissedCases {
+    texts: TextTable,
     columns: Columns,
     left_out: u64,
 }
@@ -95,10 +95,10 @@ impl GroupColumns {
     }
 }
 
-impl FailedCases {
+impl MissedCases {
     /// Adds a case, and returns its number; `None` where the list has no room for it.
     pub(super) fn take(&mut self, case: &CaseEvent, group: GroupNumber) -> Option<usize> {
-        let FailedCases {
+        let MissedCases {
             texts,
             columns,
             left_out,

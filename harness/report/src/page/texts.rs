@@ -9,7 +9,7 @@ const MAX_BYTES: usize = 7 << 19;
 
 /// A table of texts. Programs of one probe have most of their lines in common, and dialects most of their programs.
 #[derive(Default)]
-pub(super) struct Texts {
+pub(super) struct TextTable {
     /// The lines of all texts, and words that are no text of their own.
     pub(super) words: WordTable,
     numbers: HashMap<Vec<u32>, u32>,
@@ -23,7 +23,7 @@ pub(super) struct Texts {
 /// The number of a text in the table; `None` for a text that is not there.
 pub(super) type TextNumber = Option<u32>;
 
-impl Texts {
+impl TextTable {
     /// Returns the number of a text, which is added where it is new and the table has room for it.
     pub(super) fn number(&mut self, text: &str) -> TextNumber {
         if self.bytes > MAX_BYTES {
@@ -52,11 +52,11 @@ impl Texts {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_BYTES, Texts};
+    use super::{MAX_BYTES, TextTable};
 
     #[test]
     fn a_text_and_a_line_are_kept_once() {
-        let mut texts = Texts::default();
+        let mut texts = TextTable::default();
         let numbers = ["a\nb", "a\nb\n", "b\nc", ""].map(|text| texts.number(text));
         assert_eq!(numbers, [Some(0), Some(0), Some(1), Some(2)]);
         let (words, texts, left_out) = texts.into_parts();
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn what_finds_no_room_is_counted() {
-        let mut texts = Texts::default();
+        let mut texts = TextTable::default();
         let huge = "x".repeat(MAX_BYTES);
         assert_eq!(texts.number(&huge), Some(0));
         assert_eq!(texts.number("a"), None);

@@ -1,7 +1,7 @@
 //! The cases that passed, and the observations, by probe: arguments are keys, and dialects that have the same cases share
 //! them.
 
-use super::List;
+use super::JsonList;
 use crate::groups::{Group, GroupNumber, Groups};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
@@ -49,8 +49,8 @@ impl Passed {
     ///
     /// # Errors
     /// Returns the error of serde_json.
-    pub(super) fn list(&self, groups: &Groups) -> serde_json::Result<List> {
-        let mut list = List::default();
+    pub(super) fn list(&self, groups: &Groups) -> serde_json::Result<JsonList> {
+        let mut list = JsonList::default();
         for probe in probes(groups.all()) {
             let of = |member: &usize| self.groups.get(*member).map(|cases| &cases.durations_us);
             for shared in shared(&probe.members, of) {
@@ -78,7 +78,7 @@ impl Passed {
     /// dialect.
     fn got<'a>(
         &'a self,
-        shared: &Shared<'a, u64>,
+        shared: &SharedCases<'a, u64>,
         groups: &'a Groups,
     ) -> BTreeMap<&'a str, BTreeMap<&'a str, &'a [Fact]>> {
         let mut all: BTreeMap<&str, BTreeMap<&str, &[Fact]>> = BTreeMap::new();
@@ -102,8 +102,8 @@ impl Passed {
     ///
     /// # Errors
     /// Returns the error of serde_json.
-    pub(super) fn observations(&self, groups: &Groups) -> serde_json::Result<List> {
-        let mut list = List::default();
+    pub(super) fn observations(&self, groups: &Groups) -> serde_json::Result<JsonList> {
+        let mut list = JsonList::default();
         for probe in probes(groups.all()) {
             let members = probe.members.iter().filter_map(|&member| self.groups.get(member));
             let mut names: Vec<&String> = members.flat_map(|cases| cases.observed.keys()).collect();
@@ -127,16 +127,16 @@ impl Passed {
 }
 
 /// The groups that differ in nothing but the dialect.
-struct Probe<'g> {
+struct ProbeGroups<'g> {
     /// The first of the groups, which stands for all but their dialects.
     group: &'g Group,
     members: Vec<GroupNumber>,
 }
 
 /// Joins groups that differ in nothing but the dialect, in the order of the run.
-fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
+fn probes(groups: &[Group]) -> Vec<ProbeGroups<'_>> {
     let mut places: HashMap<Group, usize> = HashMap::new();
-    let mut probes: Vec<Probe<'_>> = Vec::new();
+    let mut probes: Vec<ProbeGroups<'_>> = Vec::new();
     for (number, group) in groups.iter().enumerate() {
         let in_any_dialect = Group {
             dialect: String::new(),
@@ -145,7 +145,7 @@ fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
         let place = *places.entry(in_any_dialect).or_insert(probes.len());
         match probes.get_mut(place) {
             Some(probe) => probe.members.push(number),
-            None => probes.push(Probe {
+            None => probes.push(ProbeGroups {
                 group,
                 members: vec![number],
             }),
@@ -155,12 +155,12 @@ fn probes(groups: &[Group]) -> Vec<Probe<'_>> {
 }
 
 /// The cases that several groups share, each with its value in each of these groups.
-struct Shared<'a, T> {
+struct SharedCases<'a, T> {
     members: Vec<GroupNumber>,
     cases: Vec<(&'a str, Vec<&'a T>)>,
 }
 
-impl<T> Shared<'_, T> {
+impl<T> SharedCases<'_, T> {
     fn dialects<'g>(&self, groups: &'g Groups) -> Vec<&'g str> {
         let dialect = |&member: &GroupNumber| groups.all()[member].dialect.as_str();
         self.members.iter().map(dialect).collect()
@@ -171,7 +171,7 @@ impl<T> Shared<'_, T> {
 fn shared<'a, T: 'a>(
     members: &[GroupNumber],
     of: impl Fn(&GroupNumber) -> Option<&'a Entries<T>>,
-) -> Vec<Shared<'a, T>> {
+) -> Vec<SharedCases<'a, T>> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut cases: Vec<(&str, Vec<GroupNumber>, Vec<&T>)> = Vec::new();
     for member in members {
@@ -184,12 +184,12 @@ fn shared<'a, T: 'a>(
             cases[place].2.push(known);
         }
     }
-    let mut lists: Vec<Shared<'a, T>> = Vec::new();
+    let mut lists: Vec<SharedCases<'a, T>> = Vec::new();
     for (arguments, members, known) in cases {
         let place = lists.iter().position(|list| list.members == members);
         let place = place.unwrap_or_else(|| {
             let cases = Vec::new();
-            lists.push(Shared { members, cases });
+            lists.push(SharedCases { members, cases });
             lists.len() - 1
         });
         lists[place].cases.push((arguments, known));

@@ -1,11 +1,11 @@
 //! Writes the claims as Markdown: each section of each document, and the results of the engines.
 
-use super::{Page, inline, linked};
+use super::{BoundedMarkdown, inline, linked};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
-pub(super) fn write(overview: &Overview, page: &mut Page) {
+pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     page.add("\n## Claims\n\n");
     page.add("A claim is a section of a source. *Open*: no source says what must happen, ");
     page.add("so what the engine does is recorded and not judged. ");
@@ -44,7 +44,7 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
 }
 
 /// Writes a table with engines as columns and claims as rows.
-fn of_several_engines(overview: &Overview, rows: &[Row<'_>], engines: &[&str], page: &mut Page) {
+fn of_several_engines(overview: &Overview, rows: &[Row<'_>], engines: &[&str], page: &mut BoundedMarkdown) {
     page.add("| | source | kind | section |");
     engines
         .iter()
@@ -96,7 +96,7 @@ fn cell(standing: Standing) -> String {
     }
 }
 
-fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut Page) {
+fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut BoundedMarkdown) {
     page.add("| | source | kind | section | passed | failed | differs | open | unsupported |\n");
     page.add("|---|---|---|---|--:|--:|--:|--:|--:|\n");
     for row in rows {

@@ -1,6 +1,6 @@
 //! Writes the observations as Markdown: the disagreements between engines where no document states what they must do.
 
-use super::{Page, code, inline};
+use super::{BoundedMarkdown, code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
 use stickler_types::counted;
@@ -9,7 +9,7 @@ use stickler_types::counted;
 const MAX_SHOWN: usize = 100;
 
 /// Writes a line for each disagreement between engines.
-pub(super) fn write(overview: &Overview, page: &mut Page) {
+pub(super) fn write(overview: &Overview, page: &mut BoundedMarkdown) {
     let engines = overview.engines();
     let disagreements = overview.observed.disagreements(&engines);
     if disagreements.is_empty() {

@@ -3,7 +3,7 @@
 use super::{BAD, DIM};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
-use crate::table::{Cell, Table};
+use crate::table::{AlignedTable, Cell};
 use crate::text::{shortened, visible};
 use std::io::{self, Write};
 
@@ -50,7 +50,7 @@ fn of_several_engines(
     rows: &[Row<'_>],
     engines: &[&str],
 ) -> io::Result<()> {
-    let mut table = Table::new(head(overview));
+    let mut table = AlignedTable::new(head(overview));
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
@@ -86,7 +86,7 @@ fn of_one_engine(out: &mut dyn Write, overview: &Overview, rows: &[Row<'_>]) -> 
         |count: fn(&Standing) -> u64| rows.iter().flat_map(|row| &row.standings).any(|of| count(of) > 0);
     let differs = any(|standing| standing.differs);
     let unsupported = any(|standing| standing.unsupported);
-    let mut table = Table::new(head(overview));
+    let mut table = AlignedTable::new(head(overview));
     table.head(Cell::plain("passed"));
     table.head(Cell::plain("failed"));
     if differs {

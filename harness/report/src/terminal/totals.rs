@@ -2,7 +2,7 @@
 
 use super::{BAD, DIM};
 use crate::overview::Overview;
-use crate::table::{Cell, Table};
+use crate::table::{AlignedTable, Cell};
 use std::io::{self, Write};
 use stickler_run::Totals;
 
@@ -13,7 +13,7 @@ use stickler_run::Totals;
 /// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     let areas = overview.areas();
-    let mut table = Table::new(vec![Cell::left("Cases")]);
+    let mut table = AlignedTable::new(vec![Cell::left("Cases")]);
     areas.iter().for_each(|area| table.head(Cell::plain(area)));
     table.head(Cell::plain("all"));
     for (engine, dialects) in &overview.totals {

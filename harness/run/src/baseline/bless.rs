@@ -1,6 +1,6 @@
 //! Rewrites a baseline from the results of a run. Expectations are never touched: a baseline only states known deviations.
 
-use super::fold::{Folded, Key, Universe};
+use super::fold::{CaseKey, Folded, Universe};
 use super::matched::EntryState;
 use super::owned::Owned;
 use super::{Baseline, Entry, write};
@@ -44,7 +44,7 @@ impl EngineRun {
             .insert((case.id.clone(), dialect), case.actual_verdict());
     }
 
-    fn verdict(&self, (id, dialect): Key<'_>) -> Option<Verdict> {
+    fn verdict(&self, (id, dialect): CaseKey<'_>) -> Option<Verdict> {
         self.verdicts.get(&(id.to_owned(), dialect)).copied()
     }
 }
@@ -55,7 +55,7 @@ pub struct Blessing {
     /// The whole text of its file.
     pub text: String,
     /// The changes, in the order of the file.
-    pub changes: Vec<Change>,
+    pub changes: Vec<EntryChange>,
     /// The number of entries after the rewrite.
     pub entries: usize,
     /// The number of cases of the run that are no longer in the suite; the baseline gets no entries for them.
@@ -64,7 +64,7 @@ pub struct Blessing {
 
 /// A change to an entry of a baseline.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Change {
+pub struct EntryChange {
     /// The kind of change.
     pub kind: ChangeKind,
     /// The expected verdicts of the entry; several are alternatives.
@@ -115,7 +115,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
     let named = |dialect: DialectName| run.engine.dialects.iter().any(|name| name == dialect.as_str());
     let spoken = |dialect: &DialectName| named(*dialect) || named(dialect.base().name());
     let cases = suite.cases.iter().filter(|case| spoken(&case.dialect));
-    let keys: Vec<Key<'_>> = cases.map(|case| (&*case.id, case.dialect)).collect();
+    let keys: Vec<CaseKey<'_>> = cases.map(|case| (&*case.id, case.dialect)).collect();
     let universe = Universe::new(keys.iter().copied());
     let states: Vec<EntryState> = baseline
         .entries
@@ -125,7 +125,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
     // An entry that is past its day still says what its cases do.
     let holds = |index: usize| matches!(states[index], EntryState::Holds | EntryState::Expired(_));
     let owned = Owned::of(&baseline.entries, &keys, holds);
-    let mut of_entry: Vec<Vec<Key<'_>>> = vec![Vec::new(); baseline.entries.len()];
+    let mut of_entry: Vec<Vec<CaseKey<'_>>> = vec![Vec::new(); baseline.entries.len()];
     for key in &keys {
         if let Some(&index) = owned.owners.get(key) {
             of_entry[index].push(*key);
@@ -142,7 +142,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
         })
         .collect();
     let added = added(baseline, run, &keys, &owned, &universe, day);
-    let known: HashSet<Key<'_>> = keys.iter().copied().collect();
+    let known: HashSet<CaseKey<'_>> = keys.iter().copied().collect();
     let strangers = run
         .verdicts
         .keys()
@@ -157,7 +157,7 @@ pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, da
 
 fn fate(
     entry: &Entry,
-    cases: &[Key<'_>],
+    cases: &[CaseKey<'_>],
     run: &EngineRun,
     universe: &Universe<'_>,
     state: &EntryState,
@@ -195,12 +195,12 @@ fn describe_verdicts(gone: &BTreeMap<Verdict, usize>) -> String {
 fn added(
     baseline: &Baseline,
     run: &EngineRun,
-    keys: &[Key<'_>],
+    keys: &[CaseKey<'_>],
     owned: &Owned<'_>,
     universe: &Universe<'_>,
     day: Date,
 ) -> Vec<Added> {
-    let mut unexpected: HashMap<Verdict, HashSet<Key<'_>>> = HashMap::new();
+    let mut unexpected: HashMap<Verdict, HashSet<CaseKey<'_>>> = HashMap::new();
     for &key in keys {
         let Some(verdict) = run.verdict(key) else { continue };
         let entry = owned.owners.get(&key).map(|&index| &baseline.entries[index]);
@@ -232,7 +232,7 @@ fn left(fates: &[Fate]) -> usize {
     fates.iter().map(number).sum()
 }
 
-fn changes(baseline: &Baseline, fates: &[Fate], added: &[Added]) -> Vec<Change> {
+fn changes(baseline: &Baseline, fates: &[Fate], added: &[Added]) -> Vec<EntryChange> {
     let of_old = baseline.entries.iter().zip(fates).filter_map(|(entry, fate)| {
         let (kind, why) = match fate {
             Fate::Kept => return None,
@@ -240,14 +240,14 @@ fn changes(baseline: &Baseline, fates: &[Fate], added: &[Added]) -> Vec<Change> 
             Fate::Narrowed(_, why) => (ChangeKind::Narrowed, why.clone()),
             Fate::Removed(why) => (ChangeKind::Removed, why.clone()),
         };
-        Some(Change {
+        Some(EntryChange {
             kind,
             verdicts: entry.verdicts.clone(),
             case: entry.case.as_str().to_owned(),
             why,
         })
     });
-    let of_new = added.iter().map(|added| Change {
+    let of_new = added.iter().map(|added| EntryChange {
         kind: ChangeKind::Added,
         verdicts: vec![added.verdict],
         case: added.folded.case.clone(),

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet, HashSet};
 use stickler_types::DialectName;
 
 /// The key of a case: its id and its dialect.
-pub(super) type Key<'a> = (&'a str, DialectName);
+pub(super) type CaseKey<'a> = (&'a str, DialectName);
 
 /// The id or pattern of an entry, and the number of its cases.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -24,7 +24,7 @@ pub(super) struct Universe<'a> {
 }
 
 impl<'a> Universe<'a> {
-    pub(super) fn new(cases: impl Iterator<Item = Key<'a>>) -> Universe<'a> {
+    pub(super) fn new(cases: impl Iterator<Item = CaseKey<'a>>) -> Universe<'a> {
         let mut ids: BTreeMap<&str, Vec<DialectName>> = BTreeMap::new();
         for (id, dialect) in cases {
             ids.entry(id).or_default().push(dialect);
@@ -33,7 +33,7 @@ impl<'a> Universe<'a> {
     }
 
     /// Folds exactly these cases into few entries, sorted by id. Cases that are not in the universe are left out.
-    pub(super) fn fold(&self, wanted: &HashSet<Key<'_>>) -> Vec<Folded> {
+    pub(super) fn fold(&self, wanted: &HashSet<CaseKey<'_>>) -> Vec<Folded> {
         let ids: Vec<&str> = self.ids.keys().copied().collect();
         let probes = ids.chunk_by(|a, b| a[..probe(a)] == b[..probe(b)]);
         let folding = Folding {
@@ -59,7 +59,7 @@ fn longer(id: &str, prefix: usize) -> usize {
 
 struct Folding<'f> {
     universe: &'f Universe<'f>,
-    wanted: &'f HashSet<Key<'f>>,
+    wanted: &'f HashSet<CaseKey<'f>>,
 }
 
 impl Folding<'_> {
@@ -157,14 +157,14 @@ mod tests {
         )
     }
 
-    fn folded(wanted: &[Key<'_>]) -> Vec<String> {
+    fn folded(wanted: &[CaseKey<'_>]) -> Vec<String> {
         let folded = universe().fold(&wanted.iter().copied().collect());
         let cases: usize = folded.iter().map(|entry| entry.cases).sum();
         assert_eq!(cases, wanted.len());
         folded.into_iter().map(|entry| entry.case).collect()
     }
 
-    fn both(ids: &[&'static str]) -> Vec<Key<'static>> {
+    fn both(ids: &[&'static str]) -> Vec<CaseKey<'static>> {
         let keys = ids.iter().flat_map(|&id| [(id, IronplcEd2), (id, IronplcEd3)]);
         keys.collect()
     }
@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn what_is_so_in_one_dialect_says_which() {
-        let in_one: Vec<Key<'_>> = IDS[1..4].iter().map(|&id| (id, IronplcEd3)).collect();
+        let in_one: Vec<CaseKey<'_>> = IDS[1..4].iter().map(|&id| (id, IronplcEd3)).collect();
         assert_eq!(folded(&in_one), ["a/t::one(*@ironplc-ed3"]);
         assert_eq!(folded(&[("a/single", IronplcEd2)]), ["a/single@ironplc-ed2"]);
         // All in one dialect and one case of the other: two entries, not three.

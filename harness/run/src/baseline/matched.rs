@@ -1,6 +1,6 @@
 //! A baseline matched with the cases of a suite, and its application to their judgements.
 
-use super::fold::Key;
+use super::fold::CaseKey;
 use super::owned::Owned;
 use super::{Baseline, Entry};
 use crate::event::{BaselineHeader, BaselineNote, OutdatedEntry};
@@ -19,7 +19,7 @@ pub struct MatchedBaseline<'a> {
     /// The note of each entry.
     notes: Vec<BaselineNote>,
     /// The index of the entry that each case belongs to.
-    owners: HashMap<Key<'a>, usize>,
+    owners: HashMap<CaseKey<'a>, usize>,
 }
 
 impl<'a> MatchedBaseline<'a> {
@@ -35,7 +35,7 @@ impl<'a> MatchedBaseline<'a> {
             .map(|entry| EntryState::of(entry, &engine.version, today))
             .collect();
         let spoken = suite.cases.iter().filter(|case| engine.speaks(case.dialect));
-        let cases: Vec<Key<'_>> = spoken.map(|case| (&*case.id, case.dialect)).collect();
+        let cases: Vec<CaseKey<'_>> = spoken.map(|case| (&*case.id, case.dialect)).collect();
         let owned = Owned::of(&baseline.entries, &cases, |index| {
             states[index] == EntryState::Holds
         });

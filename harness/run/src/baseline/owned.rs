@@ -1,13 +1,13 @@
 //! Assigns each case to an entry of a baseline.
 
 use super::Entry;
-use super::fold::Key;
+use super::fold::CaseKey;
 use std::collections::HashMap;
 
 /// The assignment of cases to the entries of a baseline.
 pub(super) struct Owned<'a> {
     /// The index of the entry of each case, by id and dialect.
-    pub(super) owners: HashMap<Key<'a>, usize>,
+    pub(super) owners: HashMap<CaseKey<'a>, usize>,
     /// Whether each entry is about any case at all, even where more exact entries own all of these cases.
     pub(super) fits: Vec<bool>,
 }
@@ -18,7 +18,7 @@ impl<'a> Owned<'a> {
     ///
     /// There may be thousands of entries and a hundred thousand cases. Therefore the cases are sorted, and an entry is
     /// compared only with those that share its beginning.
-    pub(super) fn of(entries: &[Entry], cases: &[Key<'a>], holds: impl Fn(usize) -> bool) -> Owned<'a> {
+    pub(super) fn of(entries: &[Entry], cases: &[CaseKey<'a>], holds: impl Fn(usize) -> bool) -> Owned<'a> {
         let mut sorted = cases.to_vec();
         sorted.sort_unstable();
         let mut owned = Owned {
@@ -35,7 +35,7 @@ impl<'a> Owned<'a> {
         owned
     }
 
-    fn take(&mut self, index: usize, entry: &Entry, sorted: &[Key<'a>], holds: bool) {
+    fn take(&mut self, index: usize, entry: &Entry, sorted: &[CaseKey<'a>], holds: bool) {
         let beginning = beginning(entry);
         let from = sorted.partition_point(|(id, _)| *id < beginning);
         let alike = sorted[from..]

@@ -31,19 +31,19 @@ pub struct BaselineError {
 }
 
 /// The byte offset of an error in the file, and its description, in that order.
-type Mistake = (usize, String);
+type BaselineMistake = (usize, String);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
+struct BaselineFile {
     engine: Option<Spanned<String>>,
     #[serde(default)]
-    expected: Vec<Spanned<Table>>,
+    expected: Vec<Spanned<EntryTable>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Table {
+struct EntryTable {
     case: Spanned<String>,
     verdict: Spanned<Value>,
     reason: Spanned<String>,
@@ -66,8 +66,8 @@ pub(super) fn baseline(text: &str, file: &str, stem: &str) -> Result<Baseline, B
         })
 }
 
-fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
-    let file: File = toml::from_str(text).map_err(|error| {
+fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), BaselineMistake> {
+    let file: BaselineFile = toml::from_str(text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
         (at, error.message().trim_end().replace('\n', "; "))
     })?;
@@ -82,7 +82,7 @@ fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), Mistake> {
     Ok((engine, entries.collect::<Result<_, _>>()?))
 }
 
-fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
+fn entry(table: EntryTable, line: u32) -> Result<Entry, BaselineMistake> {
     Ok(Entry {
         case: Filter::new(not_blank(table.case, "case")?),
         verdicts: verdicts(&table.verdict)?,
@@ -95,7 +95,7 @@ fn entry(table: Table, line: u32) -> Result<Entry, Mistake> {
 }
 
 /// Returns the text of a key that must not be blank.
-fn not_blank(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
+fn not_blank(text: Spanned<String>, key: &str) -> Result<String, BaselineMistake> {
     match text.get_ref().trim() {
         "" => Err((text.span().start, format!("`{key}` is empty"))),
         _ => Ok(text.into_inner()),
@@ -103,7 +103,7 @@ fn not_blank(text: Spanned<String>, key: &str) -> Result<String, Mistake> {
 }
 
 /// Parses one verdict that is no pass, or a list of alternative verdicts, of which one may be a pass.
-fn verdicts(value: &Spanned<Value>) -> Result<Vec<Verdict>, Mistake> {
+fn verdicts(value: &Spanned<Value>) -> Result<Vec<Verdict>, BaselineMistake> {
     let verdicts = match value.get_ref() {
         Value::Array(list) => {
             let verdicts = list.iter().map(|one| verdict(one, &EXPECTED));
@@ -138,7 +138,7 @@ fn verdict(value: &Value, allowed: &[Verdict]) -> Result<Verdict, String> {
     })
 }
 
-fn versions(text: &Spanned<String>) -> Result<VersionReq, Mistake> {
+fn versions(text: &Spanned<String>) -> Result<VersionReq, BaselineMistake> {
     text.get_ref().parse().map_err(|error| {
         let message = format!(
             "`{}` is no range of versions, such as `<0.240` or `>=0.6, <0.8`: {error}",
@@ -149,7 +149,7 @@ fn versions(text: &Spanned<String>) -> Result<VersionReq, Mistake> {
 }
 
 /// Parses a date, with or without quotes around it.
-fn until(value: &Spanned<Value>) -> Result<Date, Mistake> {
+fn until(value: &Spanned<Value>) -> Result<Date, BaselineMistake> {
     let written = match value.get_ref() {
         Value::String(text) => text.clone(),
         other => other.to_string(),

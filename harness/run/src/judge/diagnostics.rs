@@ -20,7 +20,7 @@ enum Step<'a> {
 }
 
 /// The expected and the actual diagnostics side by side, by line and code.
-pub(super) struct Matching<'a> {
+pub(super) struct DiagnosticMatching<'a> {
     steps: Vec<Step<'a>>,
     exact: bool,
     same_lines: bool,
@@ -40,7 +40,7 @@ fn expected_fact(expected: ExpectedDiagnostic) -> Fact {
 }
 
 /// Matches two lists of diagnostics. Each expected diagnostic matches at most one actual one, and the other way round.
-pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic]) -> Matching<'a> {
+pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic]) -> DiagnosticMatching<'a> {
     let expected = sorted(expected);
     let mut got: Vec<&Diagnostic> = got.iter().collect();
     got.sort_by(|a, b| place(a).cmp(&place(b)));
@@ -66,7 +66,7 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
         }
     }
     let exact = steps.iter().all(|step| matches!(step, Step::Met(_)));
-    Matching {
+    DiagnosticMatching {
         steps,
         exact,
         same_lines,
@@ -119,7 +119,7 @@ pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
     !lines.is_empty() && diagnostics.iter().any(on)
 }
 
-impl Matching<'_> {
+impl DiagnosticMatching<'_> {
     /// Returns the grade of the rejection.
     pub(super) fn grade(&self) -> Grade {
         match (self.exact, self.same_lines) {

@@ -8,14 +8,14 @@ use stickler_types::{ObservationKey, Value};
 
 /// A search for values by key. Engines answer in the order of the requested values, so each search continues where the last
 /// one ended, and all of them together take linear time.
-struct Finder<'a> {
+struct ValueFinder<'a> {
     values: &'a [NamedValue],
     next: usize,
 }
 
-impl<'a> Finder<'a> {
-    fn new(values: &'a [NamedValue]) -> Finder<'a> {
-        Finder { values, next: 0 }
+impl<'a> ValueFinder<'a> {
+    fn new(values: &'a [NamedValue]) -> ValueFinder<'a> {
+        ValueFinder { values, next: 0 }
     }
 
     fn find(&mut self, key: ObservationKey<'_>) -> Option<&'a Value> {
@@ -37,7 +37,7 @@ pub(super) fn expected(expected: &ExpectedValue) -> Fact {
 
 /// Compares each expected value with the engine's, and adds the latter to the findings.
 pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], findings: &mut Findings) {
-    let mut finder = Finder::new(values);
+    let mut finder = ValueFinder::new(values);
     for expected in expected {
         let key = expected.key();
         let name = key.to_string();
@@ -53,7 +53,7 @@ pub(super) fn compare(expected: &[ExpectedValue], values: &[NamedValue], finding
 /// Adds the requested values that the case does not assert to the observations.
 pub(super) fn unasserted(case: &Case, values: &[NamedValue], observations: &mut Vec<Observed>) {
     let asserted = |key| case.expectation.values.iter().any(|value| value.key() == key);
-    let mut finder = Finder::new(values);
+    let mut finder = ValueFinder::new(values);
     for observe in case.observe.iter() {
         let key = observe.key();
         if asserted(key) {

@@ -9,7 +9,7 @@ use std::time::Duration;
 use std::vec::IntoIter;
 
 /// The jobs whose answers are known from earlier runs, and the progress of passing their events on.
-pub(super) struct Known {
+pub(super) struct KnownAnswers {
     /// The indices of the jobs that engines must be asked about.
     pub(super) open: Vec<usize>,
     /// The known answers whose events were not passed on yet, with the indices of their jobs, in order.
@@ -18,9 +18,9 @@ pub(super) struct Known {
     pub(super) given: u64,
 }
 
-impl Known {
+impl KnownAnswers {
     /// Looks every job up in the answer store of its engine.
-    pub(super) fn of(jobs: &[Job<'_>], stores: &[Option<&dyn AnswerStore>]) -> Known {
+    pub(super) fn of(jobs: &[Job<'_>], stores: &[Option<&dyn AnswerStore>]) -> KnownAnswers {
         let recalled = |job: &Job<'_>| {
             let store = stores.get(job.engine).copied().flatten()?;
             answer_store::read(store.get(&answer_store::question(job.case))?)
@@ -33,7 +33,7 @@ impl Known {
                 None => open.push(place),
             }
         }
-        Known {
+        KnownAnswers {
             open,
             answers: answers.into_iter().peekable(),
             given: 0,

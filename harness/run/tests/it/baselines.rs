@@ -2,7 +2,7 @@
 
 use crate::fixtures::{Puppet, executed, expecting, suite, values};
 use stickler_engines::{Engine, Outcome, RunRequest};
-use stickler_run::{Baseline, CaseEvent, Event, Filter, Header, Plan, Summary, Verdict, run};
+use stickler_run::{Baseline, CaseEvent, Event, Filter, Header, Plan, RunSummary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::{BuiltIn, Definition, DialectName};
 use stickler_workers::Cancellation;
@@ -44,7 +44,7 @@ fn entry(case: &str, verdict: &str, more: &str) -> String {
 struct Ended {
     header: Header,
     cases: Vec<CaseEvent>,
-    summary: Summary,
+    summary: RunSummary,
 }
 
 impl Ended {

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use stickler_engines::{Engine, Outcome, RunRequest};
-use stickler_run::{AnswerStore, Event, Plan, Summary, run_with};
+use stickler_run::{AnswerStore, Event, Plan, RunSummary, run_with};
 use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
 use stickler_workers::Cancellation;
@@ -64,7 +64,7 @@ fn go(
     engine: &Puppet,
     memory: Option<&dyn AnswerStore>,
     jobs: usize,
-) -> (Summary, Vec<Event>) {
+) -> (RunSummary, Vec<Event>) {
     let plan = Plan {
         jobs,
         ..Plan::default()

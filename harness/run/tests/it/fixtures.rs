@@ -4,7 +4,7 @@ use std::sync::Arc;
 use stickler_engines::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
-use stickler_run::{AnswerStore, Event, Plan, Summary, run_with};
+use stickler_run::{AnswerStore, Event, Plan, RunSummary, run_with};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
 };
@@ -22,7 +22,7 @@ pub fn timeless_run(
     suite: &Suite,
     engines: &[&dyn Engine],
     stores: &[Option<&dyn AnswerStore>],
-) -> (Summary, Vec<Event>) {
+) -> (RunSummary, Vec<Event>) {
     let mut events = Vec::new();
     let mut sink = |mut event: Event| {
         match &mut event {

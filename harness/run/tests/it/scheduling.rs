@@ -4,7 +4,7 @@ use crate::fixtures::{Puppet, case, executed, suite};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
 use stickler_engines::{Engine, EngineError, Outcome};
-use stickler_run::{Event, Fact, Footer, Plan, RunError, Summary, Verdict, run};
+use stickler_run::{Event, Fact, Footer, Plan, RunError, RunSummary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
@@ -17,7 +17,7 @@ fn number(source: &str) -> usize {
     source.rsplit('/').next().unwrap().parse().unwrap()
 }
 
-fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<Summary, RunError>, Vec<Event>) {
+fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary, RunError>, Vec<Event>) {
     let mut events = Vec::new();
     let outcome = run(
         plan,

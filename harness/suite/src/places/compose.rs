@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Arrangement, Place, Places, Texts};
+use super::{Arrangement, PlaceTexts, Places, ProgramPlace};
 
 /// The words of a table that stand for those of `places.toml`; they may hold placeholders of the table.
 #[derive(Clone, Debug)]
@@ -41,7 +41,7 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
     let variable = fill(wording.variable, &[("target", &target.target)]);
     let observe = fill(&unit.observe, &[("observe", &target.observe)]);
     let error = mark(source, target, wording);
-    let joined = |part: fn(&Texts) -> &str, between: &str, default: &str| {
+    let joined = |part: fn(&PlaceTexts) -> &str, between: &str, default: &str| {
         let texts = [source, target, surrounding].map(|place| part(&place.texts).trim());
         let filled: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
         match filled.is_empty() {
@@ -102,7 +102,7 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
 
 /// Returns a target as the probe sees it: what an expression computes is of the target's type already, and a code of the probe's own
 /// belongs to the line on which the value is written.
-fn seen_by<'p>(wording: &Wording<'_>, target: &'p Place) -> Cow<'p, Place> {
+fn seen_by<'p>(wording: &Wording<'_>, target: &'p ProgramPlace) -> Cow<'p, ProgramPlace> {
     let computed = wording.expression != "{source}" && target.is_behind_a_parameter;
     let elsewhere = wording.code.is_some() && !target.is_in_its_statement;
     if !computed && !elsewhere {
@@ -121,7 +121,7 @@ fn seen_by<'p>(wording: &Wording<'_>, target: &'p Place) -> Cow<'p, Place> {
 }
 
 /// Returns the mark that claims the rejection, or nothing.
-fn mark(source: &Place, target: &Place, wording: &Wording<'_>) -> String {
+fn mark(source: &ProgramPlace, target: &ProgramPlace, wording: &Wording<'_>) -> String {
     let code = match wording.code {
         Some(code) => code,
         None if source.call && wording.expression == "{source}" && !target.call_code.is_empty() => {

@@ -7,7 +7,7 @@
 use rustc_hash::FxHashMap;
 use stickler_types::DialectName;
 
-use super::{Place, Places};
+use super::{Places, ProgramPlace};
 
 /// The number of surroundings in which a pair of source and target stands in the cells of a table.
 const VARIANTS: usize = 3;
@@ -91,7 +91,7 @@ impl Design {
         dialect: DialectName,
         (from, to): (&str, &str),
     ) -> Vec<usize> {
-        let standing = |indices: &[usize], all: &[Place], literal: Option<bool>| -> Vec<usize> {
+        let standing = |indices: &[usize], all: &[ProgramPlace], literal: Option<bool>| -> Vec<usize> {
             let stands = |&index: &usize| {
                 let place = &all[index];
                 place.stands(dialect, from, to) && literal.is_none_or(|literal| place.literal == literal)
@@ -187,7 +187,7 @@ fn fitting(
     dialect: DialectName,
 ) -> Vec<Arrangement> {
     let (from, to) = (&places.sources[source], &places.targets[target]);
-    let promised = |place: &Place| place.dialects.contains(&dialect);
+    let promised = |place: &ProgramPlace| place.dialects.contains(&dialect);
     if !promised(from) || !promised(to) || (to.literal && !from.literal) {
         return Vec::new();
     }

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use stickler_types::DialectName;
 use toml::Spanned;
 
-use super::{Place, Places, Role, TESTED, Texts, Unit};
+use super::{PlaceTexts, PlaceUnit, Places, ProgramPlace, Role, TESTED};
 use crate::condition::{Condition, Testable};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
@@ -146,7 +146,7 @@ fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Place
         Err(mistake) => return (Places::default(), vec![mistake]),
     };
     let units = in_order(file.unit);
-    let mut reader = Reader {
+    let mut reader = PlacesReader {
         dialects,
         sources,
         lines,
@@ -166,14 +166,14 @@ fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Place
     (places, reader.mistakes)
 }
 
-fn unit(key: UnitKey) -> Unit {
+fn unit(key: UnitKey) -> PlaceUnit {
     let UnitKey {
         text,
         observe,
         parameters,
         arguments,
     } = key;
-    Unit {
+    PlaceUnit {
         text,
         observe,
         parameters,
@@ -188,7 +188,7 @@ fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<String>, T)>
     entries
 }
 
-struct Reader<'a> {
+struct PlacesReader<'a> {
     dialects: &'a Dialects,
     /// The sources that may promise a place; `None` where nobody asks for them.
     sources: Option<&'a Sources>,
@@ -197,8 +197,8 @@ struct Reader<'a> {
     mistakes: Vec<Mistake>,
 }
 
-impl Reader<'_> {
-    fn places(&mut self, role: Role, table: BTreeMap<Spanned<String>, PlaceKey>) -> Vec<Place> {
+impl PlacesReader<'_> {
+    fn places(&mut self, role: Role, table: BTreeMap<Spanned<String>, PlaceKey>) -> Vec<ProgramPlace> {
         let mut places = Vec::new();
         for (name, key) in in_order(table) {
             let before = self.mistakes.len();
@@ -210,7 +210,7 @@ impl Reader<'_> {
         places
     }
 
-    fn place(&mut self, role: Role, name: &Spanned<String>, key: PlaceKey) -> Place {
+    fn place(&mut self, role: Role, name: &Spanned<String>, key: PlaceKey) -> ProgramPlace {
         let at = name.span().start;
         let path = format!("{}.{}", role.as_str(), name.get_ref());
         if let Err(message) = ident::check(name.get_ref()) {
@@ -220,7 +220,7 @@ impl Reader<'_> {
         let dialects = self.dialects(&path, &key);
         let only = self.only(&path, key.only.as_ref());
         let units = self.units(&path, key.units.as_deref());
-        Place {
+        ProgramPlace {
             name: name.get_ref().as_str().into(),
             groups: key.groups,
             dialects,
@@ -235,7 +235,7 @@ impl Reader<'_> {
             observe: key.observe,
             is_in_its_statement: key.statement.contains("{error}"),
             is_behind_a_parameter: key.declarations.contains("{from}"),
-            texts: Texts {
+            texts: PlaceTexts {
                 declarations: key.declarations,
                 parameters: key.parameters,
                 variables: key.variables,

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::sections::{Form, headings};
+use super::sections::{SectionForm, headings};
 use super::{Lines, RULE, Sections, Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
@@ -19,7 +19,7 @@ const RULES: &str = "rules.md";
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Entry {
+struct SourceEntry {
     title: String,
     publisher: String,
     kind: Spanned<String>,
@@ -50,8 +50,9 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
         )
     });
     let lines = Lines::new(text.as_deref().unwrap_or_default());
-    let entries = text.and_then(|text| toml_text::read::<BTreeMap<Spanned<String>, Entry>>(&text, 0, &lines));
-    let mut reader = Reader {
+    let entries =
+        text.and_then(|text| toml_text::read::<BTreeMap<Spanned<String>, SourceEntry>>(&text, 0, &lines));
+    let mut reader = SourcesReader {
         root,
         dialects,
         lines,
@@ -151,7 +152,7 @@ fn meaning(key: &str) -> &'static str {
     }
 }
 
-struct Reader<'a> {
+struct SourcesReader<'a> {
     root: &'a files::Root,
     dialects: &'a Dialects,
     lines: Lines,
@@ -159,9 +160,9 @@ struct Reader<'a> {
     remarks: Vec<Mistake>,
 }
 
-impl Reader<'_> {
+impl SourcesReader<'_> {
     /// Returns the source of an entry; `None` where a mistake leaves nothing to cite.
-    fn source(&mut self, key: &Spanned<String>, entry: Entry) -> Option<Source> {
+    fn source(&mut self, key: &Spanned<String>, entry: SourceEntry) -> Option<Source> {
         let name = key.get_ref().as_str();
         let at = key.span().start;
         if name == RULE || name.contains([':', ' ']) {
@@ -292,7 +293,7 @@ impl Reader<'_> {
         for section in listed.into_iter().flatten() {
             let line = self.lines.line(section.span().start);
             let section = section.into_inner();
-            match Form::from_word(&section) {
+            match SectionForm::from_word(&section) {
                 Some(form) => sections.forms.push(form),
                 None => sections.headings.push((section, line)),
             }

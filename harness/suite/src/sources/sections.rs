@@ -10,12 +10,12 @@ pub(crate) struct Sections {
     /// Headings, letter by letter, and other names; each with its line in the file that has it.
     pub(super) headings: Vec<(String, u32)>,
     /// The kinds of names that cannot be listed.
-    pub(super) forms: Vec<Form>,
+    pub(super) forms: Vec<SectionForm>,
 }
 
 /// A kind of names of sections.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum SectionForm {
     /// A cell of a table of types, `SINT to INT`.
     Cells,
     /// A clause, a table or an annex of the standard: `6.3.4`, `Table 3`, `Annex B`.
@@ -26,39 +26,44 @@ pub(super) enum Form {
     Paths,
 }
 
-impl Form {
-    const ALL: [Form; 4] = [Form::Cells, Form::Clauses, Form::Codes, Form::Paths];
+impl SectionForm {
+    const ALL: [SectionForm; 4] = [
+        SectionForm::Cells,
+        SectionForm::Clauses,
+        SectionForm::Codes,
+        SectionForm::Paths,
+    ];
 
     /// Returns the form that a word of the key `sections` stands for.
-    pub(super) fn from_word(word: &str) -> Option<Form> {
-        Form::ALL.into_iter().find(|form| form.word() == word)
+    pub(super) fn from_word(word: &str) -> Option<SectionForm> {
+        SectionForm::ALL.into_iter().find(|form| form.word() == word)
     }
 
     fn word(self) -> &'static str {
         match self {
-            Form::Cells => "cells",
-            Form::Clauses => "clauses",
-            Form::Codes => "codes",
-            Form::Paths => "paths",
+            SectionForm::Cells => "cells",
+            SectionForm::Clauses => "clauses",
+            SectionForm::Codes => "codes",
+            SectionForm::Paths => "paths",
         }
     }
 
     fn has(self, section: &str) -> bool {
         match self {
-            Form::Cells => is_cell(section),
-            Form::Clauses => is_clause(section),
-            Form::Codes => section.parse::<Code>().is_ok(),
-            Form::Paths => is_path(section),
+            SectionForm::Cells => is_cell(section),
+            SectionForm::Clauses => is_clause(section),
+            SectionForm::Codes => section.parse::<Code>().is_ok(),
+            SectionForm::Paths => is_path(section),
         }
     }
 
     /// Returns the example that a message gives.
     fn example(self) -> &'static str {
         match self {
-            Form::Cells => "a cell like `SINT to INT`",
-            Form::Clauses => "a clause, a table or an annex: `6.3.4`, `Table 3`, `Annex B`",
-            Form::Codes => "a code: `P4035`",
-            Form::Paths => "the path of a file: `tests/example.st`",
+            SectionForm::Cells => "a cell like `SINT to INT`",
+            SectionForm::Clauses => "a clause, a table or an annex: `6.3.4`, `Table 3`, `Annex B`",
+            SectionForm::Codes => "a code: `P4035`",
+            SectionForm::Paths => "the path of a file: `tests/example.st`",
         }
     }
 }

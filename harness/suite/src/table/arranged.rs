@@ -10,9 +10,9 @@ use toml::Spanned;
 use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
-use crate::program::{Program, Remarks};
+use crate::program::{ProgramTemplate, Remarks};
 use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
-use crate::table::probe::{Placeholders, Probe, Reader, Target};
+use crate::table::probe::{Placeholders, Probe, ProbeReader, Target};
 use crate::template::Template;
 
 const KEY: &str = "probe.places";
@@ -74,7 +74,7 @@ impl<'a> Arranged<'a> {
     ) -> Option<&mut Probe<'a>> {
         let slot = &mut self.probes[index];
         if slot.is_none() {
-            let mut reader = Reader {
+            let mut reader = ProbeReader {
                 context,
                 placeholders: self.composer.placeholders,
                 mistakes: Vec::new(),
@@ -114,7 +114,7 @@ impl<'a> Arranged<'a> {
 
 /// Reads a probe with `places`. Beside the design it has the program of its first combination.
 pub(super) fn read<'k>(
-    reader: &mut Reader<'k, '_>,
+    reader: &mut ProbeReader<'k, '_>,
     file: &'k TableFile,
     key: &'k ProbeKey,
     places: &'k Spanned<PlacesKey>,
@@ -145,7 +145,7 @@ pub(super) fn read<'k>(
 }
 
 /// Returns the design of the places that a probe names; all of a role where it names none.
-fn design(reader: &mut Reader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Design> {
+fn design(reader: &mut ProbeReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Design> {
     let places = reader.context.places;
     let named = [
         (Role::Source, &key.get_ref().sources),
@@ -211,10 +211,10 @@ impl Composer<'_> {
     /// Returns the program of an arrangement, and the variable in which its value arrives.
     fn compose(
         &self,
-        reader: &mut Reader<'_, '_>,
+        reader: &mut ProbeReader<'_, '_>,
         arrangement: &Arrangement,
         remarks: &mut Remarks,
-    ) -> Option<(Program, Target)> {
+    ) -> Option<(ProgramTemplate, Target)> {
         let context = reader.context;
         let composed = compose(context.places, arrangement, &self.wording);
         let at = TextPlace {

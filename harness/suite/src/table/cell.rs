@@ -13,7 +13,7 @@ use crate::citations::WrittenBasis;
 use crate::defined::converted;
 use crate::model::MatrixCell;
 use crate::table::probe::{Probe, Target};
-use crate::table::types::{Input, TypeInfo};
+use crate::table::types::{RowInput, TypeInfo};
 
 /// The placeholders of a matrix, by index.
 pub(crate) const PLACEHOLDERS: [&str; 8] = [
@@ -30,10 +30,10 @@ pub(crate) const OTHER: usize = 7;
 pub(crate) const TESTABLE: usize = 3;
 
 /// The texts that replace the placeholders of a matrix.
-pub(crate) type Texts<'t> = [&'t str; PLACEHOLDERS.len()];
+pub(crate) type CellTexts<'t> = [&'t str; PLACEHOLDERS.len()];
 
 /// One cell of a matrix in one probe.
-pub(crate) struct Cell<'a> {
+pub(crate) struct PlacedCell<'a> {
     pub(crate) row: &'a TypeInfo,
     pub(crate) column: &'a TypeInfo,
     pub(crate) word: MatrixWord,
@@ -50,7 +50,7 @@ pub(crate) struct Cell<'a> {
 /// The properties that the cases of one cell share in one group of dialects.
 pub(crate) struct CaseGroup<'a, 't> {
     pub(crate) probe: &'a Probe<'a>,
-    pub(crate) cell: &'a Cell<'t>,
+    pub(crate) cell: &'a PlacedCell<'t>,
     /// The indices of the marks that apply.
     pub(crate) active: &'a [usize],
     pub(crate) dialects: &'a [DialectName],
@@ -67,8 +67,8 @@ impl Probe<'_> {
 
 /// Returns the only value of a cell that takes one: the ordinary value of the row if it is among the inputs, or else the
 /// first input.
-pub(crate) fn one_of<'a>(inputs: &'a [Input], row: &'a TypeInfo) -> Option<&'a Input> {
-    let listed = |ordinary: &&Input| inputs.iter().any(|input| input.literal == ordinary.literal);
+pub(crate) fn one_of<'a>(inputs: &'a [RowInput], row: &'a TypeInfo) -> Option<&'a RowInput> {
+    let listed = |ordinary: &&RowInput| inputs.iter().any(|input| input.literal == ordinary.literal);
     row.ordinary.as_ref().filter(listed).or(inputs.first())
 }
 
@@ -82,7 +82,7 @@ pub(crate) fn declarations(row: &TypeInfo, column: &TypeInfo) -> String {
     }
 }
 
-impl Cell<'_> {
+impl PlacedCell<'_> {
     /// Returns what a value becomes in an elementary type. A pair that converts because a definition states it follows the
     /// conversion function for the pair.
     fn implicit_result(&self, value: &Value, ty: ElementaryType) -> Option<ImplicitResult> {
@@ -94,7 +94,7 @@ impl Cell<'_> {
     }
 
     /// Returns what an input becomes in a variable of the column's type; `None` where no rule decides.
-    pub(crate) fn result_in_column(&self, input: &Input) -> Option<ImplicitResult> {
+    pub(crate) fn result_in_column(&self, input: &RowInput) -> Option<ImplicitResult> {
         let value = input.value.as_ref()?;
         match self.column.base {
             Some(ty) => self.implicit_result(value, ty),
@@ -111,7 +111,7 @@ impl CaseGroup<'_, '_> {
     /// A message, if a value must be asserted and no rule decides which.
     pub(crate) fn targets(
         &self,
-        input: Option<&Input>,
+        input: Option<&RowInput>,
         texts: &[&str],
         names: &TypeNames,
         assembler: &mut Assembler<'_>,
@@ -136,7 +136,7 @@ impl CaseGroup<'_, '_> {
     fn assert(
         &self,
         target: &Target,
-        input: Option<&Input>,
+        input: Option<&RowInput>,
         texts: &[&str],
         names: &TypeNames,
         assembler: &mut Assembler<'_>,
@@ -174,7 +174,7 @@ impl CaseGroup<'_, '_> {
     fn record(
         &self,
         target: &Target,
-        input: Option<&Input>,
+        input: Option<&RowInput>,
         texts: &[&str],
         names: &TypeNames,
         assembler: &mut Assembler<'_>,
@@ -219,7 +219,7 @@ impl CaseGroup<'_, '_> {
 
     /// Returns the paths below a variable whose own value cannot be observed (`arrives`), with the values that they must
     /// have.
-    fn below<'i>(&self, input: &'i Input, own: Option<&str>) -> Option<&'i [(Box<str>, Value)]> {
+    fn below<'i>(&self, input: &'i RowInput, own: Option<&str>) -> Option<&'i [(Box<str>, Value)]> {
         let applies =
             own.is_none() && !input.arrives.is_empty() && self.cell.row.name == self.cell.column.name;
         applies.then_some(&input.arrives)

@@ -12,29 +12,29 @@ use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::error::Mistake;
-use crate::frame::{Group, Harvest};
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::model::MatrixCell;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
 use crate::table::cell::{
-    CELL, CaseGroup, Cell, EXPECTED, OTHER, PLACEHOLDERS, TESTABLE, TYPED, TYPES, Texts, VALUE, declarations,
-    one_of,
+    CELL, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TESTABLE, TYPED, TYPES, VALUE,
+    declarations, one_of,
 };
 use crate::table::inputs;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MAX_MISTAKES, Table};
+use crate::table::read::{MAX_MISTAKES, TableExpansion};
 use crate::table::section::{self, Section};
-use crate::table::types::{self, Input, TypeInfo};
+use crate::table::types::{self, RowInput, TypeInfo};
 
 /// The text that replaces a placeholder without a value.
 const UNKNOWN: &str = "?";
 
 /// Expands the matrices of a file.
 pub(crate) fn expand(
-    table: &Table<'_>,
+    table: &TableExpansion<'_>,
     key: &MatrixKey,
     names: &[Box<str>],
     harvest: &mut Harvest,
@@ -121,7 +121,12 @@ fn overridden(
 }
 
 /// Returns the texts of the placeholders that all cases of a cell share.
-fn cell_texts<'t>(row: &'t MatrixRow, column: &'t TypeInfo, word: MatrixWord, types: &'t str) -> Texts<'t> {
+fn cell_texts<'t>(
+    row: &'t MatrixRow,
+    column: &'t TypeInfo,
+    word: MatrixWord,
+    types: &'t str,
+) -> CellTexts<'t> {
     let mut texts = [UNKNOWN; PLACEHOLDERS.len()];
     texts[..=TYPES].copy_from_slice(&[&*row.name, &*column.name, word.as_str(), types]);
     texts
@@ -138,7 +143,7 @@ fn number(row: &MatrixRow, column: &TypeInfo) -> usize {
 }
 
 struct MatrixExpander<'a, 'h> {
-    table: &'a Table<'a>,
+    table: &'a TableExpansion<'a>,
     harvest: &'h mut Harvest,
     budget: Budget,
     scratch: String,
@@ -267,7 +272,7 @@ impl MatrixExpander<'_, '_> {
         probe: &mut Probe<'_>,
         (row, row_type): (&MatrixRow, &TypeInfo),
         (column, CellWord { word, stated }): (&TypeInfo, CellWord),
-        inputs: &[Input],
+        inputs: &[RowInput],
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
         let types = declarations(row_type, column);
@@ -275,7 +280,7 @@ impl MatrixExpander<'_, '_> {
         if !probe.only.holds(&texts) {
             return Ok(());
         }
-        let cell = Cell {
+        let cell = PlacedCell {
             row: row_type,
             column,
             word,
@@ -359,8 +364,8 @@ impl MatrixExpander<'_, '_> {
         &mut self,
         section: &Section<'_>,
         of: &CaseGroup<'_, '_>,
-        input: Option<&Input>,
-        texts: &Texts<'_>,
+        input: Option<&RowInput>,
+        texts: &CellTexts<'_>,
     ) -> Result<(), Mistake> {
         let CaseGroup { probe, cell, .. } = of;
         let (program, column) = (&probe.program, cell.column);
@@ -388,7 +393,7 @@ impl MatrixExpander<'_, '_> {
             return Ok(());
         }
         let other = other.flatten();
-        let mut texts: Texts<'_> = *texts;
+        let mut texts: CellTexts<'_> = *texts;
         texts[VALUE] = input.map_or(UNKNOWN, |input| &input.literal);
         texts[TYPED] = input.map_or(UNKNOWN, |input| &input.typed);
         texts[EXPECTED] = expected_text.as_deref().unwrap_or(UNKNOWN);
@@ -418,7 +423,7 @@ impl MatrixExpander<'_, '_> {
             }
             None => title.fill(&mut self.scratch, &texts),
         };
-        let group = Group {
+        let group = DialectGroup {
             id,
             title,
             basis: cell.basis.clone(),
@@ -436,7 +441,7 @@ impl MatrixExpander<'_, '_> {
     fn assemble(
         &mut self,
         of: &CaseGroup<'_, '_>,
-        input: Option<&Input>,
+        input: Option<&RowInput>,
         texts: &[&str],
     ) -> Result<Assembly, Mistake> {
         let CaseGroup { probe, cell, .. } = of;

@@ -9,14 +9,14 @@ use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
 use crate::error::Mistake;
-use crate::frame::{Group, Harvest};
+use crate::frame::{DialectGroup, Harvest};
 use crate::ident;
 use crate::mark::MarkWord;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
-use crate::table::keys::Row;
+use crate::table::keys::TableRow;
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MAX_MISTAKES, Table};
+use crate::table::read::{MAX_MISTAKES, TableExpansion};
 
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
@@ -42,7 +42,12 @@ enum Expect {
 }
 
 /// Expands the rows of a file.
-pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harvest, remarks: &mut Remarks) {
+pub(crate) fn expand(
+    table: &TableExpansion<'_>,
+    names: &[Box<str>],
+    harvest: &mut Harvest,
+    remarks: &mut Remarks,
+) {
     let placeholders = Placeholders {
         names,
         known: names.len(),
@@ -87,7 +92,7 @@ pub(crate) fn expand(table: &Table<'_>, names: &[Box<str>], harvest: &mut Harves
 }
 
 struct RowExpander<'a, 'h> {
-    table: &'a Table<'a>,
+    table: &'a TableExpansion<'a>,
     names: &'a [Box<str>],
     special: Special,
     harvest: &'h mut Harvest,
@@ -153,7 +158,7 @@ impl RowExpander<'_, '_> {
     fn row(
         &mut self,
         probe: &mut Probe<'_>,
-        (number, row): (usize, &Spanned<Row>),
+        (number, row): (usize, &Spanned<TableRow>),
         line: u32,
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
@@ -340,7 +345,7 @@ impl RowExpander<'_, '_> {
                 .unwrap_or(&self.table.title)
                 .fill(&mut self.scratch, texts),
         };
-        let group = Group {
+        let group = DialectGroup {
             id: self.id(probe, texts).into(),
             title,
             basis,
@@ -419,7 +424,12 @@ impl RowExpander<'_, '_> {
     }
 }
 
-fn note_unused_columns(table: &Table<'_>, names: &[Box<str>], probes: &[Probe<'_>], harvest: &mut Harvest) {
+fn note_unused_columns(
+    table: &TableExpansion<'_>,
+    names: &[Box<str>],
+    probes: &[Probe<'_>],
+    harvest: &mut Harvest,
+) {
     for (slot, column) in table.file.columns.iter().flatten().enumerate() {
         let own_meaning = matches!(&*names[slot], "id" | "title" | "basis" | "dialects");
         let basis = table.basis.as_ref().map(|basis| &basis.template);

@@ -7,7 +7,7 @@ use toml::Spanned;
 use crate::error::Mistake;
 use crate::frame::FileContext;
 use crate::table::probe::Probe;
-use crate::table::types::{Input, TypeInfo};
+use crate::table::types::{RowInput, TypeInfo};
 use crate::toml_text::{Scalar, TextOr};
 
 /// Returns the values of a row whose line in the file is `line`.
@@ -17,7 +17,7 @@ pub(crate) fn of_row<'t>(
     line: u32,
     context: &FileContext<'_>,
     mistakes: &mut Vec<Mistake>,
-) -> Cow<'t, [Input]> {
+) -> Cow<'t, [RowInput]> {
     let boundaries = || Cow::Borrowed(&*row.boundaries);
     let ordinary = || Cow::Borrowed(row.ordinary.as_slice());
     let inputs = match &probe.key.values {
@@ -50,7 +50,7 @@ fn listed(
     row: &TypeInfo,
     context: &FileContext<'_>,
     mistakes: &mut Vec<Mistake>,
-) -> Vec<Input> {
+) -> Vec<RowInput> {
     let mut inputs = Vec::new();
     for item in list {
         let literal = item

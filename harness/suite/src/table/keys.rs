@@ -23,7 +23,7 @@ pub(crate) struct TableFile {
     #[serde(default)]
     pub(crate) types: BTreeMap<String, TypeKey>,
     pub(crate) columns: Option<Vec<Spanned<String>>>,
-    pub(crate) rows: Option<Vec<Spanned<Row>>>,
+    pub(crate) rows: Option<Vec<Spanned<TableRow>>>,
     pub(crate) expect: Option<Spanned<String>>,
     pub(crate) generate: Option<Spanned<Generate>>,
     #[serde(default)]
@@ -54,7 +54,7 @@ pub struct Generate {
 }
 
 /// One row of a table.
-pub(crate) type Row = Vec<Spanned<Scalar>>;
+pub(crate) type TableRow = Vec<Spanned<Scalar>>;
 
 /// `matrix = """…"""` or `[[matrix]]`.
 #[derive(Debug)]

@@ -8,14 +8,14 @@ use toml::Spanned;
 
 use crate::condition::{Condition, Testable};
 use crate::error::Mistake;
-use crate::frame::{self, FileContext, Frame};
+use crate::frame::{self, FileContext, ProbeFrame};
 use crate::header;
 use crate::ident;
-use crate::mark::{Claim, Known};
+use crate::mark::{Known, MarkClaim};
 use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::places::Placement;
-use crate::program::{Program, Remarks};
+use crate::program::{ProgramTemplate, Remarks};
 use crate::table::arranged::{self, Arranged};
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
@@ -27,7 +27,7 @@ pub(crate) struct Probe<'a> {
     pub(crate) key: &'a ProbeKey,
     /// The line of the case file on which the probe's name stands.
     pub(crate) line: u32,
-    pub(crate) program: Program,
+    pub(crate) program: ProgramTemplate,
     pub(crate) observe: Vec<Target>,
     pub(crate) only: Condition,
     /// The dialects to which the probe restricts its cases; all of them for `None`.
@@ -35,7 +35,7 @@ pub(crate) struct Probe<'a> {
     pub(crate) title: Option<Template>,
     pub(crate) basis: Option<BasisTemplate>,
     pub(crate) expect: Option<Template>,
-    pub(crate) frame: Frame,
+    pub(crate) frame: ProbeFrame,
     /// Whether each mark, by index, applied in some case.
     pub(crate) applied: Vec<bool>,
     /// The places of which the program was put together, if it was.
@@ -74,7 +74,7 @@ pub(crate) fn read<'a>(
     let mut probes: Vec<Probe<'a>> = Vec::new();
     let mut names = FxHashSet::default();
     for key in &file.probe {
-        let mut reader = Reader {
+        let mut reader = ProbeReader {
             context,
             placeholders,
             mistakes: Vec::new(),
@@ -96,13 +96,13 @@ pub(crate) fn read<'a>(
 }
 
 /// Reads one probe, and collects its mistakes.
-pub(super) struct Reader<'a, 'c> {
+pub(super) struct ProbeReader<'a, 'c> {
     pub(super) context: &'c FileContext<'c>,
     pub(super) placeholders: Placeholders<'a>,
     pub(super) mistakes: Vec<Mistake>,
 }
 
-impl<'a> Reader<'a, '_> {
+impl<'a> ProbeReader<'a, '_> {
     fn probe(&mut self, file: &'a TableFile, key: &'a ProbeKey, remarks: &mut Remarks) -> Option<Probe<'a>> {
         match (&key.source, &key.places) {
             (Some(source), None) => {
@@ -127,7 +127,7 @@ impl<'a> Reader<'a, '_> {
         &mut self,
         file: &TableFile,
         key: &'k ProbeKey,
-        program: Program,
+        program: ProgramTemplate,
         observe: Vec<Target>,
     ) -> Option<Probe<'k>> {
         let lines = &self.context.lines;
@@ -135,7 +135,7 @@ impl<'a> Reader<'a, '_> {
             self.wrong(&key.name, "probe.name", message);
         }
         let scans = key.scans.as_ref().or(file.scans.as_ref());
-        let frame = Frame {
+        let frame = ProbeFrame {
             summary: key.summary.as_deref().or(file.summary.as_deref()).map(Arc::from),
             tags: header::tags(file.tags.iter().chain(&key.tags)),
             scans: frame::scans(scans, lines, &mut self.mistakes),
@@ -177,13 +177,13 @@ impl<'a> Reader<'a, '_> {
         place: TextPlace,
         key: &str,
         remarks: &mut Remarks,
-    ) -> Option<Program> {
+    ) -> Option<ProgramTemplate> {
         let reader = MarkReader {
             dialects: self.context.dialects,
             testable: self.testable(),
             is_template: true,
         };
-        let program = Program::read(source, 0, place, &reader, remarks);
+        let program = ProgramTemplate::read(source, 0, place, &reader, remarks);
         let keyed = |mistake: Mistake| mistake.key(key);
         program
             .map_err(|mistakes| self.mistakes.extend(mistakes.into_iter().map(keyed)))
@@ -255,7 +255,12 @@ fn no_slash(name: &str) -> Result<(), String> {
 
 impl<'a> Probe<'a> {
     /// Returns a probe that has everything of this one but its program, which was put together of places.
-    pub(super) fn placed(&self, program: Program, observe: Target, placement: Placement) -> Probe<'a> {
+    pub(super) fn placed(
+        &self,
+        program: ProgramTemplate,
+        observe: Target,
+        placement: Placement,
+    ) -> Probe<'a> {
         Probe {
             name: Arc::clone(&self.name),
             key: self.key,
@@ -293,9 +298,9 @@ impl<'a> Probe<'a> {
         let mut shows = !self.observe.is_empty();
         for mark in &self.program.marks {
             match &mark.claim {
-                Claim::Values { .. } => return false,
-                Claim::Error(codes) if !codes.iter().all(is_code) => return false,
-                Claim::Error(_) => shows = true,
+                MarkClaim::Values { .. } => return false,
+                MarkClaim::Error(codes) if !codes.iter().all(is_code) => return false,
+                MarkClaim::Error(_) => shows = true,
                 _ => {}
             }
         }

@@ -17,7 +17,7 @@ pub(crate) const MAX_MISTAKES: usize = 50;
 const MAX_COLUMNS: usize = 100;
 
 /// A table file, as the expansions of both kinds of table use it.
-pub(crate) struct Table<'a> {
+pub(crate) struct TableExpansion<'a> {
     pub(crate) context: &'a FileContext<'a>,
     pub(crate) file: &'a TableFile,
     /// The dialects of the file; `None` if it does not name any.
@@ -84,7 +84,7 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
     let Some(title) = title else {
         return;
     };
-    let table = Table {
+    let table = TableExpansion {
         context,
         file,
         dialects,

@@ -8,7 +8,7 @@ use crate::ident;
 use crate::place::TextPlace;
 use crate::table::keys::{MatrixKey, MatrixTable};
 use crate::table::matrix::Matrix;
-use crate::table::read::Table;
+use crate::table::read::TableExpansion;
 use crate::template::{BasisTemplate, Template};
 
 /// One matrix of a file.
@@ -23,7 +23,7 @@ pub(crate) struct Section<'a> {
 
 /// Reads the matrices; leaves out those with mistakes.
 pub(crate) fn read<'a>(
-    table: &Table<'_>,
+    table: &TableExpansion<'_>,
     key: &'a MatrixKey,
     names: &[Box<str>],
     mistakes: &mut Vec<Mistake>,
@@ -32,7 +32,7 @@ pub(crate) fn read<'a>(
         MatrixKey::One(text) => vec![(None, text)],
         MatrixKey::Several(tables) => tables.iter().map(|table| (Some(table), &table.table)).collect(),
     };
-    let mut reader = Reader {
+    let mut reader = SectionReader {
         table,
         names,
         mistakes,
@@ -43,13 +43,13 @@ pub(crate) fn read<'a>(
         .collect()
 }
 
-struct Reader<'a, 't> {
-    table: &'a Table<'t>,
+struct SectionReader<'a, 't> {
+    table: &'a TableExpansion<'t>,
     names: &'a [Box<str>],
     mistakes: &'a mut Vec<Mistake>,
 }
 
-impl Reader<'_, '_> {
+impl SectionReader<'_, '_> {
     fn section<'k>(&mut self, key: Option<&'k MatrixTable>, text: &Spanned<String>) -> Option<Section<'k>> {
         let context = self.table.context;
         let start = text.span().start;

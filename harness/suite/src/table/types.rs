@@ -19,16 +19,16 @@ pub(crate) struct TypeInfo {
     /// The declaration that a program needs; empty for an elementary type.
     pub(crate) declaration: Box<str>,
     /// All boundary values of the type.
-    pub(crate) boundaries: Vec<Input>,
+    pub(crate) boundaries: Vec<RowInput>,
     /// One ordinary value of the type.
-    pub(crate) ordinary: Option<Input>,
+    pub(crate) ordinary: Option<RowInput>,
     /// One value of the type that shows a wrong conversion.
-    pub(crate) telling: Option<Input>,
+    pub(crate) telling: Option<RowInput>,
 }
 
 /// A value of a row's type, as a program writes it.
 #[derive(Clone, Debug)]
-pub(crate) struct Input {
+pub(crate) struct RowInput {
     /// The text that replaces `{value}`.
     pub(crate) literal: Box<str>,
     /// The text that replaces `{typed}`.
@@ -40,10 +40,10 @@ pub(crate) struct Input {
     pub(crate) arrives: Arc<[(Box<str>, Value)]>,
 }
 
-impl Input {
-    fn of(value: WrittenValue) -> Input {
+impl RowInput {
+    fn of(value: WrittenValue) -> RowInput {
         let typed = value.value.to_string().into();
-        Input {
+        RowInput {
             literal: value.literal,
             typed,
             value: Some(value.value),
@@ -72,9 +72,9 @@ impl TypeInfo {
             name: Arc::clone(name),
             base: Some(ty),
             declaration: Box::default(),
-            boundaries: boundaries::boundaries(ty).into_iter().map(Input::of).collect(),
-            ordinary: boundaries::ordinary(ty).map(Input::of),
-            telling: boundaries::telling(ty).map(Input::of),
+            boundaries: boundaries::boundaries(ty).into_iter().map(RowInput::of).collect(),
+            ordinary: boundaries::ordinary(ty).map(RowInput::of),
+            telling: boundaries::telling(ty).map(RowInput::of),
         }
     }
 
@@ -90,15 +90,15 @@ impl TypeInfo {
     }
 
     /// Returns the value of the type that `literal` spells.
-    pub(crate) fn input(&self, literal: &str) -> Option<Input> {
+    pub(crate) fn input(&self, literal: &str) -> Option<RowInput> {
         match self.base {
-            Some(ty) => WrittenValue::parse(ty, literal).ok().map(Input::of),
+            Some(ty) => WrittenValue::parse(ty, literal).ok().map(RowInput::of),
             None => Some(self.enumerated(literal, Arc::default())),
         }
     }
 
     /// Returns a value of a type that is not elementary: of an enumeration, or one that cannot be observed.
-    fn enumerated(&self, literal: &str, arrives: Arc<[(Box<str>, Value)]>) -> Input {
+    fn enumerated(&self, literal: &str, arrives: Arc<[(Box<str>, Value)]>) -> RowInput {
         let typed = format!("{}#{literal}", self.name);
         let value = Value::parse(&typed).ok().filter(|_| arrives.is_empty());
         let typed = if value.is_some() {
@@ -106,7 +106,7 @@ impl TypeInfo {
         } else {
             literal.into()
         };
-        Input {
+        RowInput {
             literal: literal.into(),
             typed,
             value,
@@ -119,7 +119,7 @@ impl TypeInfo {
         match self.base {
             Some(ty) => boundaries::other_than(ty, value).map(|other| other.literal),
             None => {
-                let differs = |input: &&Input| value.is_none() || input.value.as_ref() != value;
+                let differs = |input: &&RowInput| value.is_none() || input.value.as_ref() != value;
                 self.boundaries
                     .iter()
                     .rev()

@@ -6,7 +6,7 @@ use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
 /// The type of a value, and the type of the variable to which it is assigned.
-pub type Pair = (ElementaryType, ElementaryType);
+pub type TypePair = (ElementaryType, ElementaryType);
 
 /// The reaction of an engine to a value of one type in a variable of another. A crash is no
 /// rejection.
@@ -30,7 +30,7 @@ pub enum MatrixAnswer {
 pub fn answers(
     engine: &dyn Engine,
     dialect: DialectName,
-    pairs: &[Pair],
+    pairs: &[TypePair],
     answered: &(dyn Fn() + Sync),
 ) -> Result<Vec<MatrixAnswer>> {
     WorkerPool::new(0).map(
@@ -47,7 +47,7 @@ pub fn answers(
 fn ask(
     session: &mut EngineSession<'_>,
     dialect: DialectName,
-    (from, into): Pair,
+    (from, into): TypePair,
 ) -> Result<Outcome, EngineError> {
     // No name of the program is a keyword of any edition, as `from` is in sequential function charts.
     let source = format!(

@@ -1,6 +1,6 @@
 //! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
-use super::ask::{MatrixAnswer, Pair};
+use super::ask::{MatrixAnswer, TypePair};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -18,7 +18,7 @@ const WIDTH: usize = 80;
 const HEAD: usize = 8;
 
 /// The words of the documents for each pair, from the case files.
-pub type Documents = BTreeMap<Pair, MatrixWord>;
+pub type Documents = BTreeMap<TypePair, MatrixWord>;
 
 /// The matrix of one dialect: the words of the documents, and the answers of engines.
 pub struct DialectMatrix {
@@ -37,11 +37,11 @@ pub struct EngineAnswers {
     /// The name of the engine.
     pub engine: String,
     /// The answer for each pair.
-    pub answers: BTreeMap<Pair, MatrixAnswer>,
+    pub answers: BTreeMap<TypePair, MatrixAnswer>,
 }
 
 impl EngineAnswers {
-    fn answer(&self, pair: Pair) -> MatrixAnswer {
+    fn answer(&self, pair: TypePair) -> MatrixAnswer {
         self.answers
             .get(&pair)
             .copied()
@@ -49,7 +49,7 @@ impl EngineAnswers {
     }
 
     /// Returns whether the engine contradicts the documents for a pair of types.
-    fn differs(&self, documents: &Documents, pair: Pair) -> bool {
+    fn differs(&self, documents: &Documents, pair: TypePair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
             (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
             (Some(MatrixWord::Yes | MatrixWord::Same), answer) => answer != MatrixAnswer::Accepts,
@@ -142,7 +142,7 @@ impl DialectMatrix {
         2 + self.engines.len()
     }
 
-    fn write_cell(&self, pair: Pair, out: &mut dyn Write) -> io::Result<()> {
+    fn write_cell(&self, pair: TypePair, out: &mut dyn Write) -> io::Result<()> {
         let said = match self.documents.get(&pair) {
             Some(MatrixWord::Yes) => 'y',
             Some(MatrixWord::Same) => '=',

@@ -2,7 +2,7 @@
 
 use super::DescribedEngine;
 use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
-use super::template::{Filling, Template};
+use super::template::{CommandTemplate, Filling};
 use crate::adapters::locate::{self, failed};
 use crate::adapters::plain::without_colours;
 use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
@@ -17,14 +17,14 @@ pub(super) struct Execution {
 }
 
 /// The calls of an engine's commands on one program.
-pub(super) struct Call<'c> {
+pub(super) struct DescribedCall<'c> {
     pub(super) engine: &'c DescribedEngine,
     pub(super) folder: &'c Folder,
     /// The compiler's own word for the dialect.
     pub(super) dialect: &'c str,
 }
 
-impl Call<'_> {
+impl DescribedCall<'_> {
     fn description(&self) -> &Description {
         &self.engine.description
     }
@@ -38,11 +38,11 @@ impl Call<'_> {
     }
 
     /// Runs a command.
-    pub(super) fn run(&self, template: &Template, scans: u32) -> Result<Ended, Outcome> {
+    pub(super) fn run(&self, template: &CommandTemplate, scans: u32) -> Result<Ended, Outcome> {
         self.run_for(template, scans, self.limits(None))
     }
 
-    fn run_for(&self, template: &Template, scans: u32, limits: ToolLimits) -> Result<Ended, Outcome> {
+    fn run_for(&self, template: &CommandTemplate, scans: u32, limits: ToolLimits) -> Result<Ended, Outcome> {
         let (program, arguments) = template.filled(&Filling {
             file: &self.description().file.0,
             dialect: self.dialect,
@@ -65,7 +65,7 @@ impl Call<'_> {
     }
 
     /// Runs the program for `scans` scans.
-    pub(super) fn execute(&self, template: &Template, scans: u32) -> Result<Execution, Outcome> {
+    pub(super) fn execute(&self, template: &CommandTemplate, scans: u32) -> Result<Execution, Outcome> {
         let description = self.description();
         let limits = self.limits(Some(locate::EXECUTION_TIMEOUT));
         let ended = self.run_for(template, scans, limits)?;

@@ -1,7 +1,7 @@
 //! The description of a compiler by a table of `stickler.toml`.
 
 use super::pattern::{DiagnosticPattern, ValuePattern};
-use super::template::{Placeholder, Template};
+use super::template::{CommandTemplate, Placeholder};
 use crate::Grade;
 use crate::adapters::source::main_program;
 use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
@@ -18,15 +18,15 @@ pub struct Description {
     /// The compiler's own word for each dialect that it speaks.
     pub(super) dialects: BTreeMap<Parsed<DialectName>, String>,
     /// The command that prints the version.
-    pub(super) version: Option<Parsed<Template>>,
+    pub(super) version: Option<Parsed<CommandTemplate>>,
     /// The commands that check whether a program is accepted.
     pub(super) check: Option<Commands>,
     /// The commands that translate a program into something that `run` executes.
     pub(super) compile: Option<Commands>,
     /// The command that executes the program and prints the values of its variables.
-    pub(super) run: Option<Parsed<Template>>,
+    pub(super) run: Option<Parsed<CommandTemplate>>,
     /// The command that prints the program as normalised source.
-    pub(super) render: Option<Parsed<Template>>,
+    pub(super) render: Option<Parsed<CommandTemplate>>,
     /// The name of the file of the program.
     #[serde(default)]
     pub(super) file: FileName,
@@ -53,7 +53,7 @@ pub struct Description {
     pub(super) environment: BTreeMap<String, String>,
     /// The limits of each command.
     #[serde(default)]
-    pub(super) limits: Limits,
+    pub(super) limits: DescribedLimits,
     /// The address of the compiler's project.
     pub(super) project: Option<String>,
 }
@@ -61,7 +61,7 @@ pub struct Description {
 /// The limits of each command; the default of each is that of compilers with an adapter.
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Limits {
+pub struct DescribedLimits {
     /// The time for which the compiler may run, in seconds.
     pub(super) seconds: Option<u32>,
     /// The time for which `run` may run, in seconds.
@@ -136,7 +136,7 @@ impl Description {
     }
 
     /// Returns every command with its key.
-    pub(super) fn commands(&self) -> Vec<(&'static str, &Template)> {
+    pub(super) fn commands(&self) -> Vec<(&'static str, &CommandTemplate)> {
         let mut commands = Vec::new();
         for (key, template) in [
             ("version", &self.version),
@@ -166,7 +166,7 @@ impl<'de, T: FromStr<Err: fmt::Display>> Deserialize<'de> for Parsed<T> {
 
 /// One command, or several that follow one another.
 #[derive(Clone, Debug)]
-pub(super) struct Commands(pub(super) Vec<Parsed<Template>>);
+pub(super) struct Commands(pub(super) Vec<Parsed<CommandTemplate>>);
 
 impl<'de> Deserialize<'de> for Commands {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

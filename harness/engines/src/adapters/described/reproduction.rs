@@ -1,7 +1,7 @@
 //! Writes what a person needs to run a program with the commands of a table.
 
 use super::description::{Commands, Description, Parsed};
-use super::template::{Filling, HERE, ShellCommand, Template};
+use super::template::{CommandTemplate, Filling, HERE, ShellCommand};
 use super::{no_rendering, scans, speaks_not, takes_scans};
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::source::main_program;
@@ -48,7 +48,7 @@ impl Description {
 
     /// Returns the reproduction that gives a program to commands, each with its number of scans; `dialect` is the compiler's own
     /// word.
-    fn script(&self, dialect: &str, program: &str, commands: &[(&Template, u32)]) -> Reproduction {
+    fn script(&self, dialect: &str, program: &str, commands: &[(&CommandTemplate, u32)]) -> Reproduction {
         let file = &self.file.0;
         let mut reproduction = Reproduction::of(file, self.whole(program));
         for (name, value) in &self.environment {
@@ -69,7 +69,7 @@ impl Description {
 }
 
 /// Returns commands that make no scans.
-fn templates(commands: Option<&Commands>) -> Vec<(&Template, u32)> {
+fn templates(commands: Option<&Commands>) -> Vec<(&CommandTemplate, u32)> {
     let commands = commands.iter().flat_map(|commands| &commands.0);
     commands.map(|Parsed(template)| (template, 0)).collect()
 }

@@ -44,7 +44,7 @@ enum Piece {
 
 /// A command: words, each made of pieces. The first word is the program.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Template {
+pub struct CommandTemplate {
     words: Vec<Vec<Piece>>,
 }
 
@@ -71,18 +71,18 @@ impl<'f> Filling<'f> {
     }
 }
 
-impl FromStr for Template {
+impl FromStr for CommandTemplate {
     type Err = String;
 
     /// Splits a line into words as a POSIX shell does; no shell takes part, and nothing is expanded but placeholders such as
     /// `{file}`. `{{` and `}}` stand for braces.
-    fn from_str(line: &str) -> Result<Template, String> {
+    fn from_str(line: &str) -> Result<CommandTemplate, String> {
         let words = shlex::split(line).ok_or("a quote or a backslash has no end")?;
         if words.first().is_none_or(String::is_empty) {
             return Err("the command is empty".to_owned());
         }
         let words = words.iter().map(|word| pieces(word)).collect::<Result<_, _>>()?;
-        Ok(Template { words })
+        Ok(CommandTemplate { words })
     }
 }
 
@@ -117,7 +117,7 @@ fn pieces(word: &str) -> Result<Vec<Piece>, String> {
     Ok(pieces)
 }
 
-impl Template {
+impl CommandTemplate {
     /// Tells whether the template contains this placeholder.
     pub(super) fn has(&self, placeholder: Placeholder) -> bool {
         let place = Piece::Placeholder(placeholder);
@@ -165,7 +165,7 @@ pub(super) struct ShellCommand {
     pub(super) arguments: String,
 }
 
-impl Template {
+impl CommandTemplate {
     /// Returns the command for a shell in the folder of a reproduction. No path of this machine is in it, unless an argument of
     /// the template itself is one.
     pub(super) fn for_shell(&self, filling: &Filling<'_>) -> ShellCommand {
@@ -221,7 +221,7 @@ fn word(pieces: &[Piece], filling: &Filling<'_>) -> String {
 mod tests {
     use super::*;
 
-    fn template(line: &str) -> Result<Template, String> {
+    fn template(line: &str) -> Result<CommandTemplate, String> {
         line.parse()
     }
 

@@ -62,7 +62,7 @@ pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
         },
         compiler: folder.path().join("ironplcc"),
         machine: folder.path().join("ironplcvm"),
-        texts: Texts::default(),
+        texts: ReadableTexts::default(),
     };
     (ironplc, folder)
 }

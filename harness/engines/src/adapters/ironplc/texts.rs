@@ -9,11 +9,11 @@ use stickler_types::{DialectName, ElementaryType, Value};
 
 /// Remembers for each dialect and type whether texts can be read, and the reason where they cannot.
 #[derive(Default)]
-pub(super) struct Texts {
+pub(super) struct ReadableTexts {
     known: Mutex<BTreeMap<(DialectName, ElementaryType), Option<String>>>,
 }
 
-impl Texts {
+impl ReadableTexts {
     /// Returns the types of text among the observed values which cannot be read, each with the reason.
     pub(super) fn unreadable(
         &self,

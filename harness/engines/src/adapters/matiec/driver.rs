@@ -4,7 +4,7 @@
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
 use crate::adapters::driver::{self, DrivenProgram, Driver};
-use crate::adapters::printed::{self, Kind};
+use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::{OwnConfiguration, own_configuration};
 use crate::{RunRequest, Setting};
@@ -12,7 +12,7 @@ use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
-pub(super) struct Subject<'r, 'c> {
+pub(super) struct MatiecSubject<'r, 'c> {
     pub(super) request: RunRequest<'r>,
     pub(super) probes: &'c ProbeVariables,
     pub(super) program: String,
@@ -22,7 +22,7 @@ pub(super) struct Subject<'r, 'c> {
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, String> {
+pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r>, String> {
     let own = match subjects {
         [only] => own_configuration(only.request.source, &only.program),
         _ => None,
@@ -57,7 +57,7 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r, '_>]) -> Result<Driver<'r>, Str
 
 /// Writes the memory of the programs' variables. Only one program runs in a process, and so the programs share one place: a
 /// program that accesses memory beside its variables finds there what it would find alone.
-fn write_memory(text: &mut String, subjects: &[Subject<'_, '_>]) {
+fn write_memory(text: &mut String, subjects: &[MatiecSubject<'_, '_>]) {
     text.push_str("static struct {\n    char before[65536];\n    union {\n");
     for (number, subject) in subjects.iter().enumerate() {
         // Writing into a String does not fail.
@@ -116,7 +116,7 @@ pub(super) fn place(instance: &str, variable: &str) -> String {
 fn write_run(
     text: &mut String,
     number: usize,
-    (subject, instance): (&Subject<'_, '_>, &str),
+    (subject, instance): (&MatiecSubject<'_, '_>, &str),
     is_configured: bool,
 ) -> Result<(), String> {
     let [initialise, run] = calls(&subject.program, instance, is_configured, "scan");
@@ -163,15 +163,15 @@ static void print_text(int number, STRING value) {
 fn write_look(
     text: &mut String,
     number: usize,
-    (subject, instance): (&Subject<'_, '_>, &str),
-    kinds: &[Kind<'_>],
+    (subject, instance): (&MatiecSubject<'_, '_>, &str),
+    kinds: &[PrintedKind<'_>],
 ) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
         let variable = place(instance, subject.probes.variable(asked));
         let call = match kind {
-            Kind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
-            Kind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
+            PrintedKind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
+            PrintedKind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
             _ => format!("print_bits({asked_as}, &{variable}, sizeof {variable})"),
         };
         let _ = writeln!(text, "    if (scan == {}UL) {call};", asked.after.unwrap_or(0));
@@ -227,20 +227,20 @@ pub(super) fn is_time(ty: ElementaryType) -> bool {
 }
 
 /// Parses a printed value; `None` where the text is no such value.
-fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
+fn value(kind: &PrintedKind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
-        Kind::Enumerated(..) => kind.enumerated(bits()?),
-        Kind::Elementary(ty) if is_time(*ty) => {
+        PrintedKind::Enumerated(..) => kind.enumerated(bits()?),
+        PrintedKind::Elementary(ty) if is_time(*ty) => {
             let (seconds, rest) = shown.split_once(' ')?;
             let (seconds, rest) = (seconds.parse::<i64>().ok()?, rest.parse::<i64>().ok()?);
             let nanoseconds = i128::from(seconds) * 1_000_000_000 + i128::from(rest);
             Some(Value::of_nanoseconds(*ty, nanoseconds))
         }
-        Kind::Elementary(ty) if ty.is_text() => {
+        PrintedKind::Elementary(ty) if ty.is_text() => {
             text(shown.strip_prefix('\'')?).map(|units| Value::text(*ty, units))
         }
-        Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
+        PrintedKind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }
 
@@ -264,7 +264,7 @@ mod tests {
 
     /// Returns the driver of one program.
     fn alone<'r>(request: &RunRequest<'r>) -> Result<Driver<'r>, String> {
-        driver(&[Subject {
+        driver(&[MatiecSubject {
             request: *request,
             probes: &ProbeVariables::of(request),
             program: "main".to_owned(),
@@ -394,7 +394,7 @@ mod tests {
         let observe = [observation("x", "INT")];
         let request = request(&observe);
         let probes = ProbeVariables::of(&request);
-        let subject = |program: &str| Subject {
+        let subject = |program: &str| MatiecSubject {
             request,
             probes: &probes,
             program: program.to_owned(),

@@ -4,7 +4,7 @@
 //! rejected at once, and the others go on without them. Where it stops earlier, or its C cannot be built, the programs that are
 //! named in errors are run alone. No program sees what another does when it runs.
 
-use super::driver::{Subject, driver};
+use super::driver::{MatiecSubject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
@@ -15,7 +15,7 @@ use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeSet, HashSet};
 
 /// A program that may stand among others.
-struct Member<'r> {
+struct PackMember<'r> {
     /// The place of the program among the requests.
     place: usize,
     request: RunRequest<'r>,
@@ -25,8 +25,8 @@ struct Member<'r> {
     names: HashSet<String>,
 }
 
-impl<'r> Member<'r> {
-    fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<Member<'r>> {
+impl<'r> PackMember<'r> {
+    fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<PackMember<'r>> {
         let names = declared(request.source, taken)?;
         let main = main_program(request.source)?;
         let probes = ProbeVariables::of(request);
@@ -37,7 +37,7 @@ impl<'r> Member<'r> {
         let set = request.set.iter().map(|setting| &setting.name);
         let renamed = seen.chain(set).any(|path| names.contains(&base(path)));
         let fits = !(copied_for_nothing || renamed || has_pack_suffix(request.source));
-        fits.then_some(Member {
+        fits.then_some(PackMember {
             place,
             request: *request,
             probes,
@@ -74,7 +74,7 @@ struct Joined {
 }
 
 impl Joined {
-    fn of(members: &[Member<'_>]) -> Joined {
+    fn of(members: &[PackMember<'_>]) -> Joined {
         let mut joined = Joined {
             text: String::new(),
             members: Vec::with_capacity(members.len()),
@@ -121,9 +121,9 @@ impl Joined {
 pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let taken = session.engine.taken();
-    let member = |(place, request)| Member::of(place, request, taken);
-    let members: Vec<Member<'_>> = requests.iter().enumerate().filter_map(member).collect();
-    let place = |member: &Member<'_>| member.place;
+    let member = |(place, request)| PackMember::of(place, request, taken);
+    let members: Vec<PackMember<'_>> = requests.iter().enumerate().filter_map(member).collect();
+    let place = |member: &PackMember<'_>| member.place;
     rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
         look(session, members)
     });
@@ -131,7 +131,7 @@ pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> V
 }
 
 /// Translates, builds and runs programs in one text.
-fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
+fn look(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
     let joined = Joined::of(members);
     let ended = match session.compile(&joined.text) {
         Ok(ended) => ended,
@@ -145,7 +145,7 @@ fn look(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
 }
 
 /// Removes the programs that `iec2c` does not accept.
-fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
+fn refused(members: &[PackMember<'_>], joined: &Joined, stderr: &str) -> Round {
     let diagnostics = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);
     let mut mistakes: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
@@ -175,7 +175,7 @@ fn refused(members: &[Member<'_>], joined: &Joined, stderr: &str) -> Round {
 
 /// Removes the programs that are rejected, by the diagnostics of each. A program with probe variables has to be run alone,
 /// since the mistake may be in the probe variables.
-fn rejected(members: &[Member<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round {
+fn rejected(members: &[PackMember<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round {
     let mistakes = mistakes
         .into_iter()
         .enumerate()
@@ -188,10 +188,10 @@ fn rejected(members: &[Member<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round {
 }
 
 /// Builds and runs the translated programs.
-fn build(session: &MatiecSession<'_>, members: &[Member<'_>]) -> Round {
-    let subjects: Vec<Subject<'_, '_>> = members
+fn build(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
+    let subjects: Vec<MatiecSubject<'_, '_>> = members
         .iter()
-        .map(|member| Subject {
+        .map(|member| MatiecSubject {
             request: member.request,
             probes: &member.probes,
             program: member.program(),
@@ -264,11 +264,11 @@ mod tests {
         RunRequest::once(DialectName::Matiec, source, observe)
     }
 
-    fn members<'r>(programs: &[&'r str], observe: &'r [Observation]) -> Vec<Member<'r>> {
+    fn members<'r>(programs: &[&'r str], observe: &'r [Observation]) -> Vec<PackMember<'r>> {
         let taken = HashSet::new();
         let numbered = programs.iter().enumerate();
         numbered
-            .map(|(place, source)| Member::of(place, &request(source, observe), &taken).unwrap())
+            .map(|(place, source)| PackMember::of(place, &request(source, observe), &taken).unwrap())
             .collect()
     }
 
@@ -324,7 +324,7 @@ mod tests {
     fn a_program_whose_variable_would_be_renamed_stands_alone() {
         let taken = HashSet::new();
         let observe = ["n", "c.x"].map(|name| Observation::last(name, "INT"));
-        let alone = |source: &str| Member::of(0, &request(source, &observe), &taken).is_none();
+        let alone = |source: &str| PackMember::of(0, &request(source, &observe), &taken).is_none();
         assert!(!alone("PROGRAM main VAR n : INT; END_VAR END_PROGRAM"));
         assert!(alone("PROGRAM n VAR n : INT; END_VAR END_PROGRAM"));
         assert!(alone(

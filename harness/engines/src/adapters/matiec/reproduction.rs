@@ -3,9 +3,9 @@
 use super::driver::{before, calls, configured, has, is_time, place, translated};
 use super::{COMPILER, HEADER, LIBRARY, added_configuration};
 use crate::adapters::builder::Language;
-use crate::adapters::printed::{self, Kind};
+use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
-use crate::adapters::readable::{self, Expression, Main};
+use crate::adapters::readable::{self, DriverMain, ReadableExpression};
 use crate::adapters::reproduction;
 use crate::adapters::source::{MainProgram, own_configuration};
 use crate::reproduction::{PROGRAM, command_line};
@@ -74,7 +74,7 @@ fn text(
         ""
     };
     let observed = request.observe.iter().zip(&kinds);
-    let main = Main {
+    let main = DriverMain {
         scans: request.scans,
         start: vec![initialise],
         before: before(&instance, request)?,
@@ -94,14 +94,14 @@ fn text(
     ))
 }
 
-fn print(asked: &Observation, kind: &Kind<'_>, variable: String) -> String {
+fn print(asked: &Observation, kind: &PrintedKind<'_>, variable: String) -> String {
     let value = match kind {
-        Kind::Elementary(ty) if is_time(*ty) => Expression::Timespec(variable),
-        Kind::Elementary(ty) if ty.is_text() => Expression::Text {
+        PrintedKind::Elementary(ty) if is_time(*ty) => ReadableExpression::Timespec(variable),
+        PrintedKind::Elementary(ty) if ty.is_text() => ReadableExpression::Text {
             condition: format!("at < {variable}.len"),
             unit: format!("{variable}.body[at]"),
         },
-        _ => Expression::Number(variable),
+        _ => ReadableExpression::Number(variable),
     };
     readable::statement(asked, kind, &value)
 }

@@ -1,7 +1,7 @@
 //! Parses the diagnostics of `plc --error-format=clang`, and finds the file that each is about.
 
 use super::FUNCTIONS;
-use super::program::Program;
+use super::program::PackedProgram;
 use crate::adapters::described::DiagnosticPattern;
 use crate::adapters::plain::without_colours;
 use crate::process::Ended;
@@ -17,7 +17,7 @@ const LAST: &str = r"\A(?<message>.+?)(?: at: (?<file>[^:\n]+):(?<line>\d+):(?<c
 
 /// The part of the compiled text that an error is about.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum About {
+pub(super) enum ErrorPart {
     /// The program at this place of the pack.
     Program(usize),
     /// The functions that show the values of the program of this number.
@@ -27,21 +27,21 @@ pub(super) enum About {
 }
 
 /// An error, and the part that it is about.
-pub(super) type Found = (About, Diagnostic);
+pub(super) type LocatedDiagnostic = (ErrorPart, Diagnostic);
 
 /// A parser of the compiler's output.
-pub(super) struct Reader {
+pub(super) struct OutputParser {
     listed: DiagnosticPattern,
     last: DiagnosticPattern,
 }
 
-impl Reader {
+impl OutputParser {
     /// Compiles the patterns of the compiler's output.
     ///
     /// # Errors
     /// None in practice: the patterns are constants that the tests compile.
-    pub(super) fn new() -> Result<Reader, String> {
-        Ok(Reader {
+    pub(super) fn new() -> Result<OutputParser, String> {
+        Ok(OutputParser {
             listed: LISTED.parse()?,
             last: LAST.parse()?,
         })
@@ -51,12 +51,13 @@ impl Reader {
     ///
     /// # Errors
     /// [`Outcome::Crashed`] where the compiler neither accepts its input nor says why not.
-    pub(super) fn errors(&self, ended: &Ended) -> Result<Vec<Found>, Outcome> {
+    pub(super) fn errors(&self, ended: &Ended) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let text = without_colours(&ended.stderr);
         match ended.status.code() {
             Some(0) => Ok(Vec::new()),
             Some(1) => {
-                let mut found: Vec<Found> = self.listed.by_file(&text).into_iter().map(located).collect();
+                let mut found: Vec<LocatedDiagnostic> =
+                    self.listed.by_file(&text).into_iter().map(located).collect();
                 if found.is_empty() {
                     let last = text.lines().rfind(|line| !line.is_empty() && !is_noise(line));
                     let read = self.last.by_file(last.unwrap_or_default()).into_iter();
@@ -135,15 +136,15 @@ fn from_one(file: Option<&str>, diagnostic: Diagnostic) -> Diagnostic {
 }
 
 /// Returns an error with the part that it is about, instead of the file.
-fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> Found {
-    let place = file.and_then(Program::place_of);
+fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> LocatedDiagnostic {
+    let place = file.and_then(PackedProgram::place_of);
     let functions = || file.is_some_and(|file| Path::new(file).ends_with(FUNCTIONS));
     match (place, diagnostic.line) {
-        (Some(place), _) => (About::Program(place), diagnostic),
+        (Some(place), _) => (ErrorPart::Program(place), diagnostic),
         // The functions of each program stand on a line of their own.
-        (None, Some(line)) if functions() => (About::Functions(line as usize - 1), diagnostic),
+        (None, Some(line)) if functions() => (ErrorPart::Functions(line as usize - 1), diagnostic),
         (None, _) => (
-            About::Elsewhere,
+            ErrorPart::Elsewhere,
             Diagnostic {
                 message: diagnostic.message,
                 code: diagnostic.code,

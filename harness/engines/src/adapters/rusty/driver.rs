@@ -8,7 +8,7 @@
 
 use crate::RunRequest;
 use crate::adapters::driver::{self, DrivenProgram, Driver};
-use crate::adapters::printed::{self, Kind};
+use crate::adapters::printed::{self, PrintedKind};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -41,7 +41,7 @@ static void print_units(int32_t number, const uint16_t *text) {
 ";
 
 /// A compiled program that a driver runs: its request, and the names of its parts in the compiled text.
-pub(super) struct Subject<'r> {
+pub(super) struct RustySubject<'r> {
     pub(super) request: RunRequest<'r>,
     /// The main program.
     pub(super) program: String,
@@ -57,9 +57,9 @@ pub(super) struct Subject<'r> {
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<Driver<'r>, String> {
+pub(super) fn driver<'r>(subjects: &[RustySubject<'r>], first_file: &str) -> Result<Driver<'r>, String> {
     let mut driven = Vec::with_capacity(subjects.len());
-    for Subject { request, .. } in subjects {
+    for RustySubject { request, .. } in subjects {
         driven.push(DrivenProgram {
             request: *request,
             kinds: kinds(request)?,
@@ -87,7 +87,7 @@ pub(super) fn driver<'r>(subjects: &[Subject<'r>], first_file: &str) -> Result<D
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, String> {
+pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<PrintedKind<'r>>, String> {
     if !(request.clock.is_empty() && request.set.is_empty()) {
         return Err("its driver takes neither a clock nor values between scans".to_owned());
     }
@@ -152,7 +152,7 @@ fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
 
 /// Returns the text of the functions that the driver calls: a line for each program, in order, and then the functions that
 /// these call.
-pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) -> String {
+pub(super) fn functions(subjects: &[RustySubject<'_>], driven: &[DrivenProgram<'_>]) -> String {
     let mut text = String::new();
     for (number, (subject, driven)) in subjects.iter().zip(driven).enumerate() {
         let program = &subject.program;
@@ -178,10 +178,10 @@ pub(super) fn functions(subjects: &[Subject<'_>], driven: &[DrivenProgram<'_>]) 
 }
 
 /// Returns the type as which a value is shown. The values of an enumeration are numbers.
-pub(super) fn shown_as(kind: &Kind<'_>) -> ElementaryType {
+pub(super) fn shown_as(kind: &PrintedKind<'_>) -> ElementaryType {
     match kind {
-        Kind::Elementary(ty) => *ty,
-        Kind::Enumerated(..) => ElementaryType::Dint,
+        PrintedKind::Elementary(ty) => *ty,
+        PrintedKind::Enumerated(..) => ElementaryType::Dint,
     }
 }
 
@@ -191,7 +191,7 @@ fn shown(driven: &[DrivenProgram<'_>]) -> BTreeMap<String, ElementaryType> {
     kinds.map(|kind| (function(kind), shown_as(kind))).collect()
 }
 
-fn function(kind: &Kind<'_>) -> String {
+fn function(kind: &PrintedKind<'_>) -> String {
     format!("stickler_show_{}", shown_as(kind).name().to_ascii_lowercase())
 }
 
@@ -213,14 +213,16 @@ pub(super) fn of_c(ty: ElementaryType) -> &'static str {
 }
 
 /// Parses a printed value; `None` where the text is no such value.
-fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
+fn value(kind: &PrintedKind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
-        Kind::Enumerated(..) => kind.enumerated(bits()?),
-        Kind::Elementary(ty) if ty.is_text() && shown.starts_with('\'') => {
+        PrintedKind::Enumerated(..) => kind.enumerated(bits()?),
+        PrintedKind::Elementary(ty) if ty.is_text() && shown.starts_with('\'') => {
             Some(Value::text(*ty, printed::units(shown.strip_prefix('\'')?)?))
         }
-        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
-        Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
+        PrintedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
+            Some(Value::plain(*ty, bits()?))
+        }
+        PrintedKind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }

@@ -5,9 +5,9 @@
 //! names later, when it makes the object file, is run alone. No program sees what another does when it runs.
 
 use super::RustySession;
-use super::diagnostics::{About, Found, rejected, steady};
-use super::driver::{Subject, driver, functions};
-use super::program::Program;
+use super::diagnostics::{ErrorPart, LocatedDiagnostic, rejected, steady};
+use super::driver::{RustySubject, driver, functions};
+use super::program::PackedProgram;
 use crate::adapters::locate::suspects;
 use crate::adapters::rename::places_named;
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
@@ -18,9 +18,9 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let taken = session.engine.taken();
-    let program = |(place, request)| Program::among_others(request, place, taken);
-    let programs: Vec<Program<'_>> = requests.iter().enumerate().filter_map(program).collect();
-    let place = |program: &Program<'_>| program.place;
+    let program = |(place, request)| PackedProgram::among_others(request, place, taken);
+    let programs: Vec<PackedProgram<'_>> = requests.iter().enumerate().filter_map(program).collect();
+    let place = |program: &PackedProgram<'_>| program.place;
     rounds::play(programs, MAX_ROUNDS, &mut answers, place, |programs| {
         look(session, programs)
     });
@@ -28,11 +28,11 @@ pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Ve
 }
 
 /// Compiles, builds and runs programs together.
-fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
-    let subjects: Vec<Subject<'_>> = programs.iter().map(Program::subject).collect();
+fn look(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
+    let subjects: Vec<RustySubject<'_>> = programs.iter().map(PackedProgram::subject).collect();
     let first_file = programs
         .first()
-        .map_or_else(String::new, |first| Program::file_of(first.place));
+        .map_or_else(String::new, |first| PackedProgram::file_of(first.place));
     let Ok(driver) = driver(&subjects, &first_file) else {
         let cannot = |number: &usize| driver(&subjects[*number..=*number], &first_file).is_err();
         return Round::alone((0..subjects.len()).filter(cannot).collect());
@@ -52,7 +52,7 @@ fn look(session: &RustySession<'_>, programs: &[Program<'_>]) -> Round {
 }
 
 /// Returns the round of a pack that the compiler or a program did not finish.
-fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
+fn broken_off(outcome: &Outcome, programs: &[PackedProgram<'_>]) -> Round {
     let suspects = match outcome {
         Outcome::Crashed { reason } | Outcome::Unusable { reason } => {
             let named: BTreeSet<usize> = places_named(reason).into_iter().collect();
@@ -65,22 +65,22 @@ fn broken_off(outcome: &Outcome, programs: &[Program<'_>]) -> Round {
 }
 
 /// Removes the programs that the compiler does not accept.
-fn refused(programs: &[Program<'_>], found: Vec<Found>) -> Round {
+fn refused(programs: &[PackedProgram<'_>], found: Vec<LocatedDiagnostic>) -> Round {
     let mut mistakes: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
     let mut alone = BTreeSet::new();
     for (about, diagnostic) in found {
         match about {
-            About::Program(place) => {
+            ErrorPart::Program(place) => {
                 let number = programs.iter().position(|program| program.place == place);
                 let Some(number) = number else {
                     return Round::nothing();
                 };
                 mistakes[number].push(programs[number].original(diagnostic));
             }
-            About::Functions(number) if number < programs.len() => {
+            ErrorPart::Functions(number) if number < programs.len() => {
                 alone.insert(number);
             }
-            About::Functions(_) | About::Elsewhere => return Round::nothing(),
+            ErrorPart::Functions(_) | ErrorPart::Elsewhere => return Round::nothing(),
         }
     }
     // The functions that show the variables of a program with errors have errors, too: a rejection replaces the suspicion.

@@ -1,6 +1,6 @@
 //! A program as it is compiled: renamed, so that its names clash neither with those of C nor with those of another program.
 
-use super::driver::Subject;
+use super::driver::RustySubject;
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, RunRequest};
@@ -32,7 +32,7 @@ const BUILT_IN: &[&str] = &[
 ];
 
 /// A program that has a main program.
-pub(super) struct Program<'r> {
+pub(super) struct PackedProgram<'r> {
     /// The place of the program among the requests.
     pub(super) place: usize,
     pub(super) request: RunRequest<'r>,
@@ -42,13 +42,13 @@ pub(super) struct Program<'r> {
     renamed: Renamed,
 }
 
-impl<'r> Program<'r> {
+impl<'r> PackedProgram<'r> {
     /// Returns a program that is compiled alone: only the name of its main program changes, since `main` is where a C program
     /// begins. `None` where it has no main program.
-    pub(super) fn alone(request: &RunRequest<'r>) -> Option<Program<'r>> {
+    pub(super) fn alone(request: &RunRequest<'r>) -> Option<PackedProgram<'r>> {
         let main = main_program(request.source)?;
         let names = HashSet::from([main.name.to_ascii_uppercase()]);
-        Some(Program::with(request, 0, main, names))
+        Some(PackedProgram::with(request, 0, main, names))
     }
 
     /// Returns a program among others, with all its names made unique; `None` where it cannot stand among others.
@@ -56,7 +56,7 @@ impl<'r> Program<'r> {
         request: &RunRequest<'r>,
         place: usize,
         taken: &HashSet<String>,
-    ) -> Option<Program<'r>> {
+    ) -> Option<PackedProgram<'r>> {
         // Accesses to the bits of a variable, such as `.%X0`, are no addresses of the machine.
         let names = declared(&request.source.replace(".%", ". "), taken)?;
         if names.iter().any(|name| BUILT_IN.contains(&name.as_str())) {
@@ -64,7 +64,7 @@ impl<'r> Program<'r> {
         }
         let main = main_program(request.source)?;
         let fits = !has_pack_suffix(request.source);
-        fits.then(|| Program::with(request, place, main, names))
+        fits.then(|| PackedProgram::with(request, place, main, names))
     }
 
     fn with(
@@ -72,9 +72,9 @@ impl<'r> Program<'r> {
         place: usize,
         main: MainProgram,
         names: HashSet<String>,
-    ) -> Program<'r> {
+    ) -> PackedProgram<'r> {
         let renamed = Renamed::in_pack(request.source, &names, place);
-        Program {
+        PackedProgram {
             place,
             request: *request,
             main,
@@ -100,9 +100,9 @@ impl<'r> Program<'r> {
     }
 
     /// Returns the program as a driver runs it.
-    pub(super) fn subject(&self) -> Subject<'r> {
+    pub(super) fn subject(&self) -> RustySubject<'r> {
         let rename = |name: &str| Renamed::in_pack(name, &self.names, self.place).text;
-        Subject {
+        RustySubject {
             request: self.request,
             program: rename(&self.main.name),
             observed: self

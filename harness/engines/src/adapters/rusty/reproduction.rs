@@ -3,8 +3,8 @@
 use super::driver::{HEADER, initialise, kinds, of_c, shown_as};
 use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE};
 use crate::adapters::builder::Language;
-use crate::adapters::printed::Kind;
-use crate::adapters::readable::{self, Expression, Main};
+use crate::adapters::printed::PrintedKind;
+use crate::adapters::readable::{self, DriverMain, ReadableExpression};
 use crate::adapters::reproduction;
 use crate::adapters::source::{MainProgram, words};
 use crate::reproduction::{PROGRAM, command_line};
@@ -95,7 +95,7 @@ fn show(after: Option<u32>) -> String {
 }
 
 /// Returns the functions of Structured Text that pass the observed values to the driver.
-fn functions(request: &RunRequest<'_>, program: &str, kinds: &[Kind<'_>]) -> String {
+fn functions(request: &RunRequest<'_>, program: &str, kinds: &[PrintedKind<'_>]) -> String {
     let mut shown: BTreeMap<Option<u32>, String> = BTreeMap::from([(None, String::new())]);
     let mut external = String::new();
     for (number, (asked, kind)) in request.observe.iter().zip(kinds).enumerate() {
@@ -124,7 +124,7 @@ fn functions(request: &RunRequest<'_>, program: &str, kinds: &[Kind<'_>]) -> Str
 }
 
 /// Returns the driver.
-fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
+fn text(request: &RunRequest<'_>, kinds: &[PrintedKind<'_>]) -> String {
     let observed = request.observe.iter().zip(kinds).enumerate();
     let mut printers = String::new();
     for (number, (asked, kind)) in observed {
@@ -144,7 +144,7 @@ fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
         .map(|after| format!("int32_t {}(void);\n", show(*after)))
         .collect();
     let initialise = initialise(PROGRAM);
-    let main = Main {
+    let main = DriverMain {
         scans: request.scans,
         start: vec![format!("if ({initialise}) {initialise}();")],
         before: Vec::new(),
@@ -163,7 +163,7 @@ fn text(request: &RunRequest<'_>, kinds: &[Kind<'_>]) -> String {
 }
 
 /// Returns the C type of the parameter that takes a value, with the blank or star behind it. Numbers with a sign have one here.
-fn parameter(kind: &Kind<'_>) -> String {
+fn parameter(kind: &PrintedKind<'_>) -> String {
     let ty = shown_as(kind);
     match ty {
         ElementaryType::String => "unsigned char *".to_owned(),
@@ -173,15 +173,17 @@ fn parameter(kind: &Kind<'_>) -> String {
     }
 }
 
-fn print(asked: &Observation, kind: &Kind<'_>) -> String {
+fn print(asked: &Observation, kind: &PrintedKind<'_>) -> String {
     let value = || "value".to_owned();
     let value = match kind {
-        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Expression::Nanoseconds(value()),
-        Kind::Elementary(ty) if ty.is_text() => Expression::Text {
+        PrintedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
+            ReadableExpression::Nanoseconds(value())
+        }
+        PrintedKind::Elementary(ty) if ty.is_text() => ReadableExpression::Text {
             condition: "value[at]".to_owned(),
             unit: "value[at]".to_owned(),
         },
-        _ => Expression::Number(value()),
+        _ => ReadableExpression::Number(value()),
     };
     readable::statement(asked, kind, &value)
 }

@@ -208,7 +208,7 @@ fn no_line_of_a_program_moves_and_its_name_does_not_meet_that_of_c() {
     let observe = [("x", "INT"), ("c", "C"), ("s", "STRING")]
         .map(|(name, type_name)| Observation::last(name, type_name));
     let request = RunRequest::once(DialectName::Rusty, source, &observe);
-    let program = Program::alone(&request).unwrap();
+    let program = PackedProgram::alone(&request).unwrap();
     assert_eq!(
         program.text(),
         source.replace("PROGRAM main", "PROGRAM main_in_pack_0")
@@ -231,7 +231,7 @@ fn among_others_every_name_of_a_program_is_kept_apart_unless_the_language_has_it
     let taken = HashSet::from(["TON".to_owned()]);
     let among = |source: &str| {
         let request = RunRequest::once(DialectName::Rusty, source, &[]);
-        Program::among_others(&request, 7, &taken).map(|program| program.text().to_owned())
+        PackedProgram::among_others(&request, 7, &taken).map(|program| program.text().to_owned())
     };
     assert_eq!(
         among("FUNCTION F : INT F := 1; END_FUNCTION PROGRAM main VAR w : WORD; END_VAR w.%X3 := f() > 0; END_PROGRAM").unwrap(),
@@ -251,7 +251,7 @@ fn among_others_every_name_of_a_program_is_kept_apart_unless_the_language_has_it
 
 #[test]
 fn what_stops_the_compiler_is_told_the_same_each_time() {
-    let reader = Reader::new().unwrap();
+    let reader = OutputParser::new().unwrap();
     let ended = |code: i32, stderr: &str| Ended {
         // As `wait` tells it: the exit code, or the signal.
         status: ExitStatus::from_raw(code),
@@ -290,13 +290,13 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
         .errors(&ended(1 << 8, "Some initial values were not generated\n"))
         .unwrap();
     assert_eq!(found.len(), 1);
-    assert_eq!(found[0].0, About::Elsewhere);
+    assert_eq!(found[0].0, ErrorPart::Elsewhere);
     assert_eq!(found[0].1.message, "Some initial values were not generated");
     // Here it counts lines and columns from 0. Basis: rusty: book, chapter on the parser, with another name of the file.
     let said = "Unexpected token: expected KeywordSemicolon but found 'text: STRING' at: program_3.st:3:8:{3:8-3:20}: \n";
     let found = reader.errors(&ended(1 << 8, said)).unwrap();
     let (about, diagnostic) = &found[0];
-    assert_eq!(*about, About::Program(3));
+    assert_eq!(*about, ErrorPart::Program(3));
     assert_eq!(
         (diagnostic.line, diagnostic.column, diagnostic.end_column),
         (Some(4), Some(9), Some(21))

@@ -6,7 +6,7 @@
 
 use crate::RunRequest;
 use crate::adapters::driver::{self, DrivenProgram, Driver};
-use crate::adapters::printed::{self, Kind};
+use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::own_configuration;
 use std::fmt::Write;
@@ -64,7 +64,7 @@ template<class T> static void print_text(int number, const T &value) {
 ";
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
-pub(super) struct Subject<'r> {
+pub(super) struct StrucppSubject<'r> {
     pub(super) request: RunRequest<'r>,
     pub(super) probes: ProbeVariables,
     pub(super) program: String,
@@ -75,7 +75,7 @@ pub(super) struct Subject<'r> {
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String> {
+pub(super) fn driver<'r>(subjects: &[&StrucppSubject<'r>]) -> Result<Driver<'r>, String> {
     let mut text = format!("#include \"stickler.hpp\"\n{VALUE_OF}{PRINTERS}");
     let mut driven = Vec::with_capacity(subjects.len());
     for (number, subject) in subjects.iter().enumerate() {
@@ -115,7 +115,7 @@ pub(super) fn driver<'r>(subjects: &[&Subject<'r>]) -> Result<Driver<'r>, String
 ///
 /// # Errors
 /// A fragment that says what cannot be observed or set.
-pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, String> {
+pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<PrintedKind<'r>>, String> {
     if !request.set.is_empty() {
         return Err("its driver writes no variables between scans".to_owned());
     }
@@ -123,13 +123,13 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<Kind<'r>>, Strin
 }
 
 /// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
-fn write_run(text: &mut String, subject: &Subject<'_>, kinds: &[Kind<'_>]) {
+fn write_run(text: &mut String, subject: &StrucppSubject<'_>, kinds: &[PrintedKind<'_>]) {
     text.push_str(&instance(subject.request.source, &subject.program));
     text.push_str("static void look(unsigned long scan) {\n");
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
         let variable = place(subject.probes.variable(asked));
         let printer = match kind {
-            Kind::Elementary(ty) if ty.is_text() => "print_text",
+            PrintedKind::Elementary(ty) if ty.is_text() => "print_text",
             _ => "print_bits",
         };
         let _ = writeln!(
@@ -186,19 +186,21 @@ pub(super) fn before(request: &RunRequest<'_>) -> Vec<(u32, String)> {
 }
 
 /// Parses a printed value; `None` where the text is no such value.
-fn value(kind: &Kind<'_>, shown: &str) -> Option<Value> {
+fn value(kind: &PrintedKind<'_>, shown: &str) -> Option<Value> {
     let bits = || u64::from_str_radix(shown, 16).ok();
     match kind {
-        Kind::Enumerated(..) => kind.enumerated(bits()?),
-        Kind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
+        PrintedKind::Enumerated(..) => kind.enumerated(bits()?),
+        PrintedKind::Elementary(ty @ (ElementaryType::Date | ElementaryType::Ldate)) => {
             let days = i128::from(bits()?.cast_signed());
             Some(Value::of_nanoseconds(*ty, days * DAY))
         }
-        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Some(Value::plain(*ty, bits()?)),
-        Kind::Elementary(ty) if ty.is_text() => {
+        PrintedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
+            Some(Value::plain(*ty, bits()?))
+        }
+        PrintedKind::Elementary(ty) if ty.is_text() => {
             Some(Value::text(*ty, printed::units(shown.strip_prefix('\'')?)?))
         }
-        Kind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
+        PrintedKind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }
 
@@ -243,7 +245,7 @@ mod tests {
             }],
             set: &[],
         };
-        let subject = Subject {
+        let subject = StrucppSubject {
             request,
             probes: ProbeVariables::of(&request),
             program: "main".to_owned(),

@@ -3,8 +3,8 @@
 //! Each program is translated alone, so that a rejection needs no further round. The C++ of accepted programs stands side by
 //! side, each in a namespace of its own. No program sees what another does when it runs.
 
-use super::driver::{Subject, driver};
-use super::{Accepted, StrucppSession};
+use super::driver::{StrucppSubject, driver};
+use super::{AcceptedProgram, StrucppSession};
 use crate::adapters::locate::suspects;
 use crate::adapters::rename::declared;
 use crate::adapters::rounds::{self, Round};
@@ -29,7 +29,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
             Err(outcome) => answers[place] = Packed::Answered(outcome),
         }
     }
-    let place = |(place, _): &(usize, Accepted<'_>)| *place;
+    let place = |(place, _): &(usize, AcceptedProgram<'_>)| *place;
     rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
         build_and_run(session, members).unwrap_or_else(Round::alone)
     });
@@ -43,14 +43,14 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
 /// no program.
 fn build_and_run(
     session: &StrucppSession<'_>,
-    members: &[(usize, Accepted<'_>)],
+    members: &[(usize, AcceptedProgram<'_>)],
 ) -> Result<Round, BTreeSet<usize>> {
     for (number, (_, accepted)) in members.iter().enumerate() {
         let text = in_a_namespace(&accepted.translated.header, &accepted.translated.program);
         let written = session.folder.write(&format!("program_{number}.cpp"), &text);
         written.map_err(|_| BTreeSet::new())?;
     }
-    let subjects: Vec<&Subject<'_>> = members.iter().map(|(_, accepted)| &accepted.subject).collect();
+    let subjects: Vec<&StrucppSubject<'_>> = members.iter().map(|(_, accepted)| &accepted.subject).collect();
     let driver = driver(&subjects).map_err(|_| BTreeSet::new())?;
     let built = session
         .engine

@@ -3,9 +3,9 @@
 use super::driver::{VALUE_OF, before, instance, kinds, place};
 use super::{COMPILER, DIALECT, NODE};
 use crate::adapters::builder::Language;
-use crate::adapters::printed::Kind;
+use crate::adapters::printed::PrintedKind;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
-use crate::adapters::readable::{self, Expression, Main};
+use crate::adapters::readable::{self, DriverMain, ReadableExpression};
 use crate::adapters::reproduction;
 use crate::adapters::source::MainProgram;
 use crate::reproduction::PROGRAM;
@@ -65,7 +65,7 @@ fn text(
 ) -> Result<String, NoReproduction> {
     let kinds = kinds(request)?;
     let observed = request.observe.iter().zip(&kinds);
-    let text = Main {
+    let text = DriverMain {
         scans: request.scans,
         start: Vec::new(),
         before: before(request),
@@ -82,18 +82,22 @@ fn text(
     ))
 }
 
-fn print(asked: &Observation, kind: &Kind<'_>, variable: String) -> String {
+fn print(asked: &Observation, kind: &PrintedKind<'_>, variable: String) -> String {
     let value = match kind {
-        Kind::Elementary(ElementaryType::Date | ElementaryType::Ldate) => Expression::Days(variable),
-        Kind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => Expression::Nanoseconds(variable),
-        Kind::Elementary(ty) if ty.is_text() => Expression::Text {
+        PrintedKind::Elementary(ElementaryType::Date | ElementaryType::Ldate) => {
+            ReadableExpression::Days(variable)
+        }
+        PrintedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
+            ReadableExpression::Nanoseconds(variable)
+        }
+        PrintedKind::Elementary(ty) if ty.is_text() => ReadableExpression::Text {
             condition: format!("at < {variable}.length()"),
             unit: match ty {
                 ElementaryType::Wstring => format!("{variable}[at]"),
                 _ => format!("(unsigned char){variable}[at]"),
             },
         },
-        _ => Expression::Number(variable),
+        _ => ReadableExpression::Number(variable),
     };
     readable::statement(asked, kind, &value)
 }

@@ -65,7 +65,7 @@ fn joined(decimal: &RoundedDecimal) -> (u64, i32) {
 /// Returns the distance of `number * 10^exponent` from a real number, multiplied by the product of both denominators.
 fn distance(number: u64, exponent: i32, raw: u64, ty: ElementaryType) -> BigUint {
     let (significand, binary_exponent) = parts(raw, ty);
-    let exact = Fraction::binary(significand, binary_exponent);
+    let exact = DecimalFraction::binary(significand, binary_exponent);
     let (numerator, denominator) = decimal_fraction(number, exponent);
     let (one, other) = (numerator * exact.denominator, exact.numerator * denominator);
     if one > other { one - other } else { other - one }
@@ -150,7 +150,7 @@ fn the_number_of_significant_digits_is_kept() {
                 // Half a unit of the last place that was asked for, and no more.
                 let unit = decimal.exponent + 1 - i32::from(count);
                 let (numerator, denominator) = decimal_fraction(1, unit);
-                let exact = Fraction::binary(significand, exponent);
+                let exact = DecimalFraction::binary(significand, exponent);
                 // Both differences have the product of the denominators in common.
                 let difference = distance(number, places, raw, ty) * &denominator * 2_u32;
                 let (_, own_denominator) = decimal_fraction(number, places);

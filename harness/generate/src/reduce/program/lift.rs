@@ -189,8 +189,8 @@ impl VisitorMut for Propagate {
 /// Ends each REPEAT after its first iteration. Code that is not executed may contain any condition; once it is executed, it
 /// should terminate.
 pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
-    struct Repeats<'s>(&'s mut Sites);
-    impl VisitorMut for Repeats<'_> {
+    struct LoopVisitor<'s>(&'s mut Sites);
+    impl VisitorMut for LoopVisitor<'_> {
         fn statement(&mut self, statement: &mut Statement) {
             if let StatementKind::Repeat(_, until) = &mut statement.kind
                 && !is_true(until)
@@ -202,7 +202,7 @@ pub(super) fn end_repeats(program: &mut Program, sites: &mut Sites) {
             visit_mut::walk_statement(self, statement);
         }
     }
-    visit_mut::walk_program(&mut Repeats(sites), program);
+    visit_mut::walk_program(&mut LoopVisitor(sites), program);
 }
 
 /// Returns whether an expression is TRUE.

@@ -37,7 +37,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
                 variable.section = VariableSection::Local;
             }
         }
-        let mut calls = Calls {
+        let mut calls = ArgumentLiterals {
             unit,
             functions,
             instances: program
@@ -83,7 +83,7 @@ pub(super) fn promote(program: &mut Program, sites: &mut Sites) {
 }
 
 /// The literals that a program passes to a function or function block; `unit` is counted as in [`promote`].
-struct Calls {
+struct ArgumentLiterals {
     unit: usize,
     functions: usize,
     /// The types of the variables of main.
@@ -91,7 +91,7 @@ struct Calls {
     arguments: Vec<Argument>,
 }
 
-impl Calls {
+impl ArgumentLiterals {
     fn take(&mut self, arguments: &[Argument]) {
         let literals = arguments
             .iter()
@@ -100,7 +100,7 @@ impl Calls {
     }
 }
 
-impl Visitor for Calls {
+impl Visitor for ArgumentLiterals {
     fn statement(&mut self, statement: &Statement) {
         if let StatementKind::Invoke { instance, inputs, .. } = &statement.kind
             && let Some(Type::Block(block)) = self.instances.get(instance.0)

@@ -53,12 +53,12 @@ pub(super) fn splice(program: &mut Program, sites: &mut Sites) {
 ///
 /// `FOR i := 1 TO 0 DO block(out => x); END_FOR;` then shows the same defect of loops without the block.
 pub(super) fn calls_to_assignments(program: &mut Program, sites: &mut Sites) {
-    struct Calls<'p> {
+    struct BlockCalls<'p> {
         program: &'p Program,
         unit: Unit,
         sites: &'p mut Sites,
     }
-    impl VisitorMut for Calls<'_> {
+    impl VisitorMut for BlockCalls<'_> {
         fn enter(&mut self, unit: Unit) {
             self.unit = unit;
         }
@@ -80,7 +80,7 @@ pub(super) fn calls_to_assignments(program: &mut Program, sites: &mut Sites) {
         }
     }
     let before = program.clone();
-    let mut calls = Calls {
+    let mut calls = BlockCalls {
         program: &before,
         unit: Unit::Main,
         sites,

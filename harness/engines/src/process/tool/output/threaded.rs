@@ -9,11 +9,11 @@ use std::thread;
 use std::time::Duration;
 
 /// The bytes that came from a stream so far.
-type Shared = Arc<Mutex<Vec<u8>>>;
+type SharedBytes = Arc<Mutex<Vec<u8>>>;
 
 /// Both streams, and the bytes that came from them so far. A thread ends with its stream.
 pub(super) struct Streams {
-    kept: [Shared; 2],
+    kept: [SharedBytes; 2],
     /// The receiver of one message for each stream that ends: whether it kept to its limit.
     ends: Receiver<bool>,
     open: usize,
@@ -61,8 +61,8 @@ impl Streams {
     }
 }
 
-fn read(stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<bool>) -> Shared {
-    let shared = Shared::default();
+fn read(stream: Option<impl Read + Send + 'static>, most: u64, sender: Sender<bool>) -> SharedBytes {
+    let shared = SharedBytes::default();
     let kept = Arc::clone(&shared);
     thread::spawn(move || {
         // The receiver may be gone.
