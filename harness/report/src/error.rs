@@ -1,5 +1,6 @@
 //! The errors of writing a report and of reading an event log.
 
+use crate::results;
 use std::io;
 use std::path::{Path, PathBuf};
 use stickler_run::FORMAT;
@@ -34,7 +35,7 @@ impl ReportError {
 /// Returns the advice to run the cases again, for a file of an earlier format; empty for another.
 fn rerun_advice(format: u32) -> &'static str {
     match format {
-        0..FORMAT => {
+        0..results::FORMAT => {
             "; an earlier version of Stickler wrote it, so run the cases again with this version first"
         }
         _ => "",

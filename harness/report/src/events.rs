@@ -7,7 +7,7 @@ mod record;
 
 use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
-use record::{CaseObject, Decoder, GroupLine, RunLine};
+use record::{CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
@@ -56,7 +56,10 @@ impl Encoder {
                     let group = &self.groups.all()[number];
                     push_line(&mut self.lines, &RunLine::Group(GroupLine::new(number, group)))?;
                 }
-                self.line(&CaseObject::new(case, number))?;
+                match PassedLine::of(case, number) {
+                    Some(passed) => self.line(&passed)?,
+                    None => self.line(&CaseObject::new(case, number))?,
+                }
                 return Ok(Some(number));
             }
         }
@@ -316,7 +319,7 @@ fn check_format(line: &[u8]) -> Result<(), LogError> {
     }
 }
 
-/// Describes a text that is a report of a run, such as `the event log of a run, of format 2`, for messages about a file that
+/// Describes a text that is a report of a run, such as `the event log of a run, of format 3`, for messages about a file that
 /// is not of the wanted kind; returns `None` for other texts.
 pub fn recognize(text: &[u8]) -> Option<String> {
     let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
@@ -362,7 +365,7 @@ mod tests {
     use super::{Completeness, EventLog, log_of, read, recognize};
     use crate::{LogError, sample};
     use std::fs;
-    use stickler_run::{Event, FORMAT, Verdict};
+    use stickler_run::{CaseEvent, Event, FORMAT, Verdict};
 
     fn written(events: &[Event]) -> Vec<u8> {
         let folder = tempfile::tempdir().expect("a temporary folder");
@@ -435,8 +438,22 @@ mod tests {
             lines[1].starts_with(r#"{"type":"group","number":0,"group":{"id":"widening/a::p","#),
             "{text}"
         );
-        let passed = r#"{"type":"pass","group":0,"case":"(2)","duration_us":12,"expects":305419896}"#;
-        assert_eq!(lines[3], passed);
+        assert_eq!(lines[3], r#"[0,"(2)",12,305419896]"#);
+    }
+
+    #[test]
+    fn a_passed_case_that_has_more_to_tell_is_written_whole() {
+        let case = sample::case("a", Verdict::Pass);
+        let of_baseline = CaseEvent {
+            baseline: Some(sample::baseline_note()),
+            ..case.clone()
+        };
+        let with_line = CaseEvent {
+            line: Some(7),
+            ..case
+        };
+        let run = sample::run_of(vec![of_baseline, sample::open_case("b"), with_line]);
+        assert_eq!(read_back(&log_of(&run)).expect("a log").0, run);
     }
 
     #[test]

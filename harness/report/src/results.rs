@@ -16,9 +16,11 @@ use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use stickler_run::{
-    BaselineNote, CaseEvent, EngineHeader, Event, FORMAT, Fact, Footer, Grade, Header, Observed, Totals,
-    Verdict,
+    BaselineNote, CaseEvent, EngineHeader, Event, Fact, Footer, Grade, Header, Observed, Totals, Verdict,
 };
+
+/// The version of the format of `results.json`.
+pub(crate) const FORMAT: u32 = 2;
 
 /// The results of a run, gathered until the document is written: it begins with the totals and claims, which are known last.
 pub(crate) struct Results {

@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 use stickler_engines::Grade;
 
 /// The version of the event format.
-pub const FORMAT: u32 = 2;
+pub const FORMAT: u32 = 3;
 
 /// The file name that stands for the program in [`EngineHeader::commands`].
 pub const PROGRAM: &str = "program.st";

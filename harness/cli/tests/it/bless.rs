@@ -253,7 +253,7 @@ fn what_cannot_be_blessed_says_why() {
     let footer = text.trim_end().rfind('\n').expect("lines") + 1;
     fs::write(&log, &text[..footer]).expect("a log");
     folder.bless(&[]).with(2, &["cut short", "run it again"]);
-    fs::write(&log, text.replace(r#""format":2"#, r#""format":1"#)).expect("a log");
+    fs::write(&log, text.replace(r#""format":3"#, r#""format":1"#)).expect("a log");
     let told = [
         "reports/latest/events.jsonl",
         "has format 1",

@@ -141,7 +141,7 @@ fn what_cannot_be_compared_is_said_with_its_place() {
     let footer = log.trim_end().rfind('\n').expect("lines") + 1;
     fs::write(folder.path().join("cut/events.jsonl"), &log[..footer]).expect("a log");
     fs::create_dir(folder.path().join("first")).expect("a folder");
-    let format = log.replace(r#""format":2"#, r#""format":1"#);
+    let format = log.replace(r#""format":3"#, r#""format":1"#);
     fs::write(folder.path().join("first/events.jsonl"), format).expect("a log");
     for (old, new, reason) in [
         (

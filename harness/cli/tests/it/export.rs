@@ -92,7 +92,7 @@ fn what_is_not_whole_is_told_and_never_taken_for_a_pass() {
     let (code, _, notes) = run(folder.path(), &log);
     assert_eq!(code, Some(2));
     let told =
-        "told/events.jsonl is the event log of a run, of format 2; import the text that was copied out";
+        "told/events.jsonl is the event log of a run, of format 3; import the text that was copied out";
     assert!(notes.contains(told), "{notes}");
     let (code, _, notes) = run(folder.path(), &["import", "copied.txt", "--no-report"]);
     assert_eq!(code, Some(2));
