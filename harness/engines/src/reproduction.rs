@@ -115,10 +115,15 @@ impl Reproduction {
         self.command("echo 'The program is accepted.'")
     }
 
-    /// Adds the command that says what the probe variables of a program stand for, where its values are printed by their names.
+    /// Adds the command that says what the probe variables of a program stand for at its end, where its values are printed by
+    /// their names: those that keep an initial value stand for nothing, those that take several values in turn for the last.
     pub(crate) fn legend(self, probes: &[ProbeVariable]) -> Reproduction {
-        let stands = |probe: &ProbeVariable| format!("{} is {}", probe.name, probe.expression);
-        let stand: Vec<String> = probes.iter().map(stands).collect();
+        let stands = |(at, probe): (usize, &ProbeVariable)| {
+            let is_last = probes[at + 1..].iter().all(|later| later.name != probe.name);
+            let stands = format!("{} is {}", probe.name, probe.expression);
+            (is_last && !probe.expression.is_empty()).then_some(stands)
+        };
+        let stand: Vec<String> = probes.iter().enumerate().filter_map(stands).collect();
         match stand.is_empty() {
             true => self,
             false => self.command(format!("echo {}", shell_quote(&stand.join(", ")))),
@@ -273,6 +278,24 @@ mod tests {
         let text = "/opt/st/lib/a.h:3: error in /opt/st/bin, not in /cc".to_owned();
         let printed = without_places(text, &tools);
         assert_eq!(printed, "$LIB/a.h:3: error in $ST/bin, not in /cc");
+    }
+
+    #[test]
+    fn a_legend_says_what_each_probe_variable_stands_for_at_the_end() {
+        let probe = |name: &str, expression: &str| ProbeVariable {
+            name: name.to_owned(),
+            type_name: "INT".to_owned(),
+            expression: expression.to_owned(),
+        };
+        let probes = [
+            probe("a", ""),
+            probe("b", "x.1"),
+            probe("c", "y"),
+            probe("b", "x.2"),
+        ];
+        let of = |probes| Reproduction::of(PROGRAM, String::new()).legend(probes).commands;
+        assert_eq!(of(&probes), ["echo 'c is y, b is x.2'"]);
+        assert_eq!(of(&probes[..1]), [""; 0]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ pub(crate) struct ProbeVariable {
     /// The name of the variable, which no program has: see [`ProbeVariable::name`].
     pub(crate) name: String,
     /// The type of the variable, as it is declared, with an initial value where the variable keeps one.
-    pub(super) type_name: String,
+    pub(crate) type_name: String,
     /// The expression whose value the variable takes; empty where it keeps its initial value.
     pub(crate) expression: String,
 }
