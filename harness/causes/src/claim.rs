@@ -1,10 +1,10 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
+use crate::assignments::assignment;
 use crate::features::{is_unread, type_of_token};
 use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
 use crate::shape::own_functions;
-use crate::title::assignment;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};

@@ -4,10 +4,10 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
+use crate::assignments::shows_initial_value;
 use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
 use crate::normal::Normal;
 use crate::reduction::Smallest;
-use crate::title::shows_initial_value;
 use std::collections::BTreeSet;
 use stickler_run::Symptom;
 

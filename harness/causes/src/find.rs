@@ -1,5 +1,6 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
+use crate::assignments::shows_initial_value;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::{FailedCases, FailureGroup};
@@ -9,7 +10,7 @@ use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
-use crate::title::{shows_initial_value, title};
+use crate::title::title;
 use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};

@@ -19,6 +19,7 @@
 //! where a limit of time ends the search.
 #![forbid(unsafe_code)]
 
+mod assignments;
 mod claim;
 mod constructs;
 mod essence;

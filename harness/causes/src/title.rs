@@ -1,5 +1,6 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
+use crate::assignments::{computation, declaration, declares, last_statement};
 use crate::reduction::Smallest;
 use crate::shape::{in_declarations, is_fixed};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
@@ -126,7 +127,7 @@ fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
             continue;
         }
         let value = clipped(&value.to_string());
-        return match (told, assignment(program, name)) {
+        return match (told, computation(program, name)) {
             (Fact::Value { value: other, .. }, Some(line)) => {
                 format!("{} gives {other}, not {value}", described(program, line))
             }
@@ -243,13 +244,6 @@ fn section_of<'p>(program: &'p str, line: &str) -> Option<&'p str> {
     (is_there && !matches!(head, "VAR" | "VAR_INPUT" | "END_VAR")).then_some(head)
 }
 
-/// Returns whether a line itself declares this name.
-fn declares(line: &str, name: &str) -> bool {
-    let tokens = tokens(line);
-    let mut pairs = tokens.windows(2);
-    pairs.any(|pair| pair[0].is(name) && matches!(pair[1].text, ":" | ","))
-}
-
 /// Returns the type with which a program declares a name, as it is written.
 fn type_of(program: &str, name: &ProgramToken<'_>) -> Option<String> {
     if name.kind != ProgramTokenKind::Word || is_fixed(name.text) {
@@ -278,64 +272,6 @@ fn is_declared(tokens: &[ProgramToken<'_>], at: usize) -> bool {
         pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != ProgramTokenKind::Word)
     });
     !is_head && end.is_some_and(|end| end[0].text == ":")
-}
-
-/// Returns the last line that assigns a variable, a field or an element of it, or gives it to an output or an in-out variable
-/// of a call; for a field that no line assigns, the line that initializes it.
-pub(crate) fn assignment<'p>(program: &'p str, path: &str) -> Option<&'p str> {
-    let path = path.split('@').next().unwrap_or(path);
-    let name = path.split(['[', '.']).next().unwrap_or(path);
-    let assigns = |line: &&str| {
-        let tokens = tokens(line);
-        let target = tokens.first().is_some_and(|first| first.is(name));
-        let declares = tokens.get(1).is_some_and(|next| next.text == ":");
-        let mut triples = tokens.windows(3);
-        // An argument that is the variable alone may be changed by the call.
-        let passes = triples.any(|triple| {
-            triple[1].is(name)
-                && (triple[0].text == "=>" || triple[0].text == ":=" && matches!(triple[2].text, ")" | ","))
-        });
-        passes || target && !declares && tokens.iter().any(|token| token.text == ":=")
-    };
-    let field = path
-        .rsplit_once('.')
-        .map(|(_, field)| field.split('[').next().unwrap_or(field));
-    let initializes = |line: &&str| {
-        let tokens = tokens(line);
-        let mut triples = tokens.windows(3);
-        triples.any(|triple| {
-            matches!(triple[0].text, "(" | ",")
-                && field.is_some_and(|field| triple[1].is(field))
-                && triple[2].text == ":="
-        })
-    };
-    program
-        .lines()
-        .rfind(assigns)
-        .or_else(|| program.lines().rfind(initializes))
-}
-
-/// Returns the line that declares a variable, or the field that a path ends with.
-fn declaration<'p>(program: &'p str, path: &str) -> &'p str {
-    let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
-    let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
-    let mut lines = program.lines();
-    lines
-        .find(|line| declares(line, name))
-        .unwrap_or_else(|| last_statement(program))
-}
-
-/// Returns whether the first value that a small program has wrong is one that a variable begins with, and nothing assigns.
-pub(crate) fn shows_initial_value(smallest: &Smallest) -> bool {
-    let Smallest {
-        program, deviation, ..
-    } = smallest;
-    let differs = |fact: &&Fact| !deviation.got.contains(fact);
-    let wrong = deviation.expected.iter().find(differs);
-    let Some(Fact::Value { name, .. }) = wrong else {
-        return false;
-    };
-    assignment(program, name).is_none() && declaration(program, name).contains(":=")
 }
 
 /// Returns the line of a program with a number that a message names; a number of one digit stands in too many messages.
@@ -437,16 +373,6 @@ fn is_simple(token: &ProgramToken<'_>) -> bool {
     }
 }
 
-/// Returns the last line of a program that is no end of anything.
-fn last_statement(program: &str) -> &str {
-    let mut lines = program.lines().rev();
-    let is_statement = |line: &&str| {
-        let first = line.trim().to_ascii_uppercase();
-        !first.trim_matches(';').is_empty() && !first.starts_with("END_")
-    };
-    lines.find(is_statement).unwrap_or(program)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -488,13 +414,5 @@ mod tests {
         let of = |message: &str| with_number_of(program, message).map(str::trim);
         assert_eq!(of("minimum=-127"), Some("row : ARRAY[-127..7] OF SINT;"));
         assert_eq!(of("P2002 and 7"), None);
-    }
-
-    #[test]
-    fn the_line_that_computes_a_value_is_found() {
-        assert_eq!(assignment(PROGRAM, "a@3"), Some("a := b + f(c[1]);"));
-        assert_eq!(assignment(PROGRAM, "c[1]"), None);
-        assert!(declaration(PROGRAM, "c[1]").starts_with("VAR a, b"));
-        assert_eq!(declaration("PROGRAM p\n  q();\nEND_PROGRAM", "x"), "  q();");
     }
 }
