@@ -73,7 +73,9 @@ pub(crate) fn reduce(
             questions += 1;
             match asked.deviation(&smaller) {
                 Ok(seen) => Interestingness::from(seen.is_some_and(|seen| {
-                    sign.is_kept_by(&seen.sign) && (has_fault(&event.got) || !has_fault(&seen.got))
+                    sign.is_kept_by(&seen.sign)
+                        && (has_fault(&event.got) || !has_fault(&seen.got))
+                        && (program == start || has_same_value(event, &seen))
                 })),
                 Err(failed) => {
                     error = Some(failed);
@@ -116,6 +118,25 @@ pub(crate) fn reduce(
 /// Returns whether a program stopped with a fault, as one does that is accepted and divides by a variable which lost its value.
 fn has_fault(got: &[Fact]) -> bool {
     got.iter().any(|fact| matches!(fact, Fact::Fault { .. }))
+}
+
+/// Returns whether a program has a value wrong in the way in which the case has it: what it must be, and what it is. Of what is no
+/// value, the sign says the way.
+fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
+    let wrong = |expected: &[Fact], got: &[Fact]| -> Vec<(Fact, Fact)> {
+        let pairs = expected.iter().cloned().zip(got.iter().cloned());
+        pairs
+            .filter(|(wanted, told)| {
+                wanted != told
+                    && [wanted, told]
+                        .iter()
+                        .all(|fact| matches!(fact, Fact::Value { .. }))
+            })
+            .collect()
+    };
+    let whole = wrong(&event.expected, &event.got);
+    let now = wrong(&seen.expected, &seen.got);
+    now.is_empty() || now.iter().any(|pair| whole.contains(pair))
 }
 
 /// Runs the case with the smallest program several times, and fills in what the engine does with it.

@@ -9,7 +9,7 @@ use stickler_engines::{
 };
 use stickler_run::{Cause, Fact};
 use stickler_suite::Case;
-use stickler_types::{Code, Diagnostic, DialectName, Fault};
+use stickler_types::{Code, Diagnostic, DialectName, ElementaryType, Fault, Value};
 
 /// A compiler that runs programs with one defect.
 struct Compiler {
@@ -413,4 +413,26 @@ fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
         title.ends_with("`: P2002 is reported once more, without a place"),
         "{title}"
     );
+}
+
+/// Adds one too few, and assigns nothing of `c` alone.
+fn adds_too_little(request: &RunRequest<'_>) -> Outcome {
+    let mut outcome = as_the_reference(request);
+    if let Outcome::Executed { values } = &mut outcome {
+        for (_, value) in values.iter_mut().filter(|(name, _)| name == "x") {
+            if request.source.contains('+') {
+                *value = Value::plain(ElementaryType::Int, 5);
+            } else if request.source.contains("x := c;") {
+                *value = Value::plain(ElementaryType::Int, 0);
+            }
+        }
+    }
+    outcome
+}
+
+#[test]
+fn a_wrong_value_stays_what_it_is_while_its_program_becomes_smaller() {
+    let sum = case("t::sum", "c : INT := 6; d, x : INT;", "x := c + d;", "x = INT#6");
+    let found = causes(&Compiler::new(adds_too_little), vec![sum]);
+    assert!(found[0].shown.program.contains('+'), "{}", found[0].shown.program);
 }
