@@ -12,7 +12,7 @@ use stickler_types::{Diagnostic, ElementaryType};
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
 /// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
-/// says nothing of a program without an operation that the engine cannot read, and one about a mistake nothing of a program without it.
+/// says nothing of a program without an operation that the engine cannot read or makes nothing of use of, and one about a mistake nothing of a program without it.
 pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
     let is_mistake = case.expected.iter().any(|fact| fact.diagnostic().is_some());
     // What must be rejected says nothing of what must be accepted.
@@ -56,18 +56,27 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         .map(|line| operations(line, &own))
         .unwrap_or_default();
     let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
-    if is_value && claimed.is_empty() && is_unread(&smallest.deviation.got) {
+    let sign = &smallest.deviation.sign;
+    let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
+    if is_value && claimed.is_empty() && (is_unusable || is_unread(&smallest.deviation.got)) {
         return false;
     }
     let kept = operations_of(&smallest.program);
     claimed.is_subset(&kept)
         && has_signed_literal(&line.unwrap_or_default()) <= has_signed_literal(&tokens(&smallest.program))
-        && (!smallest.deviation.sign.rejects_valid() || keeps_work(program, &smallest.program, &kept))
+        && (!(is_unusable || sign.rejects_valid()) || keeps_work(program, &smallest.program, &kept))
 }
 
 /// Returns whether a program that an engine does not take still does what the whole one did with its values: conversions by name
-/// and accesses of bits, or else the conversion between two types.
+/// and accesses of bits, or else the conversion between two types; and whether it still has a text where that has one.
 fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
+    let has_text = |program: &str| {
+        let tokens = tokens(program);
+        tokens.iter().any(|token| token.kind == ProgramTokenKind::Text)
+    };
+    if has_text(whole) && !has_text(program) {
+        return false;
+    }
     let is_work = |operation: &&String| operation.contains("_TO_") || *operation == "bit access";
     let operations = operations_of(whole);
     let work: Vec<&String> = operations.iter().filter(is_work).collect();
@@ -104,13 +113,17 @@ mod tests {
             "x : DINT; y : INT; x := y;"
         ));
         assert!(keeps("x : DINT; x := x.3; y : INT;", "x : DINT; x := x.3;"));
+        assert!(keeps("n : INT; n := LEN('a$L');", "n : INT; n := LEN('');"));
+        assert!(!keeps(
+            "n : INT; s : STRING; s := '$L'; n := LEN(s);",
+            "n : INT; s : STRING; n := LEN(s);"
+        ));
     }
 
     #[test]
-    fn a_claim_about_a_value_says_nothing_of_a_program_that_cannot_be_read() {
+    fn a_claim_about_a_value_says_nothing_of_a_program_that_cannot_be_read_or_built() {
         let program = "PROGRAM p\nVAR\nx : INT := INT#-5;\nEND_VAR\nx := x;\nEND_PROGRAM\n";
-        let keeps = |expected: Fact, code: &str| {
-            let smallest = Smallest::rejected(program, 5, code);
+        let with_claim = |expected: Fact, smallest: &Smallest| {
             let case = CaseEvent {
                 id: "a".to_owned(),
                 dialect: "matiec".to_owned(),
@@ -131,8 +144,9 @@ mod tests {
                 program: Some(program.to_owned()),
                 baseline: None,
             };
-            keeps_claim(&case, &smallest)
+            keeps_claim(&case, smallest)
         };
+        let keeps = |expected: Fact, code: &str| with_claim(expected, &Smallest::rejected(program, 5, code));
         let value = || Fact::Value {
             name: "x".to_owned(),
             value: stickler_types::Value::plain(ElementaryType::Int, 65531),
@@ -140,6 +154,10 @@ mod tests {
         assert!(!keeps(value(), "P0002"));
         assert!(keeps(value(), "P4035"));
         assert!(keeps(Fact::Accepted, "P0002"));
+        let mut useless = Smallest::rejected(program, 5, "P4035");
+        useless.deviation.sign.symptom = Symptom::Unusable("the C cannot be built".to_owned());
+        assert!(!with_claim(value(), &useless));
+        assert!(with_claim(Fact::Accepted, &useless));
         let mistake = || Fact::Diagnostic(Diagnostic::default());
         assert!(!keeps(mistake(), "P4035"), "a valid program is rejected");
     }
