@@ -127,6 +127,12 @@ impl DeclaredNames {
             ":=" => self.assigned(tokens, before),
             // The first element of a list.
             "[" if before > 0 && tokens[before - 1].text == ":=" => self.assigned(tokens, before - 1),
+            // What is repeated in a list.
+            "(" if before > 0 && tokens[before - 1].kind == ProgramTokenKind::Number => {
+                let list = tokens[..before].iter().rposition(|token| token.text == "[")?;
+                let sign = list.checked_sub(1).filter(|sign| tokens[*sign].text == ":=")?;
+                self.assigned(tokens, sign)
+            }
             "(" | "," => {
                 let open = tokens[..at].iter().rposition(|token| token.text == "(")?;
                 let callee = tokens.get(open.checked_sub(1)?)?;

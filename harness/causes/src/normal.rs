@@ -228,13 +228,14 @@ impl NormalSearch<'_, '_> {
         }
         self.plain_literals()?;
         self.operands()?;
+        self.steps()?;
+        // The types and values of such an operation do not matter.
+        if self.normal.is_widened {
+            return Ok(());
+        }
         self.plain_types()?;
         self.plain_literals()?;
-        self.steps()?;
-        let labels = match self.normal.is_widened {
-            true => BTreeSet::new(),
-            false => value_features(&self.normal.program),
-        };
+        let labels = value_features(&self.normal.program);
         self.normal.labels.extend(labels);
         Ok(())
     }

@@ -2,7 +2,7 @@
 //! asked before the operation around it is blamed.
 
 use crate::names::{DeclaredNames, converted, literal, prefix_type};
-use crate::tokens::{ProgramToken, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_types::ElementaryType;
 
 /// A program that does with one operand what another program does with it among other things.
@@ -112,6 +112,7 @@ pub(crate) fn alone(program: &str) -> Vec<Alone> {
             variables.push(Alone::copied(from, ty, value.as_deref()));
         }
         variables.extend(mixed(&names, &tokens, at));
+        variables.extend(behind_arithmetic(&names, &tokens, at));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -187,7 +188,9 @@ fn mixed(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<A
         }
     };
     match (operand(at.checked_sub(1)), operand(Some(at + 1))) {
-        (Some((left, first)), Some((right, second))) if is_operator && left != right => {
+        (Some((left, first)), Some((right, second)))
+            if is_operator && left != right && is_number(left) && is_number(right) =>
+        {
             vec![
                 Alone::copied(left, right, first.as_deref()),
                 Alone::copied(right, left, second.as_deref()),
@@ -195,6 +198,34 @@ fn mixed(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<A
         }
         _ => Vec::new(),
     }
+}
+
+/// Returns whether operands of a type are converted to that of the other operand or of the target: a duration is multiplied by a
+/// number as it is.
+const fn is_number(ty: ElementaryType) -> bool {
+    ty.is_integer() || ty.is_bit_string() || ty.is_real()
+}
+
+/// Returns the conversions of the operands of a calculation to the type of what is assigned, for the assignment sign before it.
+fn behind_arithmetic(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<Alone> {
+    let expression = || tokens[at + 1..].iter().take_while(|token| token.text != ";");
+    let is_operator =
+        |token: &ProgramToken<'_>| matches!(token.text, "+" | "-" | "*" | "/" | "**") || token.is("MOD");
+    let is_operand = |token: &ProgramToken<'_>| token.kind != ProgramTokenKind::Sign && !token.is("MOD");
+    let is_calculation = tokens[at].text == ":="
+        && expression().all(|token| is_operand(token) || is_operator(token))
+        && expression().filter(|token| is_operand(token)).count() > 1;
+    let target = names
+        .assigned(tokens, at)
+        .filter(|ty| is_calculation && is_number(*ty));
+    let Some(target) = target else {
+        return Vec::new();
+    };
+    let sources = expression().filter_map(|token| prefix_type(token).or_else(|| names.type_of(token)));
+    sources
+        .filter(|source| *source != target && is_number(*source))
+        .map(|source| Alone::copied(source, target, names.some_value(source).as_deref()))
+        .collect()
 }
 
 #[cfg(test)]
@@ -240,6 +271,12 @@ mod tests {
     }
 
     #[test]
+    fn a_duration_that_is_multiplied_is_not_converted() {
+        let program = "PROGRAM p VAR t : TIME; r : REAL; END_VAR t := t * r; END_PROGRAM";
+        assert_eq!(bodies(program), [""; 0]);
+    }
+
+    #[test]
     fn the_type_of_a_target_is_found_wherever_it_is_declared() {
         for (program, expected) in [
             (
@@ -262,6 +299,14 @@ mod tests {
                 "FUNCTION_BLOCK h VAR_INPUT in : ULINT; END_VAR VAR_OUTPUT out : ULINT; END_VAR out := in; END_FUNCTION_BLOCK PROGRAM p VAR \
                  b : h; into : ULINT; END_VAR b.in := 18446744073709551615; b(); into := b.out; END_PROGRAM",
                 "into : ULINT; END_VAR into := 18446744073709551615;",
+            ),
+            (
+                "PROGRAM p VAR a : ARRAY[0..3] OF SINT := [1, 3(200)]; END_VAR a[0] := a[1]; END_PROGRAM",
+                "into : SINT; END_VAR into := 200;",
+            ),
+            (
+                "PROGRAM p VAR s : SINT := -5; x : LREAL; END_VAR x := s + SINT#2; END_PROGRAM",
+                "data : SINT := -5; into : LREAL; END_VAR into := data;",
             ),
             (
                 "PROGRAM p VAR x : DINT; t : TIME; END_VAR t := T#1s + T#2s; x := x - 1; END_PROGRAM",
