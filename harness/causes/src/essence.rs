@@ -34,7 +34,13 @@ impl Essence {
         let program = MarkedProgram::new(normal);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => {
-                let features = program.of_mistake(normal.is_unchecked);
+                let mut features = program.of_mistake(normal.is_unchecked);
+                let forms = program.forms_of_literals();
+                if code.starts_with("P0") && !forms.is_empty() {
+                    features.remove(LITERAL);
+                    features.insert(program.place().to_owned());
+                    features.extend(forms);
+                }
                 // A place alone is in every program.
                 let names_construct = !features.iter().any(|feature| PLACES.contains(&feature.as_str()));
                 (format!("accepted {code}"), features, names_construct)
@@ -202,6 +208,35 @@ mod tests {
     }
 
     #[test]
+    fn literals_that_should_not_be_read_are_told_apart_by_their_forms() {
+        let accepted = |ty: &str, literal: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {literal};\nEND_PROGRAM\n");
+            let mistake = Fact::Diagnostic(Diagnostic {
+                line: Some(5),
+                code: Some("P0002".to_owned()),
+                ..Diagnostic::default()
+            });
+            let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
+            let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
+            let mut smallest = Smallest::rejected(&program, 5, "");
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let underscore = accepted("BYTE", "BYTE#6_");
+        assert!(underscore.explains(&accepted("INT", "INT#12_")));
+        assert!(underscore.explains(&accepted("INT", "1_")));
+        for (ty, literal) in [
+            ("INT", "1e5"),
+            ("INT", "1__0"),
+            ("REAL", "1."),
+            ("TIME", "T#1s1m"),
+            ("INT", "INT#"),
+        ] {
+            assert!(!underscore.explains(&accepted(ty, literal)), "{literal}");
+        }
+    }
+
+    #[test]
     fn a_place_that_converts_nothing_is_one_cause_whatever_the_types() {
         let of = |program: &str, name: &str| {
             let fact = |raw| Fact::Value {
@@ -258,5 +293,13 @@ mod tests {
         let variable = given("d : DATE;", "d");
         assert!(variable.explains(&given("", "DATE#2024-03-01")));
         assert_eq!(variable.construct(), "date_TO_dateandtime");
+        let called = |ty: &str, call: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {call};\nEND_PROGRAM\n");
+            let smallest = Smallest::rejected(&program, 5, "P4017");
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let to_truth = called("BOOL", "REAL_TO_BOOL(0.0)");
+        assert!(to_truth.explains(&called("REAL", "BOOL_TO_REAL(FALSE)")));
+        assert!(!to_truth.explains(&called("INT", "REAL_TO_INT(0.0)")));
     }
 }

@@ -96,6 +96,25 @@ impl<'p> MarkedProgram<'p> {
         features
     }
 
+    /// Returns the forms of the literals of the line that matters, where these are no plain numbers: what is wrong with one that
+    /// should not be read says its form alone.
+    pub(crate) fn forms_of_literals(&self) -> BTreeSet<String> {
+        let line = self.of_line();
+        let end = |token: &ProgramToken<'_>| token.text.as_ptr() as usize + token.text.len();
+        let mut words: Vec<String> = Vec::new();
+        for (at, token) in line.iter().enumerate() {
+            let is_part =
+                token.kind != ProgramTokenKind::Sign || matches!(token.text, "." | "-" | "+" | "#" | ":");
+            let continues = at > 0 && is_part && end(&line[at - 1]) == token.text.as_ptr() as usize;
+            match words.last_mut().filter(|_| continues) {
+                Some(word) => word.push_str(token.text),
+                None => words.push(token.text.to_owned()),
+            }
+        }
+        let forms = words.iter().filter_map(|word| form_of_number(word));
+        forms.collect()
+    }
+
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
         place_of(&self.tokens, self.line)
@@ -182,7 +201,8 @@ impl<'p> MarkedProgram<'p> {
     /// program, the kinds of declarations.
     pub(crate) fn of_rejection(&self) -> BTreeSet<String> {
         let line = self.of_line();
-        let mut features = operations(&line, &self.own);
+        let operations = operations(&line, &self.own).into_iter();
+        let mut features: BTreeSet<String> = operations.map(|one| either_way(&one)).collect();
         let mut literals: Vec<String> = self.special_literals(&line);
         literals.extend(self.signed_literal(&line));
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
@@ -287,6 +307,15 @@ impl<'p> MarkedProgram<'p> {
     }
 }
 
+/// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
+/// types.
+fn either_way(operation: &str) -> String {
+    match operation.split_once("_TO_") {
+        Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
+        None => operation.to_owned(),
+    }
+}
+
 /// Returns the type that a token names, as a word or as the prefix of a literal.
 pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> {
     let upper = token.text.to_ascii_uppercase();
@@ -326,6 +355,30 @@ fn place_of(tokens: &[ProgramToken<'_>], line: Option<u32>) -> &'static str {
         };
     }
     place
+}
+
+/// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
+fn form_of_number(word: &str) -> Option<String> {
+    let upper = word.to_ascii_uppercase();
+    let number = upper.split_once('#').filter(|(prefix, _)| {
+        let ty = ElementaryType::from_literal_prefix(prefix);
+        ty.is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")))
+    });
+    let number = number.map_or(upper.as_str(), |(_, number)| number);
+    let mut form = String::new();
+    for character in number.chars() {
+        let shown = if character.is_ascii_digit() {
+            '0'
+        } else {
+            character
+        };
+        if shown != '0' || !form.ends_with('0') {
+            form.push(shown);
+        }
+    }
+    let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');
+    (!is_name && !matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0") && form.contains(['0', '#']))
+        .then_some(form)
 }
 
 /// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.
