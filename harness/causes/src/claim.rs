@@ -1,7 +1,8 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
 use crate::assignments::assignment;
-use crate::features::{is_unread, type_of_token};
+use crate::features::is_unread;
+use crate::literals::type_of_token;
 use crate::operations::{operations, operations_of};
 use crate::reduction::Smallest;
 use crate::shape::own_functions;

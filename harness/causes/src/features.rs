@@ -1,15 +1,16 @@
 //! The features of a small program: the constructs by which the defects of programs are told apart.
 
+use crate::literals::{form_of_number, kind, special_literal, type_of_token};
 use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::operations;
-use crate::shape::{in_declarations, number, own_functions, text};
+use crate::shape::{in_declarations, own_functions};
 use crate::statements::{is_block, path};
 use crate::title::unimplemented;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
-use stickler_types::{ElementaryType, Family};
+use stickler_types::ElementaryType;
 
 /// The features of where a line stands.
 pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
@@ -17,6 +18,7 @@ pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
 pub(crate) const LITERAL: &str = "untyped literal";
 /// The feature of a place where a value of every type is accepted.
 pub(crate) const UNCHECKED: &str = "unchecked";
+
 /// Returns whether an engine says that it could not read a program.
 pub(crate) fn is_unread(got: &[Fact]) -> bool {
     let told = got.iter().find_map(Fact::diagnostic);
@@ -316,29 +318,6 @@ fn either_way(operation: &str) -> String {
     }
 }
 
-/// Returns the type that a token names, as a word or as the prefix of a literal.
-pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> {
-    let upper = token.text.to_ascii_uppercase();
-    match token.kind {
-        ProgramTokenKind::Word => ElementaryType::from_name(&upper),
-        ProgramTokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
-        _ => None,
-    }
-}
-
-/// Returns the kind of values between which conversions are one piece of work in a compiler; `None` for BOOL, which is the
-/// type of comparisons too.
-const fn kind(ty: ElementaryType) -> Option<&'static str> {
-    Some(match ty.family() {
-        Family::Boolean => return None,
-        Family::Signed | Family::Unsigned | Family::BitString => "integer",
-        Family::Real => "real",
-        Family::Duration => "duration",
-        Family::Date | Family::TimeOfDay | Family::DateAndTime => "date or time",
-        Family::Text | Family::Character => "text",
-    })
-}
-
 /// Returns where a line stands.
 fn place_of(tokens: &[ProgramToken<'_>], line: Option<u32>) -> &'static str {
     let before = tokens
@@ -355,57 +334,6 @@ fn place_of(tokens: &[ProgramToken<'_>], line: Option<u32>) -> &'static str {
         };
     }
     place
-}
-
-/// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
-fn form_of_number(word: &str) -> Option<String> {
-    let upper = word.to_ascii_uppercase();
-    let number = upper.split_once('#').filter(|(prefix, _)| {
-        let ty = ElementaryType::from_literal_prefix(prefix);
-        ty.is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")))
-    });
-    let number = number.map_or(upper.as_str(), |(_, number)| number);
-    let mut form = String::new();
-    for character in number.chars() {
-        let shown = if character.is_ascii_digit() {
-            '0'
-        } else {
-            character
-        };
-        if shown != '0' || !form.ends_with('0') {
-            form.push(shown);
-        }
-    }
-    let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');
-    (!is_name && !matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0") && form.contains(['0', '#']))
-        .then_some(form)
-}
-
-/// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.
-fn special_literal(token: &ProgramToken<'_>) -> Option<String> {
-    let upper = token.text.to_ascii_uppercase();
-    match token.kind {
-        ProgramTokenKind::Number => {
-            Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real"))
-        }
-        ProgramTokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
-        ProgramTokenKind::Typed => {
-            let (prefix, value) = upper.split_once('#')?;
-            let is_number = type_of_token(token)
-                .is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")));
-            let form = number(value.trim_start_matches('-'));
-            match is_number {
-                true => Some(form).filter(|form| form == "real-beyond-REAL"),
-                // Dates and times of day are read by one piece of work.
-                false => match type_of_token(token) {
-                    Some(ty) if kind(ty) == Some("date or time") => Some("date or time#".to_owned()),
-                    Some(ty) => Some(format!("{}#", ty.name())),
-                    None => Some(format!("{prefix}#")),
-                },
-            }
-        }
-        _ => None,
-    }
 }
 
 /// Returns the kinds of declarations in a program, without those that every program has.

@@ -5,8 +5,8 @@
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `constructs`, `question` |
 //! | the normal form of each is found by asking for operands alone, plainer literals, other types and other statements | `normal`, `operands`, `statements`, `names`, `twins` |
-//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, [`find()`] |
-//! | the claim of a case is shown with a program of which it still speaks | `claim` |
+//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, `literals`, [`find()`] |
+//! | the claim of a case is shown with a program of which it still speaks, below a title with the line at fault | `claim`, `title`, `assignments` |
 //!
 //! [`CauseKey`] says of one small program which cause it shows, without asking the engine: a fuzz campaign tells its findings
 //! apart by it, and from what a run has shown.
@@ -27,6 +27,7 @@ mod failed;
 mod features;
 mod find;
 mod key;
+mod literals;
 mod names;
 mod normal;
 mod operands;

@@ -1,0 +1,79 @@
+//! The forms of literals, and the types that tokens name.
+
+use crate::shape::{number, text};
+use crate::tokens::{ProgramToken, ProgramTokenKind};
+use stickler_types::{ElementaryType, Family};
+
+/// Returns the type that a token names, as a word or as the prefix of a literal.
+pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> {
+    let upper = token.text.to_ascii_uppercase();
+    match token.kind {
+        ProgramTokenKind::Word => ElementaryType::from_name(&upper),
+        ProgramTokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
+        _ => None,
+    }
+}
+
+/// Returns the kind of values between which conversions are one piece of work in a compiler; `None` for BOOL, which is the
+/// type of comparisons too.
+pub(crate) const fn kind(ty: ElementaryType) -> Option<&'static str> {
+    Some(match ty.family() {
+        Family::Boolean => return None,
+        Family::Signed | Family::Unsigned | Family::BitString => "integer",
+        Family::Real => "real",
+        Family::Duration => "duration",
+        Family::Date | Family::TimeOfDay | Family::DateAndTime => "date or time",
+        Family::Text | Family::Character => "text",
+    })
+}
+
+/// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
+pub(crate) fn form_of_number(word: &str) -> Option<String> {
+    let upper = word.to_ascii_uppercase();
+    let number = upper.split_once('#').filter(|(prefix, _)| {
+        let ty = ElementaryType::from_literal_prefix(prefix);
+        ty.is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")))
+    });
+    let number = number.map_or(upper.as_str(), |(_, number)| number);
+    let mut form = String::new();
+    for character in number.chars() {
+        let shown = if character.is_ascii_digit() {
+            '0'
+        } else {
+            character
+        };
+        if shown != '0' || !form.ends_with('0') {
+            form.push(shown);
+        }
+    }
+    let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');
+    (!is_name && !matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0") && form.contains(['0', '#']))
+        .then_some(form)
+}
+
+/// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.
+pub(crate) fn special_literal(token: &ProgramToken<'_>) -> Option<String> {
+    let upper = token.text.to_ascii_uppercase();
+    match token.kind {
+        ProgramTokenKind::Number => {
+            Some(number(&upper)).filter(|form| !matches!(form.as_str(), "integer" | "real"))
+        }
+        ProgramTokenKind::Text => Some(text(token.text)).filter(|form| form != "'text'"),
+        ProgramTokenKind::Typed => {
+            let (prefix, value) = upper.split_once('#')?;
+            let is_number = type_of_token(token)
+                .is_some_and(|ty| kind(ty).is_some_and(|kind| matches!(kind, "integer" | "real")));
+            let form = number(value.trim_start_matches('-'));
+            match is_number {
+                true => Some(form).filter(|form| form == "real-beyond-REAL"),
+                // Dates and times of day are read by one piece of work.
+                false => match type_of_token(token) {
+                    Some(ty) if kind(ty) == Some("date or time") => Some("date or time#".to_owned()),
+                    Some(ty) => Some(format!("{}#", ty.name())),
+                    None => Some(format!("{prefix}#")),
+                },
+            }
+        }
+        _ => None,
+    }
+}
