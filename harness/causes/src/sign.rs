@@ -122,20 +122,29 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     plain.take(MAX_WORDS).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns how the first lines differ in which a rendered text is not the expected one.
+/// Returns how the first lines differ in which a rendered text is not the expected one; of one that is rejected itself, why and
+/// at what.
 fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     if differ_in_blanks_only(expected, got) {
         return "blanks".to_owned();
     }
-    let is_rejected = |fact: &Fact| matches!(fact, Fact::NotRendered { again: true, .. });
-    let again = if got.iter().any(is_rejected) { "again " } else { "" };
+    let rejected = got.iter().find_map(|fact| match fact {
+        Fact::NotRendered {
+            again: true,
+            rejection,
+        } => Some(rejection.as_deref().unwrap_or_default()),
+        _ => None,
+    });
+    if let Some(rejection) = rejected {
+        return format!("again {}", shape(rejection, KeptTypes::Equal));
+    }
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     let mut pairs = expected.lines().zip(got.lines());
     let Some((wanted, told)) = pairs.find(|(wanted, told)| wanted != told) else {
         return "lines are missing".to_owned();
     };
     format!(
-        "{again}{} / {}",
+        "{} / {}",
         shape(wanted, KeptTypes::Equal),
         shape(told, KeptTypes::Equal)
     )

@@ -65,7 +65,7 @@ pub enum Fact {
     NotRendered {
         /// The program was itself the result of rendering.
         again: bool,
-        /// The message of the first diagnostic, where the program was rejected.
+        /// The message of the first diagnostic, where the program was rejected, and the line of a rendered one.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         rejection: Option<String>,
     },

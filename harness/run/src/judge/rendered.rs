@@ -3,7 +3,7 @@
 use super::bodies::rendered_bodies;
 use super::findings::Findings;
 use crate::{Fact, Rendering};
-use stickler_engines::Outcome;
+use stickler_engines::{Diagnostic, Outcome};
 use stickler_suite::ExpectedText;
 
 /// Compares the bodies in the rendered text with the expected lines, and requires that rendering again
@@ -16,7 +16,7 @@ pub(super) fn compare(
 ) {
     let Outcome::Rendered { text } = &rendering.first else {
         findings.require(false);
-        return findings.add(not_rendered(&rendering.first, false));
+        return findings.add(not_rendered(&rendering.first, None));
     };
     let bodies = rendered_bodies(text);
     let wanted = expected
@@ -59,7 +59,7 @@ fn compare_again(text: &str, again: &Outcome, findings: &mut Findings) {
         }
         refusal => {
             findings.require(false);
-            findings.add(not_rendered(refusal, true));
+            findings.add(not_rendered(refusal, Some(text)));
         }
     }
 }
@@ -111,15 +111,24 @@ pub(super) fn lines<'l>(lines: impl Iterator<Item = &'l str>) -> Option<Fact> {
     (!lines.is_empty()).then_some(Fact::Rendered { lines })
 }
 
-fn not_rendered(outcome: &Outcome, again: bool) -> Fact {
-    let rejection = match outcome {
-        Outcome::Rejected { diagnostics } => {
-            let first = diagnostics.first().map(|diagnostic| diagnostic.message.clone());
-            Some(first.unwrap_or_default())
+/// Returns the fact that a program was not rendered; where it is itself a rendered text, with the line that is rejected.
+fn not_rendered(outcome: &Outcome, rendered: Option<&str>) -> Fact {
+    let said = |diagnostic: &Diagnostic| {
+        let line = diagnostic.line.and_then(|line| line.checked_sub(1));
+        let line = line.and_then(|line| rendered?.lines().nth(line as usize));
+        match line {
+            Some(line) => format!("{}, at `{}`", diagnostic.message, line.trim()),
+            None => diagnostic.message.clone(),
         }
+    };
+    let rejection = match outcome {
+        Outcome::Rejected { diagnostics } => Some(diagnostics.first().map(said).unwrap_or_default()),
         _ => None,
     };
-    Fact::NotRendered { again, rejection }
+    Fact::NotRendered {
+        again: rendered.is_some(),
+        rejection,
+    }
 }
 
 /// Returns whether two runs ended alike. Lines may differ, since comments are dropped.

@@ -71,6 +71,17 @@ fn rendering_again_must_change_nothing_not_even_outside_the_bodies() {
 }
 
 #[test]
+fn a_rendered_text_that_is_rejected_is_told_with_the_line() {
+    let again = |diagnostic: &str| {
+        let judgement = judged(executed(&[]), text(TEXT), rejected(&[diagnostic]), executed(&[]));
+        Fact::text(&judgement.got)
+    };
+    let told = again("5 P0002");
+    assert!(told.ends_with(", at `r := w.3;`"), "{told}");
+    assert!(!again("9 P0002").contains('`'), "the text has no such line");
+}
+
+#[test]
 fn the_rendered_program_must_do_what_the_program_did() {
     let same = |rerun: Outcome| judged(executed(&["x = INT#1"]), text(TEXT), text(TEXT), rerun).verdict;
     assert_eq!(same(executed(&["x = INT#1"])), Verdict::Pass);
