@@ -12,7 +12,7 @@ use stickler_run::{CaseEvent, Cause, DefinedHeader, EngineTotals, Event, Footer,
 use stickler_workers::Shard;
 
 /// The event log of one part of a run, with the name that messages use for it.
-pub struct Part<R> {
+pub struct RunPart<R> {
     /// The name of the part, such as its folder's.
     pub name: String,
     /// The unread log of the part, or the error of opening it.
@@ -26,7 +26,7 @@ pub struct Part<R> {
 /// Where there is any, the stream has no footer, and where no part can be read it is empty. `command` becomes the command in
 /// the header.
 #[must_use = "what is missing must be said"]
-pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMut(Event)) -> Vec<String> {
+pub fn merge<R: BufRead>(parts: Vec<RunPart<R>>, command: &str, sink: &mut dyn FnMut(Event)) -> Vec<String> {
     let mut missing = Vec::new();
     let (whole, mut streams) = open(parts, &mut missing);
     let Some(header) = whole else {
@@ -67,10 +67,13 @@ pub fn merge<R: BufRead>(parts: Vec<Part<R>>, command: &str, sink: &mut dyn FnMu
 
 /// Opens the parts, and returns the header that all of them share but for the part, and those parts that belong to that run,
 /// each once, in their order.
-fn open<R: BufRead>(parts: Vec<Part<R>>, missing: &mut Vec<String>) -> (Option<Header>, Vec<PartReader<R>>) {
+fn open<R: BufRead>(
+    parts: Vec<RunPart<R>>,
+    missing: &mut Vec<String>,
+) -> (Option<Header>, Vec<PartReader<R>>) {
     let mut first: Option<(Header, u32, String)> = None;
     let mut streams: Vec<PartReader<R>> = Vec::with_capacity(parts.len());
-    for Part { name, log } in parts {
+    for RunPart { name, log } in parts {
         let read = log.and_then(|mut reader| reader.header().map(|header| (reader, header)));
         let (reader, header) = match read {
             Ok(read) => read,

@@ -1,6 +1,6 @@
 //! Tests of merging the parts of a small run, whole and broken.
 
-use super::{Part, merge};
+use super::{RunPart, merge};
 use crate::events::{Reader, log_of};
 use crate::sample;
 use std::io;
@@ -35,15 +35,15 @@ fn part(index: u32, count: u32) -> Vec<Event> {
     events
 }
 
-fn log(name: &str, events: &[Event]) -> Part<io::Cursor<Vec<u8>>> {
+fn log(name: &str, events: &[Event]) -> RunPart<io::Cursor<Vec<u8>>> {
     let bytes = log_of(events);
-    Part {
+    RunPart {
         name: name.to_owned(),
         log: Ok(Reader::new(io::Cursor::new(bytes))),
     }
 }
 
-fn merged(parts: Vec<Part<io::Cursor<Vec<u8>>>>) -> (Vec<Event>, Vec<String>) {
+fn merged(parts: Vec<RunPart<io::Cursor<Vec<u8>>>>) -> (Vec<Event>, Vec<String>) {
     let mut events = Vec::new();
     let missing = merge(parts, "stickler run", &mut |event| events.push(event));
     (events, missing)

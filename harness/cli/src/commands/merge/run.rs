@@ -11,7 +11,7 @@ use std::io::{BufReader, Write};
 use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_report::events::{self, Reader};
-use stickler_report::parts::{self, Part};
+use stickler_report::parts::{self, RunPart};
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 
@@ -78,8 +78,8 @@ fn of_all_cases() -> Statements {
 }
 
 /// Opens the event log of one part; returns it with its name.
-fn part(folder: &Path) -> Part<BufReader<File>> {
-    Part {
+fn part(folder: &Path) -> RunPart<BufReader<File>> {
+    RunPart {
         name: folder.display().to_string(),
         log: Reader::open(&events::locate(folder)),
     }
