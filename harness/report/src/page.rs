@@ -129,4 +129,8 @@ fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()
 #[cfg(test)]
 mod browser_tests;
 #[cfg(test)]
+mod keyboard_tests;
+#[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod web_driver;

@@ -2,7 +2,7 @@
 //!
 //! The tests need a Chromium: the one that `STICKLER_CHROMIUM` names, or `chromium`, `chromium-browser` or `google-chrome` on the
 //! path. Where there is none, each test says so and checks nothing. The browser prints the document and ends, so no driver is needed: every part of the page has
-//! an address, which is what a click leads to.
+//! an address, which is what a click leads to. `keyboard_tests` presses keys.
 
 use super::tests;
 use crate::sample;
@@ -22,8 +22,8 @@ const VARIABLE: &str = "STICKLER_CHROMIUM";
 /// The names under which the browser is installed.
 const NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
 
-/// Options with which it needs neither a screen nor the network, and prints what a script complains about.
-const OPTIONS: [&str; 12] = [
+/// Options with which the browser needs neither a screen nor the network, and prints what a script complains about.
+pub(super) const OPTIONS: [&str; 10] = [
     "--headless",
     "--no-sandbox",
     "--disable-gpu",
@@ -34,12 +34,13 @@ const OPTIONS: [&str; 12] = [
     "--disable-sync",
     "--host-resolver-rules=MAP * ~NOTFOUND",
     "--enable-logging=stderr",
-    "--timeout=60000",
-    "--virtual-time-budget=5000",
 ];
 
+/// Options with which it ends as soon as the page is built.
+const ENDING: [&str; 2] = ["--timeout=60000", "--virtual-time-budget=5000"];
+
 /// Returns a browser; prints why the tests are skipped where there is none.
-fn browser() -> Option<PathBuf> {
+pub(super) fn browser() -> Option<PathBuf> {
     let named = env::var_os(VARIABLE).map(PathBuf::from);
     let paths = env::var_os("PATH").unwrap_or_default();
     let installed = || {
@@ -62,6 +63,7 @@ fn open(browser: &Path, page: &Path, address: &str, option: &str) -> String {
     let profile = tempfile::tempdir().expect("a temporary folder");
     let output = Command::new(browser)
         .args(OPTIONS)
+        .args(ENDING)
         .arg(format!("--user-data-dir={}", profile.path().display()))
         .arg(option)
         .arg(format!("file://{}{address}", page.display()))
@@ -107,7 +109,7 @@ fn statements() -> Statements {
 }
 
 /// Writes the page of a run with an engine that fails in each part.
-fn write(folder: &Path) -> PathBuf {
+pub(super) fn write(folder: &Path) -> PathBuf {
     let path = folder.join("index.html");
     let failed = |id: &str, program: &str, got| CaseEvent {
         got: vec![got],
