@@ -37,6 +37,8 @@ pub struct Dialect {
     pub third_edition_types: bool,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
+    /// Variables with a location (`AT %MW5`) and others stand in one section.
+    pub mixed_locations: bool,
     /// The choices of conversion functions, and of implicit conversions, where systems differ.
     pub conversions: ConversionChoices,
 }
@@ -160,6 +162,7 @@ impl Dialect {
             nested_comments: false,
             third_edition_types: false,
             only_standard_rounding: false,
+            mixed_locations: false,
             conversions: COMMON_CHOICES,
         }
     }
@@ -192,6 +195,7 @@ impl Dialect {
             partial_access: PartialAccess::BitsOnly,
             line_comments: true,
             third_edition_types: true,
+            mixed_locations: true,
             ..Dialect::ironplc_ed2()
         }
     }
@@ -216,6 +220,7 @@ impl Dialect {
             nested_comments: false,
             third_edition_types: false,
             only_standard_rounding: true,
+            mixed_locations: false,
             conversions: ConversionChoices {
                 real_text: RealText::SignificantDigits(10),
                 bit_string_text: BitStringText::Shortest,
@@ -243,6 +248,7 @@ impl Dialect {
             nested_comments: true,
             third_edition_types: true,
             only_standard_rounding: false,
+            mixed_locations: true,
             conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
         }
     }

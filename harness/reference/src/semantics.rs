@@ -18,6 +18,7 @@ mod contexts;
 mod conversions;
 mod cycles;
 mod declare;
+mod direct;
 mod emitter;
 mod enumeration;
 mod expressions;

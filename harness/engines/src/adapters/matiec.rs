@@ -23,7 +23,7 @@ use crate::{
     Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
     Session,
 };
-use driver::{MatiecSubject, driver};
+use driver::{MatiecSubject, driver, without_locations};
 pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -218,6 +218,7 @@ impl MatiecSession<'_> {
         translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;
+        without_locations(request.source).map_err(|reason| Outcome::Unsupported { reason })?;
         self.engine.builder.build(&driver.text, &self.folder)?;
         driver.execute(&self.folder)
     }

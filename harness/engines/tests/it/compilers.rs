@@ -237,6 +237,12 @@ fn matiec_behaves() {
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
     reads_derived_types(engine.as_ref());
+    let located = "PROGRAM main VAR x AT %MW5 : INT; END_VAR x := 1; END_PROGRAM";
+    let outcome = ask(engine.as_ref(), located, &[("x", "INT", None)], 1);
+    assert!(matches!(outcome, Outcome::Unsupported { .. }), "{outcome:?}");
+    let wrong = "PROGRAM main VAR x AT %MW5 : INT; END_VAR x := TRUE; END_PROGRAM";
+    let outcome = ask(engine.as_ref(), wrong, &[("x", "INT", None)], 1);
+    assert!(matches!(outcome, Outcome::Rejected { .. }), "{outcome:?}");
 }
 
 #[test]

@@ -94,6 +94,7 @@ pub(super) fn declare<'u>(source: SourceText<'u>, reporter: &mut Reporter) -> (M
         guesses: 20,
     };
     declarer.collect_names();
+    declarer.check_locations();
     declarer.declare_globals();
     declarer.resolve_types();
     declarer.declare_other_pous();

@@ -6,7 +6,7 @@
 use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::ProbeVariables;
-use crate::adapters::source::{OwnConfiguration, own_configuration};
+use crate::adapters::source::{OwnConfiguration, own_configuration, words};
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -134,6 +134,18 @@ fn write_run(
         "        {run}\n        look_{number}(scan);\n    }}\n    look_{number}(0);\n    return 0;\n}}\n"
     );
     Ok(())
+}
+
+/// Checks that a program has no directly represented variables, whose memory belongs to the runtime system.
+///
+/// # Errors
+/// A fragment that says why the program cannot be run.
+pub(super) fn without_locations(source: &str) -> Result<(), String> {
+    // AT is a keyword, so no name.
+    match words(source).any(|word| word.is("AT")) {
+        true => Err("the memory of its variables with a location (`AT`) belongs to the runtime system, which is not here".to_owned()),
+        false => Ok(()),
+    }
 }
 
 /// Tells whether the compiler has values of a type.

@@ -1,6 +1,6 @@
 //! Writes what a person needs to run a program with `iec2c` and a C compiler alone.
 
-use super::driver::{before, calls, configured, has, is_time, place, translated};
+use super::driver::{before, calls, configured, has, is_time, place, translated, without_locations};
 use super::{COMPILER, HEADER, LIBRARY, added_configuration};
 use crate::adapters::builder::Language;
 use crate::adapters::printed::{self, PrintedKind};
@@ -58,6 +58,7 @@ fn text(
     main: &MainProgram,
     probes: &ProbeVariables,
 ) -> Result<String, NoReproduction> {
+    without_locations(request.source)?;
     let kinds = printed::kinds(request, has)?;
     let own = own_configuration(request.source, &main.name);
     let (instance, declaration) = match &own {

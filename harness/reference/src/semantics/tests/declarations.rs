@@ -1,7 +1,7 @@
 //! Declarations: names, duplicates, what is missing and what has no place.
 
-use super::{ED2, ED3};
-use super::{codes, gives, gives_in, says};
+use super::{ED2, ED3, PLCNEXT, RUSTY};
+use super::{codes, gives, gives_in, says, says_in};
 
 #[test]
 fn names_are_declared_once() {
@@ -252,4 +252,40 @@ fn configurations_name_what_there_is() {
     assert_eq!(says(&text("PROGRAM a WITH u : p;")), ["2 P4006"]);
     assert_eq!(says(&text("PROGRAM a : p; PROGRAM A : p;")), ["2 P4014"]);
     assert_eq!(says(&text("TASK t(PRIORITY := 2); PROGRAM a : p;")), ["2 P4019"]);
+}
+
+#[test]
+fn located_variables_are_variables_in_sections_of_their_own() {
+    let mixed = "PROGRAM main\nVAR\nx AT %MW5 : INT;\ny : INT; END_VAR y := x; END_PROGRAM";
+    assert_eq!(says_in(ED2, mixed), ["3 P4036"]);
+    assert!(says_in(RUSTY, mixed).is_empty() && says_in(PLCNEXT, mixed).is_empty());
+    for (text, said) in [
+        (
+            "PROGRAM main\nVAR x AT %MW5 : INT := 3; y AT %QX0.0 : BOOL; END_VAR x := 4; END_PROGRAM",
+            "",
+        ),
+        (
+            "PROGRAM main\nVAR x AT %MW5 : INT := 100000; END_VAR END_PROGRAM",
+            "2 P2026",
+        ),
+        (
+            "PROGRAM main VAR x AT %MW5 : INT;\ny AT %MD1 : DINT; END_VAR END_PROGRAM",
+            "2 P9999",
+        ),
+        (
+            "FUNCTION f : INT VAR\nx AT %MW5 : INT; END_VAR f := x; END_FUNCTION PROGRAM main END_PROGRAM",
+            "2 P9999",
+        ),
+        (
+            "PROGRAM main VAR_TEMP\nx AT %MW5 : INT; END_VAR x := 1; END_PROGRAM",
+            "2 P9999",
+        ),
+        (
+            "PROGRAM main VAR x AT %MW5 : INT; END_VAR END_PROGRAM VAR_GLOBAL\ng AT %MW05 : INT; END_VAR",
+            "2 P9999",
+        ),
+    ] {
+        let expected: Vec<&str> = Some(said).filter(|said| !said.is_empty()).into_iter().collect();
+        assert_eq!(says(text), expected, "{text}");
+    }
 }

@@ -17,6 +17,9 @@ const INSTRUCTIONS: [&str; 12] = [
 /// Words that begin an element of a sequential function chart.
 const CHART: [&str; 4] = ["STEP", "INITIAL_STEP", "TRANSITION", "ACTION"];
 
+/// The feature that a location such as `%I*` belongs to.
+pub(super) const INCOMPLETE_LOCATIONS: &str = "locations that a configuration completes (`%I*`)";
+
 impl<'s> Parser<'s, '_> {
     /// Says that the construct at `span` is not implemented; `features` names its kind in the plural.
     #[cold]
@@ -142,14 +145,20 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// `AT %IX0.0` in a declaration.
+    /// `AT` and a location where none is implemented: without a name, in a structure, or by the name of a variable.
     pub(super) fn unsupported_location(&mut self) {
         if self.kind() == TokenKind::At {
             let start = self.bump().span;
-            if matches!(self.kind(), TokenKind::Direct | TokenKind::Unknown) {
+            if matches!(
+                self.kind(),
+                TokenKind::Direct | TokenKind::Unknown | TokenKind::Name
+            ) {
                 self.bump();
             }
-            self.unsupported(start.to(self.previous_span()), "located variables (`AT %IX0.0`)");
+            self.unsupported(
+                start.to(self.previous_span()),
+                "locations (`AT`) of anything but a variable of a section",
+            );
         }
     }
 
@@ -379,11 +388,14 @@ mod tests {
 
     #[test]
     fn located_variables_and_edges_are_named() {
+        names("PROGRAM p VAR AT %Q* : BOOL; END_VAR END_PROGRAM", "`AT`");
+        names("PROGRAM p VAR AT %QX1 : BOOL; END_VAR END_PROGRAM", "`AT`");
+        names("PROGRAM p VAR a : INT; b AT a : INT; END_VAR END_PROGRAM", "`AT`");
+        names("PROGRAM p VAR x AT %Q* : BOOL; END_VAR END_PROGRAM", "%I*");
         names(
-            "PROGRAM p VAR x AT %IX0.0 : BOOL; y : INT; END_VAR END_PROGRAM",
-            "located",
+            "TYPE t : STRUCT a AT %MB0 : BYTE; END_STRUCT; END_TYPE PROGRAM p END_PROGRAM",
+            "`AT`",
         );
-        names("PROGRAM p VAR AT %Q* : BOOL; END_VAR END_PROGRAM", "located");
         body_names("x := %IX0.0 OR y;", "%IX0.0");
         body_names("%QW5 := 1;", "%IX0.0");
         names(

@@ -2,6 +2,7 @@
 
 use super::declarations::error_specification;
 use super::state::{ParseResult, Parser};
+use super::unsupported::INCOMPLETE_LOCATIONS;
 use crate::syntax::token::TokenKind;
 use crate::syntax::tree::{
     Initializer, Name, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
@@ -77,7 +78,7 @@ impl<'s> Parser<'s, '_> {
                     self.expected("`END_VAR`");
                     return groups;
                 }
-                TokenKind::Name => groups.push(self.variable_group()),
+                TokenKind::Name => groups.push(self.variable_group(closer)),
                 TokenKind::At => {
                     self.unsupported_location();
                     self.skip_declaration();
@@ -135,30 +136,27 @@ impl<'s> Parser<'s, '_> {
         found
     }
 
-    /// `a, b : TYPE := initializer;`. The names are kept whatever becomes of the rest.
-    fn variable_group(&mut self) -> VariableGroup<'s> {
+    /// `a, b : TYPE := initializer;`. The names and the location are kept whatever becomes of the rest.
+    fn variable_group(&mut self, closer: TokenKind) -> VariableGroup<'s> {
         self.open = 0;
-        let mut names = Vec::with_capacity(1);
-        match self.names_and_type(&mut names) {
+        let mut group = VariableGroup {
+            names: Vec::with_capacity(1),
+            location: None,
+            specification: error_specification(self.previous_span()),
+            initializer: None,
+        };
+        match self.names_and_type(&mut group, closer) {
             Ok(specification) => {
                 self.unsupported_edge();
-                let initializer = self.optional_initializer(&specification);
-                VariableGroup {
-                    names,
-                    specification,
-                    initializer,
-                }
+                group.initializer = self.optional_initializer(&specification);
+                group.specification = specification;
             }
             Err(_) => {
-                let specification = error_specification(self.previous_span());
+                group.specification = error_specification(self.previous_span());
                 self.skip_declaration();
-                VariableGroup {
-                    names,
-                    specification,
-                    initializer: None,
-                }
             }
         }
+        group
     }
 
     /// `(a : INT; b, c : REAL)` behind the name of a POU, which is wrong there, and has been said to be.
@@ -167,14 +165,16 @@ impl<'s> Parser<'s, '_> {
         let mut groups = Vec::new();
         while self.kind() == TokenKind::Name {
             self.suppress();
-            let mut names = Vec::with_capacity(1);
-            let specification = self.names_and_type(&mut names);
-            let sound = specification.is_ok();
-            groups.push(VariableGroup {
-                names,
-                specification: specification.unwrap_or_else(|_| error_specification(self.previous_span())),
+            let mut group = VariableGroup {
+                names: Vec::with_capacity(1),
+                location: None,
+                specification: error_specification(self.previous_span()),
                 initializer: None,
-            });
+            };
+            let specification = self.names_and_type(&mut group, TokenKind::RightParen);
+            let sound = specification.is_ok();
+            group.specification = specification.unwrap_or_else(|_| error_specification(self.previous_span()));
+            groups.push(group);
             if !sound || !(self.eat(TokenKind::Semicolon) || self.eat(TokenKind::Comma)) {
                 break;
             }
@@ -191,19 +191,56 @@ impl<'s> Parser<'s, '_> {
         }
     }
 
-    fn names_and_type(&mut self, names: &mut Vec<Name<'s>>) -> ParseResult<TypeSpecification<'s>> {
+    /// Reads names, location and type; the first two go into the group.
+    fn names_and_type(
+        &mut self,
+        group: &mut VariableGroup<'s>,
+        closer: TokenKind,
+    ) -> ParseResult<TypeSpecification<'s>> {
         loop {
-            names.push(self.name("a variable's name")?);
+            group.names.push(self.name("a variable's name")?);
             if !self.eat(TokenKind::Comma) {
                 break;
             }
         }
-        self.unsupported_location();
+        if self.kind() == TokenKind::At {
+            group.location = self.location(&group.names, closer)?;
+        }
         if self.kind() == TokenKind::Assign {
             return Err(self.expected("`:` and a type"));
         }
         self.require(TokenKind::Colon)?;
         self.type_specification()
+    }
+
+    /// `AT %IX0.0`: the location of one variable of a section. Those that a configuration completes (`%I*`), and those within
+    /// structures, are not implemented.
+    ///
+    /// Basis: Loc_Var_Decl, Located_At and Direct_Variable in Annex A of the third edition.
+    fn location(&mut self, names: &[Name<'s>], closer: TokenKind) -> ParseResult<Option<Name<'s>>> {
+        if names.len() > 1 {
+            return Err(self.expected("`:` and a type"));
+        }
+        let within = closer != TokenKind::EndVar;
+        if within || self.nth(1) != TokenKind::Direct {
+            self.unsupported_location();
+            return Ok(None);
+        }
+        let start = self.bump().span;
+        let location = Name {
+            text: self.word(),
+            span: self.token().span,
+        };
+        if location.text.ends_with('*') {
+            self.bump();
+            self.unsupported(start.to(location.span), INCOMPLETE_LOCATIONS);
+            return Ok(None);
+        }
+        if !is_location(location.text) {
+            return Err(self.expected("a location such as `%IX0.0`"));
+        }
+        self.bump();
+        Ok(Some(location))
     }
 
     /// `:= initializer`, if it is there, and the `;` behind a declaration. Of a type that is not known nothing
@@ -224,6 +261,18 @@ impl<'s> Parser<'s, '_> {
         });
         initializer.filter(|_| !matches!(of.kind, TypeSpecificationKind::Error))
     }
+}
+
+/// Returns whether a text is the location of a directly represented variable: an area, a size where it is more than a bit, and
+/// numbers with points between them.
+///
+/// Basis: Direct_Variable in Annex A of the third edition.
+fn is_location(text: &str) -> bool {
+    let sized = text.strip_prefix('%').unwrap_or("").to_ascii_uppercase();
+    let numbers = sized.trim_start_matches(['I', 'Q', 'M']);
+    let letters = sized.len() - numbers.len();
+    let numbers = numbers.strip_prefix(['X', 'B', 'W', 'D', 'L']).unwrap_or(numbers);
+    letters == 1 && numbers.split('.').all(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 /// The section that a keyword opens; `None` for one that is not implemented.
@@ -353,5 +402,17 @@ mod tests {
         assert!(
             matches!(group.specification.kind, TypeSpecificationKind::Error) && group.initializer.is_none()
         );
+    }
+
+    #[test]
+    fn a_location_belongs_to_one_variable() {
+        let unit = accepted("PROGRAM p VAR x AT %mw5 : INT := 3; y AT %I0.1 : BOOL; END_VAR END_PROGRAM");
+        let groups = pou(&unit, 0).blocks[0].groups.iter();
+        let locations: Vec<_> = groups.map(|group| group.location.map(|location| location.text)).collect();
+        assert_eq!(locations, [Some("%mw5"), Some("%I0.1")]);
+        for declaration in ["a, b AT %MW5 : INT;", "a AT %MZ5 : INT;", "a AT %MW : INT;", "a AT %MW5;"] {
+            let found = errors(&format!("PROGRAM p VAR {declaration} END_VAR END_PROGRAM"));
+            assert!(matches!(found.as_slice(), [only] if only.contains("P0002")), "{declaration}: {found:?}");
+        }
     }
 }

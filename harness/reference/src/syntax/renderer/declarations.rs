@@ -72,6 +72,10 @@ impl<'u, 's> Writer<'u, 's> {
             for group in groups {
                 writer.begin();
                 writer.list(&group.names, |writer, name| writer.put(name.text));
+                if let Some(location) = group.location {
+                    writer.put(" AT ");
+                    writer.capitals(location.text);
+                }
                 writer.declared(&group.specification, group.initializer.as_ref());
             }
         });

@@ -114,6 +114,14 @@ REPEAT\n    f();\nUNTIL a AND b\nEND_REPEAT;"
 }
 
 #[test]
+fn locations_are_written_in_capitals() {
+    assert_eq!(
+        rendered("program p var x at %mw5:int:=3;end_var end_program"),
+        "PROGRAM p\nVAR\n    x AT %MW5 : INT := 3;\nEND_VAR\nEND_PROGRAM\n"
+    );
+}
+
+#[test]
 fn types_and_configurations_are_written_out() {
     let text = "type S:struct a:string[ 10 ]:='x';b:int(-5..5);end_struct;E:int(A:=1,B);end_type
         configuration C var_global g:array[1..2 , 0..1]of lint:=[1,2(0)];end_var

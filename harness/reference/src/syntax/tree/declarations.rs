@@ -85,6 +85,8 @@ pub struct VariableBlock<'s> {
 pub struct VariableGroup<'s> {
     /// The names declared.
     pub names: Vec<Name<'s>>,
+    /// The location of a directly represented variable: `%MW5` of `x AT %MW5 : INT;`.
+    pub location: Option<Name<'s>>,
     /// Their common type.
     pub specification: TypeSpecification<'s>,
     /// Their common initial value.
