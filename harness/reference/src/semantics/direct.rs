@@ -37,16 +37,16 @@ impl<'u> Declarer<'u, '_> {
         for location in located() {
             if mixed {
                 let message = "variables with a location stand in a section of their own";
-                self.report(
-                    Code::MixedLocatedVarDeclarationNotAllowed,
-                    location.span,
-                    message,
-                );
+                self.report(Code::MixedLocatedVarDeclarationNotAllowed, location.span, message);
             } else if !in_program || !holds {
-                let message = "locations of other variables than those of programs and global ones are not implemented";
+                let message =
+                    "locations of other variables than those of programs and global ones are not implemented";
                 self.report(Code::NotImplemented, location.span, message);
             } else if !known.insert(location.text) {
-                let message = format!("`{}` may share bits with another variable, which is not implemented", location.text);
+                let message = format!(
+                    "`{}` may share bits with another variable, which is not implemented",
+                    location.text
+                );
                 self.report(Code::NotImplemented, location.span, message);
             }
         }
@@ -66,8 +66,14 @@ impl KnownLocations {
         let letter = |at: usize| location.as_bytes().get(at).map_or(b'X', u8::to_ascii_uppercase);
         let size = Some(letter(2)).filter(u8::is_ascii_alphabetic).unwrap_or(b'X');
         let numbers = location.trim_start_matches(|sign: char| !sign.is_ascii_digit());
-        let numbers: Vec<&str> = numbers.split('.').map(|number| number.trim_start_matches('0')).collect();
-        let (common, addresses) = self.areas.entry(letter(1)).or_insert_with(|| (size, FxHashSet::default()));
+        let numbers: Vec<&str> = numbers
+            .split('.')
+            .map(|number| number.trim_start_matches('0'))
+            .collect();
+        let (common, addresses) = self
+            .areas
+            .entry(letter(1))
+            .or_insert_with(|| (size, FxHashSet::default()));
         *common == size && addresses.insert(numbers.join("."))
     }
 }

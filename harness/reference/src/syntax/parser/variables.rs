@@ -272,7 +272,10 @@ fn is_location(text: &str) -> bool {
     let numbers = sized.trim_start_matches(['I', 'Q', 'M']);
     let letters = sized.len() - numbers.len();
     let numbers = numbers.strip_prefix(['X', 'B', 'W', 'D', 'L']).unwrap_or(numbers);
-    letters == 1 && numbers.split('.').all(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
+    letters == 1
+        && numbers
+            .split('.')
+            .all(|number| !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit()))
 }
 
 /// The section that a keyword opens; `None` for one that is not implemented.
@@ -408,11 +411,21 @@ mod tests {
     fn a_location_belongs_to_one_variable() {
         let unit = accepted("PROGRAM p VAR x AT %mw5 : INT := 3; y AT %I0.1 : BOOL; END_VAR END_PROGRAM");
         let groups = pou(&unit, 0).blocks[0].groups.iter();
-        let locations: Vec<_> = groups.map(|group| group.location.map(|location| location.text)).collect();
+        let locations: Vec<_> = groups
+            .map(|group| group.location.map(|location| location.text))
+            .collect();
         assert_eq!(locations, [Some("%mw5"), Some("%I0.1")]);
-        for declaration in ["a, b AT %MW5 : INT;", "a AT %MZ5 : INT;", "a AT %MW : INT;", "a AT %MW5;"] {
+        for declaration in [
+            "a, b AT %MW5 : INT;",
+            "a AT %MZ5 : INT;",
+            "a AT %MW : INT;",
+            "a AT %MW5;",
+        ] {
             let found = errors(&format!("PROGRAM p VAR {declaration} END_VAR END_PROGRAM"));
-            assert!(matches!(found.as_slice(), [only] if only.contains("P0002")), "{declaration}: {found:?}");
+            assert!(
+                matches!(found.as_slice(), [only] if only.contains("P0002")),
+                "{declaration}: {found:?}"
+            );
         }
     }
 }
