@@ -131,6 +131,11 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         ),
         sample::case("b::write(BYTE,8)", Verdict::Pass),
     ]));
+    if let Event::Header(header) = &mut events[0] {
+        header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
+            .map(String::from)
+            .to_vec();
+    }
     let footer = events.pop().expect("a footer");
     events.push(Event::Cause(sample::cause(
         "`into := data` gives 3",
@@ -171,6 +176,7 @@ fn every_part_of_the_page_opens_by_its_address() {
 
     let first = dom("");
     assert!(first.contains("What does a conversion do?"), "{first}");
+    assert!(first.contains(">ironplc-ed2, 1 variant<"), "{first}");
     assert!(
         first.contains("REAL_TO_INT(REAL) : INT") && first.contains("3 fail"),
         "{first}"
@@ -197,6 +203,7 @@ fn every_part_of_the_page_opens_by_its_address() {
         pair.contains("Does INT become SINT without a function?") && pair.contains("✗ yes"),
         "{pair}"
     );
+    assert!(pair.contains("No case asks in plcnext."), "{pair}");
 
     let bits = dom("#bits?type=BYTE");
     assert!(

@@ -23,6 +23,10 @@ function showCauses(main, query) {
     add(main, el("h3", {}, `${title}: ${grouped(list.length)}`),
       list.map(({ cause, number }) => causeBox(cause, number, open === String(number))));
   }
+  const leftOut = run().causes_left_out;
+  if (leftOut > 0) {
+    add(main, el("p.notice", {}, `${counted(leftOut, "cause", "causes")} with fewer cases left out, for which the page has no room; the folder discrepancies beside it has a page for each.`));
+  }
   if (open !== null) main.querySelector("details[open]")?.scrollIntoView({ block: "start" });
   if (causes.length === 0) {
     const failing = run().footer.totals.pass !== run().header.cases;

@@ -71,6 +71,14 @@ function counted(value, one, many) {
   return `${grouped(value)} ${value === 1 ? one : many}`;
 }
 
+/** Returns the names of dialects; variants beside the dialect that they vary are only counted. */
+function dialectNames(dialects) {
+  const isBeside = (name) => dialects.some((base) => name.startsWith(`${base}+`) || name.startsWith(`${base}-without-`));
+  const names = dialects.filter((name) => !isBeside(name));
+  const variants = dialects.length - names.length;
+  return variants === 0 ? names : [...names, counted(variants, "variant", "variants")];
+}
+
 /** Returns the tag of a verdict, with its number where one is given. */
 function verdictTag(verdict, number) {
   return el(`span.tag.${verdict}`, {}, number === undefined ? verdict : `${grouped(number)} ${verdict}`);

@@ -112,22 +112,29 @@ function implicitAnswer(answer, word) {
 function implicitTable(data, from, to) {
   const pair = data.pairs.get(`${from} ${to}`);
   if (pair === undefined) return el("p", {}, from === to ? "It is the same type." : "No case of this run asks.");
-  const rows = data.statements.dialects.map((dialect, index) => {
+  const answerIn = (engine, dialect) => {
+    const column = data.columns.find((one) => one.engine === engine && one.dialect === dialect);
+    return column === undefined ? undefined : answerOf(column, pair.number);
+  };
+  const isAsked = (dialect, index) => pair.stated[index] !== null || engineNames().some((engine) => answerIn(engine, dialect) !== undefined);
+  const unasked = data.statements.dialects.filter((dialect, index) => !isAsked(dialect, index));
+  const rows = data.statements.dialects.flatMap((dialect, index) => {
+    if (!isAsked(dialect, index)) return [];
     const stated = pair.stated[index];
     const word = stated === null ? null : stated[0];
     const basis = stated === null ? "" : data.statements.words[stated[1]];
-    return [el("code", {}, dialect),
+    return [[el("code", {}, dialect),
       stated === null ? el("span.dim", {}, "no case asks") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
       ...engineNames().map((engine) => {
-        const column = data.columns.find((one) => one.engine === engine && one.dialect === dialect);
-        const answer = column === undefined ? undefined : answerOf(column, pair.number);
+        const answer = answerIn(engine, dialect);
         if (answer === undefined) return el("span.dim", {}, "–");
         const departs = implicitAnswer(answer, word);
         if (departs === null) return el("span.tag.pass", {}, "✓ as said");
         return answerTag(departs.text, departs.contradicts, answer.number);
-      })];
+      })]];
   });
   return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, ["dialect", "documents", ...engineNames()], rows),
+    unasked.length > 0 ? el("p.dim", {}, `No case asks in ${unasked.join(", ")}.`) : null,
     el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")));
 }
 
@@ -215,7 +222,7 @@ function valueTable(title, one, rows, columns, wanted) {
     if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
-  const head = columns.map((column) => el("th.number", { scope: "col" }, column.origin, column.dialects.map((dialect) => el("div.dim", {}, dialect))));
+  const head = columns.map((column) => el("th.number", { scope: "col" }, column.origin, dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
   const line = (row) => el(`tr${row === wanted ? ".wanted" : ""}`, {},
     el("th.number", { scope: "row" }, row.operands.map(bare).join(", ")), columns.map((column) => cell(column.cells[rows.indexOf(row)])));
   const first = rows.filter((row, index) => isShownFirst(row, index, columns, wanted));

@@ -41,7 +41,7 @@ function engineCard({ name, totals }) {
   return el("li", {}, el("strong", {}, name), " ", el("span.dim", {}, engine ? engine.version : ""),
     el("div.tags", {}, verdicts.map(([verdict, number]) =>
       (verdict === "pass" ? verdictTag(verdict, number) : link(addressOf("cases", { engine: name, verdict }), verdictTag(verdict, number))))),
-    engine ? el("div.dim", {}, engine.dialects.join(", ")) : null);
+    engine ? el("div.dim", { title: engine.dialects.join(", ") }, dialectNames(engine.dialects).join(", ")) : null);
 }
 
 /** Shows the list of the parts, with the current one marked. */

@@ -14,6 +14,9 @@ const MAX_LINES: usize = 60;
 /// The maximum number of characters of such a line.
 const MAX_CHARACTERS: usize = 1000;
 
+/// The maximum number of bytes of all causes; those that explain the fewest cases are counted, and `discrepancies` has them all.
+const MAX_CAUSE_BYTES: usize = 2 << 20;
+
 /// The maximum number of lists of disagreements; the others are counted.
 const MAX_DISAGREEMENTS: usize = 5000;
 
@@ -25,6 +28,7 @@ pub(super) struct RunData<'o> {
     totals: &'o BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
     claims: Vec<ClaimData<'o>>,
     causes: Vec<CauseData<'o>>,
+    causes_left_out: usize,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     observations: u64,
     disagreements: Vec<DisagreementData<'o>>,
@@ -89,17 +93,15 @@ struct DisagreementData<'o> {
 /// Returns the data of a run; `None` for a run without header or footer.
 pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
     let (header, footer) = (overview.header.as_ref()?, overview.footer.as_ref()?);
+    let causes = causes(overview);
     let disagreements = overview.observed.disagreements(&overview.engines());
     Some(RunData {
         header,
         footer,
         totals: &overview.totals,
         claims: claims(overview),
-        causes: overview
-            .causes
-            .iter()
-            .map(|cause| cause_data(cause, overview))
-            .collect(),
+        causes_left_out: overview.causes.len() - causes.len(),
+        causes,
         observations: overview.observations,
         disagreements_left_out: disagreements.len().saturating_sub(MAX_DISAGREEMENTS),
         disagreements: disagreements
@@ -126,6 +128,17 @@ fn claims(overview: &Overview) -> Vec<ClaimData<'_>> {
         standings: row.standings,
     });
     claims.collect()
+}
+
+/// Returns as many causes as the page has room for.
+fn causes(overview: &Overview) -> Vec<CauseData<'_>> {
+    let mut bytes = 0;
+    let causes = overview.causes.iter().map(|cause| cause_data(cause, overview));
+    let fitting = causes.take_while(|cause| {
+        bytes += serde_json::to_vec(cause).map_or(0, |text| text.len());
+        bytes <= MAX_CAUSE_BYTES
+    });
+    fitting.collect()
 }
 
 fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {

@@ -185,6 +185,21 @@ fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
     assert!(data(&page, "cases")["texts_left_out"].as_u64() > Some(0));
 }
 
+#[test]
+fn causes_for_which_the_page_has_no_room_are_counted() {
+    let mut events = sample::run();
+    let footer = events.pop().expect("a footer");
+    let huge = "a".repeat(300_000);
+    events.extend((0..20).map(|_| Event::Cause(sample::cause(&huge, 7, Verdict::Fail))));
+    events.push(footer);
+    let page = page_alone(&events);
+    assert!(page.len() < 10 << 20, "{}", page.len());
+    let run = data(&page, "run");
+    let shown = run["causes"].as_array().expect("causes").len();
+    assert!((1..20).contains(&shown), "{shown}");
+    assert_eq!(run["causes_left_out"], 20 - shown);
+}
+
 /// Returns the colours of a theme of the style sheet, by name.
 fn colours(theme: &str) -> BTreeMap<&str, [f64; 3]> {
     let channel = |digits: &str| f64::from(u8::from_str_radix(digits, 16).expect("two digits")) / 255.0;
