@@ -2,11 +2,14 @@
 //!
 //! Basis: matiec: measured. A syntax error: `file:LINE: error: message`; any other: `file:L-C..L-C: error: message`, from 1,
 //! the last column within the range; `warning:` in place of `error:` rejects nothing. There are no codes; the first form is
-//! Stickler's P0002.
+//! Stickler's P0002. Where the parser gives up at once, it says [`GAVE_UP`] and nothing else.
 
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
 use stickler_types::Code;
+
+/// What the compiler says of a program that it cannot read at all.
+const GAVE_UP: &str = "Parsing failed because of too many consecutive syntax errors. Bailing out!";
 
 /// Checks whether the program is accepted.
 ///
@@ -20,11 +23,24 @@ pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
     if code == 0 {
         return Ok(());
     }
-    let diagnostics = diagnostics(&ended.stderr);
+    let mut diagnostics = diagnostics(&ended.stderr);
     if diagnostics.is_empty() {
-        return Err(ended.crashed());
+        diagnostics.extend(gave_up(&ended.stderr));
     }
-    Err(rejected(diagnostics))
+    match diagnostics.is_empty() {
+        true => Err(ended.crashed()),
+        false => Err(rejected(diagnostics)),
+    }
+}
+
+/// Returns the diagnostic, without a place, of a program that cannot be read at all; `None` where the compiler says something else.
+fn gave_up(stderr: &str) -> Option<Diagnostic> {
+    let is_told = stderr.lines().any(|line| line.trim() == GAVE_UP);
+    is_told.then(|| Diagnostic {
+        code: Some(Code::SyntaxError.as_str().to_owned()),
+        message: GAVE_UP.to_owned(),
+        ..Diagnostic::default()
+    })
 }
 
 /// Returns the diagnostics in the output, in its order.
@@ -80,6 +96,16 @@ fn pair(place: &str) -> Option<(u32, u32)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_program_at_which_the_parser_gives_up_is_rejected_without_a_place() {
+        let told = gave_up(&format!("\n{GAVE_UP}\n")).unwrap();
+        assert_eq!((told.code.as_deref(), told.line), (Some("P0002"), None));
+        let library = GAVE_UP.replace(". Bailing", " in standard library. Bailing");
+        for other in [library.as_str(), "Out of memory. Bailing out!", ""] {
+            assert_eq!(gave_up(other), None, "{other}");
+        }
+    }
 
     #[test]
     fn both_forms_of_a_diagnostic_are_read_and_warnings_are_passed_over() {
