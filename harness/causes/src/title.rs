@@ -284,12 +284,18 @@ fn with_number_of<'p>(program: &'p str, message: &str) -> Option<&'p str> {
 }
 
 /// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
-/// them, since a plain assignment may be there only because a program needs a statement.
+/// them, since a plain assignment may be there only because a program needs a statement; before a plain assignment a declaration in a
+/// section that not every program has.
 fn culprit(program: &str) -> &str {
+    let weighed = |line: &&str| match weight(line) {
+        1 if section_of(program, line).is_some() => 3,
+        1 | 2 => weight(line),
+        most => most + 1,
+    };
     let heaviest = program
         .lines()
         .filter(|line| weight(line) > 0)
-        .max_by_key(|line| weight(line));
+        .max_by_key(weighed);
     heaviest.unwrap_or_else(|| last_statement(program))
 }
 
@@ -406,6 +412,14 @@ mod tests {
         assert_eq!(of("Variable 'list' is not a structure"), "list[0] := 0;");
         assert_eq!(of("Variable 'fb' is not a structure"), "x := fb.v;");
         assert_eq!(of("Not implemented at a.rs#L7"), "list[0] := 0;");
+    }
+
+    #[test]
+    fn a_declaration_of_a_special_section_is_at_fault_before_a_plain_assignment() {
+        let program = "FUNCTION f : BOOL\nVAR_IN_OUT\nt : DATE;\nEND_VAR\nf := TRUE;\nEND_FUNCTION\n";
+        assert_eq!(culprit(program), "t : DATE;");
+        assert_eq!(culprit(&program.replace("VAR_IN_OUT", "VAR_INPUT")), "f := TRUE;");
+        assert_eq!(culprit(&program.replace("TRUE", "g(t)")), "f := g(t);");
     }
 
     #[test]
