@@ -1,6 +1,6 @@
 //! The features of a small program: the constructs by which the defects of programs are told apart.
 
-use crate::literals::{form_of_number, kind, special_literal, type_of_token};
+use crate::literals::{form_of_number, kind, special_literal, valued_types};
 use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::operations;
@@ -10,7 +10,6 @@ use crate::title::unimplemented;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
-use stickler_types::ElementaryType;
 
 /// The features of where a line stands.
 pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
@@ -275,9 +274,9 @@ impl<'p> MarkedProgram<'p> {
     pub(crate) fn of_value(&self, is_initial: bool) -> (BTreeSet<String>, bool) {
         let mut features = operations(&self.tokens, &self.own);
         features.remove("call");
-        let types: BTreeSet<ElementaryType> = self.tokens.iter().filter_map(type_of_token).collect();
+        let types = valued_types(&self.tokens);
         let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
-        let numbers = types.iter().filter(|ty| kind(**ty).is_some()).count();
+        let numbers = types.len();
         let is_initial = is_initial && self.has_initial_value();
         // An assignment converts between these types, or it would be the normal form; the place converts nothing.
         let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));

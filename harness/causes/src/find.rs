@@ -4,6 +4,7 @@ use crate::assignments::shows_initial_value;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::{FailedCases, FailureGroup};
+use crate::literals::valued_types;
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
 use crate::question::{Questioner, SearchAnswers, shown_case};
@@ -11,6 +12,7 @@ use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
 use crate::sign::Sign;
 use crate::title::title;
+use crate::tokens::tokens;
 use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -343,7 +345,9 @@ impl GrowingCause {
     fn new(group: &FailureGroup, found: &ReducedGroup, sources: &Sources, has_codes: bool) -> GrowingCause {
         let ReducedGroup { smallest, normal } = found;
         let essence = Essence::of(smallest, normal);
-        let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program));
+        let types = |program: &str| valued_types(&tokens(program)).len();
+        let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program))
+            && types(&smallest.program) <= types(&normal.program);
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
         // that is rejected like one with a mistake.
         let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;

@@ -2,6 +2,7 @@
 
 use crate::shape::{number, text};
 use crate::tokens::{ProgramToken, ProgramTokenKind};
+use std::collections::BTreeSet;
 use stickler_types::{ElementaryType, Family};
 
 /// Returns the type that a token names, as a word or as the prefix of a literal.
@@ -12,6 +13,12 @@ pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> 
         ProgramTokenKind::Typed => ElementaryType::from_literal_prefix(upper.split_once('#')?.0),
         _ => None,
     }
+}
+
+/// Returns the types that a program names and between which values are converted.
+pub(crate) fn valued_types(tokens: &[ProgramToken<'_>]) -> BTreeSet<ElementaryType> {
+    let types = tokens.iter().filter_map(type_of_token);
+    types.filter(|ty| kind(*ty).is_some()).collect()
 }
 
 /// Returns the kind of values between which conversions are one piece of work in a compiler; `None` for BOOL, which is the

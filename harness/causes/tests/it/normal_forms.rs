@@ -135,6 +135,24 @@ fn an_initial_value_that_fails_alone_is_the_cause_and_not_the_operation_around_i
     );
 }
 
+/// Begins REAL variables without the sign of their initial value.
+fn without_signs_of_reals(request: &RunRequest<'_>) -> Outcome {
+    let source = request.source.replace(": REAL := -", ": REAL := ");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn a_conversion_behind_an_initial_value_that_fails_alone_is_not_shown() {
+    let declarations = "data : REAL := -3.0; into : LREAL;";
+    let widened = case("t::widened", declarations, "into := data;", "into = LREAL#-3.0");
+    let found = causes(&Compiler::new(without_signs_of_reals), vec![widened]);
+    let program = &found[0].shown.program;
+    assert!(!program.contains("LREAL"), "{program}");
+}
+
 /// Rounds in conversions to integers, and takes the amount of negative numbers for unsigned ones.
 fn rounding(request: &RunRequest<'_>) -> Outcome {
     let source = request
