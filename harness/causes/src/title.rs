@@ -352,7 +352,10 @@ fn weight(line: &str) -> u8 {
         .map(|first| first.text.to_ascii_uppercase())
         .unwrap_or_default();
     let is_frame = is_fixed(&first)
-        && !["IF", "CASE", "FOR", "WHILE", "REPEAT", "RETURN", "EXIT"].contains(&first.as_str());
+        && ![
+            "IF", "ELSIF", "CASE", "FOR", "WHILE", "REPEAT", "UNTIL", "RETURN", "EXIT",
+        ]
+        .contains(&first.as_str());
     if tokens.iter().all(|token| token.text == ";") || is_frame {
         return 0;
     }
@@ -412,6 +415,15 @@ mod tests {
         assert_eq!(of("Variable 'list' is not a structure"), "list[0] := 0;");
         assert_eq!(of("Variable 'fb' is not a structure"), "x := fb.v;");
         assert_eq!(of("Not implemented at a.rs#L7"), "list[0] := 0;");
+        let got = [Fact::NotImplemented {
+            reason: "Variable 'fb' is not a structure".to_owned(),
+            promised_by: None,
+        }];
+        let until = program.replace(
+            "x := fb.v;",
+            "REPEAT\n        EXIT;\n    UNTIL fb.v\n    END_REPEAT;",
+        );
+        assert_eq!(unimplemented(&until, &got).trim(), "UNTIL fb.v");
     }
 
     #[test]
