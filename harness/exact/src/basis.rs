@@ -14,7 +14,7 @@ use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
 use stickler_types::{BuiltIn, CalendarUnits, DialectName, ElementaryType, Family, Rounding, Value};
-use tested::{STRUCPP_TEXTS, STRUCPP_TIME};
+use tested::{STRUCPP_TEXTS, STRUCPP_TIME, STRUCPP_TO_TIME};
 
 /// The expected result of a call, and the document that states it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -240,6 +240,8 @@ impl UnaryCall<'_> {
             Rules::Matiec => Some(NAMING),
             Rules::Plcnext => Some(MILLISECONDS_RULE),
             Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
+            // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
+            Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
             Rules::Strucpp => Some(MILLISECONDS_RULE),
             Rules::Rusty => None,
         }

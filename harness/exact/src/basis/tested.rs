@@ -7,6 +7,7 @@ use stickler_types::{CalendarUnits, ElementaryType, Family};
 
 // The tests of STruC++.
 pub(super) const STRUCPP_TIME: &str = "strucpp-tests: tests/st-validation/data_types/test_time_types.st";
+pub(super) const STRUCPP_TO_TIME: &str = "strucpp-tests: tests/backend/codegen-functions.test.ts";
 const STRUCPP_NUMBERS: &str = "strucpp-tests: tests/st-validation/expressions/test_type_conversion.st";
 pub(super) const STRUCPP_TEXTS: &str =
     "strucpp-tests: tests/st-validation/data_types/test_string_conversions.st";
