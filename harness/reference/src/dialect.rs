@@ -39,6 +39,10 @@ pub struct Dialect {
     pub only_standard_rounding: bool,
     /// Variables with a location (`AT %MW5`) and others stand in one section.
     pub mixed_locations: bool,
+    /// A subrange may have a single value: `INT(0..0)`.
+    ///
+    /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.
+    pub single_value_subranges: bool,
     /// The choices of conversion functions, and of implicit conversions, where systems differ.
     pub conversions: ConversionChoices,
 }
@@ -163,6 +167,7 @@ impl Dialect {
             third_edition_types: false,
             only_standard_rounding: false,
             mixed_locations: false,
+            single_value_subranges: false,
             conversions: COMMON_CHOICES,
         }
     }
@@ -221,6 +226,7 @@ impl Dialect {
             third_edition_types: false,
             only_standard_rounding: true,
             mixed_locations: false,
+            single_value_subranges: true,
             conversions: ConversionChoices {
                 real_text: RealText::SignificantDigits(10),
                 bit_string_text: BitStringText::Shortest,
@@ -249,6 +255,7 @@ impl Dialect {
             third_edition_types: true,
             only_standard_rounding: false,
             mixed_locations: true,
+            single_value_subranges: true,
             conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
         }
     }

@@ -132,8 +132,8 @@ impl<'u> Declarer<'u, '_> {
             self.report(Code::SubrangeOutOfBounds, span, message);
             return TypeId::ERROR;
         }
-        if low > high {
-            let message = format!("the lower limit {low} is above the upper limit {high}");
+        if low > high || low == high && !self.model.source.dialect.single_value_subranges {
+            let message = format!("the lower limit {low} is not below the upper limit {high}");
             self.report(Code::SubrangeMinStrictlyLessMax, span, message);
             return TypeId::ERROR;
         }

@@ -22,7 +22,7 @@ fn stands_for(beginning: &str, expression: &str, number: i64) {
     let text = format!(
         "{beginning}
          VAR a : ARRAY[{expression}..200] OF SINT; b : ARRAY[n..200] OF SINT; sized : STRING[{expression}];
-             r : LINT({expression}..n); hit, named : BOOL; e : E; ran : LINT; selector : LINT := {number};
+             r : LINT({expression}..200); hit, named : BOOL; e : E; ran : LINT; selector : LINT := {number};
              c : ARRAY[1..200] OF SINT := [{number}(1), 7]; last : SINT;
          END_VAR
              CASE selector OF {expression}: hit := TRUE; END_CASE;

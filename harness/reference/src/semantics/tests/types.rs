@@ -72,6 +72,7 @@ fn subranges_are_integers_with_limits() {
     assert!(says(text).is_empty(), "{:?}", says(text));
     for (variables, code) in [
         ("p : INT(5..1);", "P2002"),
+        ("p : INT(0..0);", "P2002"),
         ("p : INT(0..40000);", "P2016"),
         ("p : USINT(-1..1);", "P2016"),
         ("p : REAL(0..1);", "P2015"),
