@@ -35,7 +35,7 @@ END_FUNCTION
 END_FUNCTION_BLOCK
 ",
     "PROGRAM dates VAR
-    d : DATE := D#2024-02-29; t : TOD := TOD#12:34:56.789; dt : DT := DT#2024-02-29-12:34:56; c : CHAR := CHAR#'a';
+    d : DATE := D#2024-02-29; t : TOD := TOD#12:34:56.789; m : DT := DT#2024-02-29-12:34:56; c : CHAR := CHAR#'a';
     b : BYTE := 2#1010; r : REAL := REAL#-1.5E3; l : LTIME := LTIME#1us; s : STRING := STRING#'$$x';
 END_VAR
     b.%X3 := a.b[1].7; {pragma} x := WORD#16#00FF OR 8#17; y := 1_000.5; z := BOOL#FALSE;

@@ -3,7 +3,7 @@
 use super::{ED2, ED3, MATIEC, PLCNEXT, RUSTY, codes, codes_in, gives, gives_in};
 
 const VARIABLES: &str = "s : SINT; i : INT; d : DINT; l : LINT; us : USINT; u : UINT; ul : ULINT; r : REAL; lr : LREAL;
-    b : BOOL; y : BYTE; w : WORD; t : TIME; lt : LTIME; da : DATE; td : TOD; dt : DT; ldt : LDT; st : STRING; ws : WSTRING;
+    b : BOOL; y : BYTE; w : WORD; t : TIME; lt : LTIME; da : DATE; td : TOD; moment : DT; long_moment : LDT; st : STRING; ws : WSTRING;
     c : CHAR; e : (UP, DOWN); a : ARRAY[0..1] OF INT; p : STRUCT x : INT; END_STRUCT;";
 
 #[test]
@@ -14,8 +14,8 @@ fn operators_are_defined_for_their_operands() {
         "b := i < d; b := r >= i; b := t > T#1s; b := da = D#2024-01-01; b := st < 'abc'; b := c = 'a'; b := w = y;",
         "b := e = UP; b := DOWN <> e; b := b = TRUE; b := td < TOD#12:00:00; b := 1 < 2; b := 1.5 = 1; b := 'a' = 'b';",
         "t := t + t; t := t - T#1s; t := -t; t := t * 2; t := 2 * t; t := t * r; t := t / i; t := t * 1.5; t := i * t;",
-        "t := dt - dt; t := da - da; t := td - td; dt := dt + t; dt := dt - t; td := td + T#1h; td := td - t;",
-        "lt := ldt - ldt; ldt := ldt + lt; ldt := ldt - T#1s; lt := lt + t;",
+        "t := moment - moment; t := da - da; t := td - td; moment := moment + t; moment := moment - t; td := td + T#1h; td := td - t;",
+        "lt := long_moment - long_moment; long_moment := long_moment + lt; long_moment := long_moment - T#1s; lt := lt + t;",
         "r := r ** 2; r := r ** i; i := i ** 2; lr := 2.0 ** lr; d := 2 ** d; r := r ** 0.5; i := 2 ** 3;",
         "r := 2.0 ** i; lr := 2.0 ** i; r := 2.0 ** 3; r := 2.0 * 3.0 ** 2 + 1.0; b := 2.0 ** i > r; r := r * 2.0 ** i;",
     ] {
@@ -63,13 +63,13 @@ fn operators_are_not_defined_for_others() {
         "t := t + 1;",
         "t := 2 / t;",
         "t := t MOD 2;",
-        "dt := dt + dt;",
-        "t := t + dt;",
+        "moment := moment + moment;",
+        "t := t + moment;",
         "da := da + t;",
-        "t := dt - da;",
-        "dt := dt * 2;",
+        "t := moment - da;",
+        "moment := moment * 2;",
         "b := t = 5;",
-        "b := da = dt;",
+        "b := da = moment;",
         "i := 'a' + 'b';",
         "b := TRUE + 1;",
         "i := i + 1.5;",

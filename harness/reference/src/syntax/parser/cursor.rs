@@ -6,6 +6,7 @@ use crate::diagnostic::quoted;
 use crate::source::Span;
 use crate::syntax::token::{Token, TokenKind};
 use crate::syntax::tree::Name;
+use stickler_types::{Code, ElementaryType};
 
 /// The number of tokens that the lexer reads at a time.
 const CHUNK: usize = 512;
@@ -167,6 +168,23 @@ impl<'s> Parser<'s, '_> {
             span: self.current.span,
         };
         self.bump();
+        Ok(name)
+    }
+
+    /// A name that a declaration introduces; `what` says whose. The name of an elementary data type is a keyword, which is reported and
+    /// taken for the name, so that nothing else is said of it.
+    ///
+    /// Basis: iec-61131-3: 6.1.3 and Table 10, whose column of names is headed "Keyword".
+    pub(super) fn declared_name(&mut self, what: &str) -> ParseResult<Name<'s>> {
+        let name = self.name(what)?;
+        if ElementaryType::from_name(name.text).is_some_and(|ty| self.dialect.has(ty)) {
+            self.report(Code::SyntaxError, name.span, || {
+                format!(
+                    "expected {what}, found the data type `{}`",
+                    name.text.to_ascii_uppercase()
+                )
+            });
+        }
         Ok(name)
     }
 

@@ -98,7 +98,7 @@ impl<'s> Parser<'s, '_> {
         kind: PouKind,
         blocks: &mut Vec<VariableBlock<'s>>,
     ) -> (Option<Name<'s>>, Option<TypeSpecification<'s>>) {
-        let Ok(name) = self.name("a name") else {
+        let Ok(name) = self.declared_name("a name") else {
             self.skip_line();
             return (None, None);
         };

@@ -92,7 +92,7 @@ impl<'s> Parser<'s, '_> {
         self.open += 1;
         let mut values = Vec::new();
         loop {
-            let name = self.name("the name of an enumerated value")?;
+            let name = self.declared_name("the name of an enumerated value")?;
             let value = if self.eat(TokenKind::Assign) {
                 Some(self.expression()?)
             } else {

@@ -198,7 +198,7 @@ impl<'s> Parser<'s, '_> {
         closer: TokenKind,
     ) -> ParseResult<TypeSpecification<'s>> {
         loop {
-            group.names.push(self.name("a variable's name")?);
+            group.names.push(self.declared_name("a variable's name")?);
             if !self.eat(TokenKind::Comma) {
                 break;
             }
@@ -376,6 +376,21 @@ mod tests {
             [
                 "2:3 P0002 expected a variable's name, found the keyword `ON`",
                 "3:3 P0002 expected a variable's name, found the keyword `EXIT`"
+            ]
+        );
+    }
+
+    #[test]
+    fn the_name_of_a_data_type_is_no_name() {
+        let text = "PROGRAM p VAR\n  word, left : INT;\n  s : STRUCT dt : INT; END_STRUCT;\n  e : (red, Real);\n  ltime : INT;\nEND_VAR
+            word := 1; END_PROGRAM FUNCTION tod : INT tod := 1; END_FUNCTION";
+        assert_eq!(
+            errors(text),
+            [
+                "2:3 P0002 expected a variable's name, found the data type `WORD`",
+                "3:14 P0002 expected a variable's name, found the data type `DT`",
+                "4:13 P0002 expected the name of an enumerated value, found the data type `REAL`",
+                "7:45 P0002 expected a name, found the data type `TOD`",
             ]
         );
     }
