@@ -167,30 +167,29 @@ impl SiteFinder<'_, '_> {
     }
 
     fn literal(&mut self, to: ElementaryType, fits: bool, standing: PlaceOfExpression, found: TracedUse) {
-        let Some(pair) = self
-            .literal_kind(found.expression)
-            .map(|kind| literal_pair(kind, to))
-        else {
+        let Some((literal, kind)) = self.literal_within(found.expression) else {
             return;
         };
-        let claim = ConversionClaim::Literal(pair);
-        if fits {
-            let span = self.analysis.expression(found.expression).span;
-            self.add(claim, ClaimBreach::Refused, standing, SourceChange::Refuse(span));
-        } else if let Some(change) = self.admitted(found.expression, &MISFITS) {
-            self.add(claim, ClaimBreach::Admitted, standing, change);
+        let claim = ConversionClaim::Literal(literal_pair(kind, to));
+        let span = self.analysis.expression(found.expression).span;
+        let spans = [span, self.analysis.expression(literal).span];
+        let codes: &[Code] = if fits { &OVERFLOWS } else { &MISFITS };
+        match self.admitted_at(spans, codes) {
+            Some(change) => _ = self.add(claim, ClaimBreach::Admitted, standing, change),
+            None if fits => _ = self.add(claim, ClaimBreach::Refused, standing, SourceChange::Refuse(span)),
+            None => {}
         }
     }
 
-    /// Returns the kind of the literal without a type that an expression is, whatever its sign and its parentheses.
-    fn literal_kind(&self, mut id: ExpressionId) -> Option<LiteralKind> {
+    /// Returns the literal without a type that an expression is, whatever its sign and its parentheses, and its kind.
+    fn literal_within(&self, mut id: ExpressionId) -> Option<(ExpressionId, LiteralKind)> {
         loop {
             match &self.analysis.expression(id).kind {
                 ExpressionKind::Parenthesized(inner) => id = *inner,
                 ExpressionKind::Unary { operator, operand } if *operator != UnaryOperator::Not => {
                     id = *operand;
                 }
-                ExpressionKind::Literal(literal) => return Some(literal.kind),
+                ExpressionKind::Literal(literal) => return Some((id, literal.kind)),
                 _ => return None,
             }
         }
@@ -355,6 +354,9 @@ const MISFITS: [Code; 5] = [
     Code::FunctionCallArgTypeMismatch,
     Code::ConditionTypeInvalid,
 ];
+
+/// The codes of an untyped literal whose number the type that it takes does not have.
+const OVERFLOWS: [Code; 2] = [Code::ConstantOverflow, Code::RealLiteralOutOfRange];
 
 /// The codes of a form of partial access that a dialect does not have.
 const REFUSED_FORMS: [Code; 3] = [

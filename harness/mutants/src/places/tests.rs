@@ -96,24 +96,27 @@ fn a_rule_is_broken_in_its_place_and_nowhere_else() {
 
 #[test]
 fn an_error_that_is_admitted_is_not_reported() {
-    let source = "PROGRAM main\nVAR a : INT; b : SINT; END_VAR\nb := a;\nb := c;\nEND_PROGRAM\n";
-    let admitted = Saboteur {
-        rule: *Rule::all()
-            .iter()
-            .find(|rule| rule.to_string() == "implicit.integer-to-narrower.admitted")
-            .expect("the rule is known"),
-        place: BrokenPlace::Target("assignment"),
+    let source = "PROGRAM main\nVAR a : INT; b : SINT; END_VAR\nb := a;\nb := -129;\nEND_PROGRAM\n";
+    let left = |rule: &str| {
+        let admitted = Saboteur {
+            rule: *Rule::all()
+                .iter()
+                .find(|known| known.to_string() == rule)
+                .expect("the rule is known"),
+            place: BrokenPlace::Target("assignment"),
+        };
+        let engine = SabotagedReference::new(admitted);
+        let mut session = EngineSession::open(&engine).expect("it opens");
+        let outcome = session.check(DialectName::IronplcEd3, source);
+        let Outcome::Rejected { diagnostics } = outcome.expect("it answers") else {
+            panic!("the other error stays")
+        };
+        let lines = diagnostics.iter().filter_map(|found| found.line);
+        lines.collect::<Vec<_>>()
     };
-    let engine = SabotagedReference::new(admitted);
-    let mut session = EngineSession::open(&engine).expect("it opens");
-    let outcome = session
-        .check(DialectName::IronplcEd3, source)
-        .expect("it answers");
-    let Outcome::Rejected { diagnostics } = outcome else {
-        panic!("the other error stays: {outcome}")
-    };
-    let lines: Vec<_> = diagnostics.iter().map(|found| found.line).collect();
-    assert_eq!(lines, [Some(4)]);
+    assert_eq!(left("implicit.integer-to-narrower.admitted"), [4]);
+    assert_eq!(left("literal.integer-as-integer.admitted"), [3]);
+    assert_eq!(left("literal.integer-as-integer.refused"), [3, 4]);
 }
 
 /// Where the design of places says that a value stands, the tree says so too.
