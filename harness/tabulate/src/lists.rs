@@ -20,6 +20,7 @@ pub type List = fn(ElementaryType, ElementaryType) -> Vec<Value>;
 /// | `beside-ties` | [`beside_ties`] |
 /// | `beside-limits` | [`beside_limits`] |
 /// | `few` | [`few`] |
+/// | `telling` | [`telling`] |
 #[must_use]
 pub fn named(name: &str) -> Option<List> {
     Some(match name {
@@ -33,6 +34,7 @@ pub fn named(name: &str) -> Option<List> {
         "beside-ties" => beside_ties,
         "beside-limits" => beside_limits,
         "few" => few,
+        "telling" => telling,
         _ => return None,
     })
 }
@@ -183,6 +185,32 @@ pub fn few(from: ElementaryType, _to: ElementaryType) -> Vec<Value> {
     values.flatten().collect()
 }
 
+/// Returns one or two values whose result changes where a conversion takes a sign for a bit or a bit for a sign, limits what must
+/// wrap, drops the highest bit, or looks at the lowest one only.
+#[must_use]
+pub fn telling(from: ElementaryType, to: ElementaryType) -> Vec<Value> {
+    /// An even number whose highest bit is set, in each width.
+    const PATTERN: i128 = 0x96AA_33CC_9FF0_A5C2;
+    if from.is_real() && to == ElementaryType::Bool {
+        return [-5, 9]
+            .into_iter()
+            .filter_map(|number| halves(from, number))
+            .collect();
+    }
+    let Some((_, greatest)) = from.integer_range().filter(|_| from != ElementaryType::Bool) else {
+        return few(from, to);
+    };
+    let pattern = from.integer_value(from.wrap(PATTERN));
+    // What a signed type cannot wrap must show its sign.
+    let wraps = to.integer_range().is_some() && to.bits() < from.bits();
+    let other = if from.is_signed() && !wraps {
+        -2
+    } else {
+        greatest - 1
+    };
+    whole_numbers(from, [pattern, other])
+}
+
 fn whole_numbers(ty: ElementaryType, numbers: impl IntoIterator<Item = i128>) -> Vec<Value> {
     let values = numbers.into_iter().filter_map(|number| whole(ty, number));
     values.collect()
@@ -282,5 +310,22 @@ mod tests {
                 assert!(literals(name, from, Sint).is_empty(), "{name} of {from}");
             }
         }
+    }
+
+    #[test]
+    fn telling_values_change_where_a_conversion_goes_wrong() {
+        use ElementaryType::{Bool, Byte, Dint, Int, Real, Sint, Usint};
+        let numbers = |from, to| {
+            let values = telling(from, to);
+            values.iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        // Wrapped to SINT these are -62 and -2, limited they are -128 and 127.
+        assert_eq!(numbers(Int, Sint), ["INT#-23102", "INT#32766"]);
+        // Without their sign these are 194 and 254.
+        assert_eq!(numbers(Sint, Dint), ["SINT#-62", "SINT#-2"]);
+        assert_eq!(numbers(Byte, Usint), ["BYTE#16#C2", "BYTE#16#FE"]);
+        // Their lowest bit, of the whole part, is 0.
+        assert_eq!(numbers(Real, Bool), ["REAL#-2.5", "REAL#4.5"]);
+        assert_eq!(numbers(Bool, Sint), ["BOOL#TRUE"]);
     }
 }
