@@ -30,6 +30,8 @@ pub struct SectionVariable<'u> {
     pub constant: bool,
     /// Whether RETAIN stands behind the section's keyword.
     pub retained: bool,
+    /// Whether it is directly represented: `x AT %MW5 : INT;`.
+    pub located: bool,
     specification: &'u TypeSpecification<'u>,
 }
 
@@ -107,6 +109,7 @@ fn declare<'u>(variables: &mut FxHashMap<CaseFolded<'u>, SectionVariable<'u>>, b
             kind: block.kind,
             constant: block.constant,
             retained,
+            located: group.location.is_some(),
             specification: &group.specification,
         };
         variables.extend(group.names.iter().map(|name| (CaseFolded(name.text), variable)));

@@ -429,6 +429,7 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Name(name) => {
                 let variable = self.names.variable(&self.variables, name.text)?;
                 section(variable.kind).unwrap_or(match variable {
+                    SectionVariable { located: true, .. } => "located",
                     SectionVariable { constant: true, .. } => "constant",
                     SectionVariable { retained: true, .. } => "retained",
                     _ => "variable",
@@ -446,7 +447,10 @@ impl<'u> Walk<'_, 'u> {
             ExpressionKind::Name(name) if self.variables.is_result(name.text) => "result",
             ExpressionKind::Name(name) => {
                 let variable = self.names.variable(&self.variables, name.text)?;
-                section(variable.kind).unwrap_or("assignment")
+                section(variable.kind).unwrap_or(match variable.located {
+                    true => "located",
+                    false => "assignment",
+                })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
             _ => self.part(id)?,
