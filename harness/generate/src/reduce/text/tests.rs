@@ -47,7 +47,7 @@ VAR
     corner : Point;
     paint : Color := GREEN;
     counter : Counter;
-    word : WORD := 16#00FF;
+    mask : WORD := 16#00FF;
     name : STRING := 'some name';
 END_VAR
     FOR a := 1 TO limit DO
@@ -57,7 +57,7 @@ END_VAR
         ELSIF b = 3 THEN
             b := 4;
         ELSE
-            word := word XOR WORD#16#0F0F;
+            mask := mask XOR WORD#16#0F0F;
         END_IF;
     END_FOR;
     CASE b OF
