@@ -357,6 +357,9 @@ fn declarations(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     ];
     let found = special.iter().filter(|word| words.contains(**word));
     let mut found: BTreeSet<String> = found.map(|word| (*word).to_owned()).collect();
+    if tokens.iter().any(|token| token.is_located) {
+        found.insert("AT".to_owned());
+    }
     let is_composed = found.contains("STRUCT") || found.contains("ARRAY");
     if words.contains("TYPE") && !is_composed {
         found.insert("type of one's own".to_owned());

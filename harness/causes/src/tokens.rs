@@ -9,6 +9,8 @@ pub(crate) struct ProgramToken<'t> {
     pub(crate) line: u32,
     /// The column, from 1, in characters.
     pub(crate) column: u32,
+    /// Whether it is the name of a directly represented variable where that is declared: `x` of `x AT %MW5 : INT;`.
+    pub(crate) is_located: bool,
 }
 
 /// The kind of a token.
@@ -35,7 +37,7 @@ impl ProgramToken<'_> {
     }
 }
 
-/// Returns the tokens of a text; comments and blanks are left out.
+/// Returns the tokens of a text. Comments and blanks are left out, and locations, so that the type of each variable stands behind its name.
 pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
     let mut found = Vec::new();
     let (mut line, mut column) = (1, 1);
@@ -49,7 +51,15 @@ pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
                 text: here,
                 line,
                 column,
+                is_located: false,
             });
+            if let [.., name, at, _] = &mut found[..]
+                && kind == ProgramTokenKind::Partial
+                && at.is("AT")
+            {
+                name.is_located = true;
+                found.truncate(found.len() - 2);
+            }
         }
         for character in here.chars() {
             (line, column) = match character {
@@ -79,7 +89,7 @@ fn next(text: &str) -> (Option<ProgramTokenKind>, usize) {
     } else if first.is_alphabetic() || first == '_' {
         word(text)
     } else if first == '%' {
-        (Some(ProgramTokenKind::Partial), 1 + of_words(&text[1..]))
+        (Some(ProgramTokenKind::Partial), location(text))
     } else if let Some(sign) = signs.iter().find(|sign| text.starts_with(**sign)) {
         (Some(ProgramTokenKind::Sign), sign.len())
     } else {
@@ -106,6 +116,19 @@ fn quoted(text: &str, quote: char) -> usize {
 fn of_words(text: &str) -> usize {
     text.find(|character: char| !character.is_alphanumeric() && character != '_')
         .unwrap_or(text.len())
+}
+
+/// Returns the length of a location or a partial access: `%MW5`, `%IX0.0`, `%X7`.
+fn location(text: &str) -> usize {
+    let mut end = 1 + of_words(&text[1..]);
+    let is_location = text[1..].starts_with(['I', 'Q', 'M', 'i', 'q', 'm']);
+    while is_location
+        && let Some(number) = text[end..].strip_prefix('.')
+        && number.starts_with(|digit: char| digit.is_ascii_digit())
+    {
+        end += 1 + of_words(number);
+    }
+    end
 }
 
 /// Returns the length of a number: digits, with a base, a fraction, an exponent.
@@ -205,5 +228,15 @@ mod tests {
         }
         let places: Vec<(u32, u32)> = tokens("a\n  ä b").iter().map(|t| (t.line, t.column)).collect();
         assert_eq!(places, [(1, 1), (2, 3), (2, 5)]);
+    }
+
+    #[test]
+    fn a_location_is_a_mark_of_its_variable() {
+        let found = tokens("x AT %IX0.1 : BOOL; y AT %mw5 : INT; z : INT; w.%W1.5 := z");
+        let texts: Vec<&str> = found.iter().map(|token| token.text).collect();
+        assert_eq!(texts[..8], ["x", ":", "BOOL", ";", "y", ":", "INT", ";"]);
+        assert_eq!(texts[12..], ["w", ".", "%W1", ".", "5", ":=", "z"]);
+        let located = found.iter().filter(|token| token.is_located);
+        assert!(located.map(|token| token.text).eq(["x", "y"]));
     }
 }

@@ -147,7 +147,7 @@ fn naming(
     edits
 }
 
-/// Drops initial values, RETAIN and CONSTANT, the lengths of texts and the limits of subranges.
+/// Drops initial values, RETAIN and CONSTANT, locations, the lengths of texts and the limits of subranges.
 pub(super) fn drop_initials(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("drop initials", sites, |draft| {
         let unit = draft.tree();
@@ -165,6 +165,13 @@ pub(super) fn drop_initials(draft: &mut TextDraft, sites: &mut Sites) {
                 if let Some(at) = upper.find(word) {
                     changes.push(TextChange::drop(open + at..open + at + word.len()));
                 }
+            }
+        }
+        for group in blocks(&unit).iter().flat_map(|block| &block.groups) {
+            if let (Some(location), Some(name)) = (group.location, group.names.last()) {
+                changes.push(TextChange::drop(
+                    name.span.end as usize..location.span.end as usize,
+                ));
             }
         }
         for (specification, initializer) in specifications(&unit) {

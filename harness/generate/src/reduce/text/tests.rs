@@ -112,6 +112,16 @@ fn what_remains_of_a_program_is_what_the_symptom_needs() {
 }
 
 #[test]
+fn a_location_goes_where_it_does_not_matter() {
+    let start = "PROGRAM main\nVAR\n    x AT %MW5 : INT;\nEND_VAR\n    x := x MOD 3;\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["MOD"]);
+    assert!(!found.value.contains("AT"), "{}", found.value);
+    let found = reduce(start, &["MOD", "%MW5"]);
+    assert!(found.value.contains("AT %MW5"), "{}", found.value);
+}
+
+#[test]
 fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
     let start =
         "PROGRAM main\nVAR x : INT; END_VAR\n  x := 1 + ;\n  y := 'open string\n  @@ z(\nEND_PROGRAM\n";
