@@ -37,7 +37,8 @@ pub struct Dialect {
     pub third_edition_types: bool,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
-    /// Variables with a location (`AT %MW5`) and others stand in one section.
+    /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
+    /// Specific Features.
     pub mixed_locations: bool,
     /// A subrange may have a single value: `INT(0..0)`.
     ///

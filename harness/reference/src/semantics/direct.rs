@@ -53,15 +53,15 @@ impl<'u> Declarer<'u, '_> {
     }
 }
 
-/// The locations of a text so far: those of each area, and their common size.
+/// The locations of a text so far: those of each area, with the size and the number of levels that they have in common.
 #[derive(Debug, Default)]
 struct KnownLocations {
-    areas: FxHashMap<u8, (u8, FxHashSet<String>)>,
+    areas: FxHashMap<u8, ((u8, usize), FxHashSet<String>)>,
 }
 
 impl KnownLocations {
-    /// Adds a location; returns whether it has no bit in common with an earlier one for sure: it is in another area, or of the same size and
-    /// another address.
+    /// Adds a location; returns whether it has no bit in common with an earlier one for sure: it is in another area, or of the same size with
+    /// another address of as many levels.
     fn insert(&mut self, location: &str) -> bool {
         let letter = |at: usize| location.as_bytes().get(at).map_or(b'X', u8::to_ascii_uppercase);
         let size = Some(letter(2)).filter(u8::is_ascii_alphabetic).unwrap_or(b'X');
@@ -70,11 +70,12 @@ impl KnownLocations {
             .split('.')
             .map(|number| number.trim_start_matches('0'))
             .collect();
+        let form = (size, numbers.len());
         let (common, addresses) = self
             .areas
             .entry(letter(1))
-            .or_insert_with(|| (size, FxHashSet::default()));
-        *common == size && addresses.insert(numbers.join("."))
+            .or_insert_with(|| (form, FxHashSet::default()));
+        *common == form && addresses.insert(numbers.join("."))
     }
 }
 
@@ -93,6 +94,7 @@ mod tests {
             ("%IX0.0", true),
             ("%I0.1", true),
             ("%IX0.01", false),
+            ("%IX7", false),
             ("%QL1.2.3", true),
         ] {
             assert_eq!(known.insert(location), apart, "{location}");
