@@ -109,6 +109,8 @@ enum Rules {
     Plcnext,
     Strucpp,
     Rusty,
+    /// CODESYS and TwinCAT, which were recorded: tables have the values.
+    Recorded,
 }
 
 impl Rules {
@@ -119,16 +121,17 @@ impl Rules {
             BuiltIn::Plcnext => Rules::Plcnext,
             BuiltIn::Strucpp => Rules::Strucpp,
             BuiltIn::Rusty => Rules::Rusty,
+            BuiltIn::Codesys | BuiltIn::Twincat => Rules::Recorded,
         }
     }
 
-    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for PLCnext,
-    /// STruC++ and RuSTy, whose documents do not state it.
+    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for the other
+    /// systems, whose documents do not state it.
     fn documented(self, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
         match self {
             Rules::Ironplc => Some(ironplc),
             Rules::Matiec => Some(matiec),
-            Rules::Plcnext | Rules::Strucpp | Rules::Rusty => None,
+            Rules::Plcnext | Rules::Strucpp | Rules::Rusty | Rules::Recorded => None,
         }
     }
 
@@ -169,6 +172,7 @@ impl UnaryCall<'_> {
             Rules::Rusty => self.of_rusty_conversion(raw),
             Rules::Strucpp => self.of_strucpp_conversion(raw),
             Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
+            Rules::Recorded => None,
         }
     }
 
@@ -243,7 +247,7 @@ impl UnaryCall<'_> {
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
             Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
             Rules::Strucpp => Some(MILLISECONDS_RULE),
-            Rules::Rusty => None,
+            Rules::Rusty | Rules::Recorded => None,
         }
     }
 

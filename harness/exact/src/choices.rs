@@ -49,6 +49,10 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             bit_string_as_bool: BitStringAsBool::LowestBit,
             ..ironplc
         },
+        BuiltIn::Codesys | BuiltIn::Twincat => ConversionChoices {
+            rounding: Rounding::HalfAwayFromZero,
+            ..ironplc
+        },
         BuiltIn::Strucpp => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
             text_reading: TextReading::LeadingNumber,

@@ -15,7 +15,8 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 ///
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
-/// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy.
+/// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy;
+/// codesys-implicit for CODESYS and TwinCAT.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -44,6 +45,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         BuiltIn::Plcnext => plcnext(from, to),
         BuiltIn::Strucpp => strucpp(from, to),
         BuiltIn::Rusty => rusty(from, to),
+        BuiltIn::Codesys | BuiltIn::Twincat => codesys(from, to),
     }
 }
 
@@ -123,10 +125,31 @@ fn strucpp(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     }
 }
 
+/// Returns the answer of the matrix that was measured on CODESYS and TwinCAT. The value of what may lose digits or the sign is open, and so is what
+/// concerns a type that the matrix does not have.
+fn codesys(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use ElementaryType::{Char, Ldate, Ldt, Ltod, Wchar};
+    let is_measured = |ty| !matches!(ty, Ldate | Ltod | Ldt | Char | Wchar);
+    if !is_measured(from) || !is_measured(to) {
+        return MatrixWord::Open;
+    }
+    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    let is_number = |ty: ElementaryType| is_whole(ty) || ty.is_real();
+    let is_accepted = match (is_whole(from), is_whole(to)) {
+        (true, true) => from.bits() <= to.bits(),
+        _ => is_number(from) && to.is_real(),
+    };
+    match keeps_its_value(from, to) {
+        true => MatrixWord::Yes,
+        false if is_accepted => MatrixWord::Open,
+        false => MatrixWord::No,
+    }
+}
+
 /// Returns whether a value widens within its category, or from a bit string to an integer, or from an integer to a real that holds it.
 ///
 /// Basis: strucpp-architecture: Type System ("SINT -> INT -> DINT -> LINT"); strucpp-tests: tests/semantic/type-utils.test.ts (INT to REAL, DINT to
-/// LREAL, BYTE to DWORD, BYTE to INT); rusty-tests: src/validation/tests/assignment_validation_tests.rs (without a warning).
+/// LREAL, BYTE to DWORD, BYTE to INT); rusty-tests: src/validation/tests/assignment_validation_tests.rs (without a warning); codesys-implicit: classifyElementary.
 fn keeps_its_value(from: ElementaryType, to: ElementaryType) -> bool {
     use Family::{BitString, Real, Signed, Unsigned};
     let widens = from.bits() < to.bits();

@@ -17,7 +17,7 @@ use stickler_suite::{Case, Sources, load_file};
 use stickler_types::{DialectName, Value};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
-const FILES: [&str; 9] = [
+const FILES: [&str; 10] = [
     "widening/integer.toml",
     "widening/contexts.toml",
     "widening/user-defined.toml",
@@ -27,6 +27,7 @@ const FILES: [&str; 9] = [
     "conversion/negative-zero-to-integer.toml",
     "conversion/time-edges.toml",
     "language/literals-third-edition.toml",
+    "widening/codesys.toml",
 ];
 
 fn suite() -> PathBuf {

@@ -12,11 +12,16 @@ pub(crate) const fn has_third_edition(dialect: DialectName) -> bool {
 
 /// Returns whether the documents of a dialect know access to single bits.
 ///
-/// Basis: ironplc-bit-access: Valid Base Types; rusty-direct-variables: Constant based Direct Access; measured for matiec (a syntax error), open in PLCnext, and in STruC++ for most types.
+/// Basis: ironplc-bit-access: Valid Base Types; rusty-direct-variables: Constant based Direct Access; codesys-recording: operators/bitwise.ts; measured for matiec (a syntax error), open in PLCnext, and in STruC++ for most types.
 pub(crate) const fn has_bits(dialect: DialectName) -> bool {
     matches!(
         dialect.base(),
-        BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty | BuiltIn::Rusty
+        BuiltIn::IronplcEd2
+            | BuiltIn::IronplcEd3
+            | BuiltIn::IronplcRusty
+            | BuiltIn::Rusty
+            | BuiltIn::Codesys
+            | BuiltIn::Twincat
     )
 }
 

@@ -80,6 +80,8 @@ pub enum Widening {
     Numbers,
     /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
     NumbersAndMoments,
+    /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
+    NumbersUnlessNarrower,
 }
 
 /// The treatment of `.%Xn` and its kin.
@@ -117,6 +119,8 @@ impl Dialect {
             BuiltIn::Plcnext => Dialect::plcnext(),
             BuiltIn::Strucpp => Dialect::strucpp(),
             BuiltIn::Rusty => Dialect::rusty(),
+            BuiltIn::Codesys => Dialect::codesys(),
+            BuiltIn::Twincat => Dialect::twincat(),
         };
         match name.definition() {
             None => base,
@@ -302,6 +306,31 @@ impl Dialect {
         }
     }
 
+    /// CODESYS 3.5.21 with a 64-bit target, as it was recorded: an integer or bit string stands for each that is not narrower, and a real
+    /// becomes the nearest integer.
+    ///
+    /// Basis: codesys-recording; codesys-implicit; what they leave open is accepted.
+    #[must_use]
+    pub const fn codesys() -> Dialect {
+        Dialect {
+            name: DialectName::Codesys,
+            widening: Widening::NumbersUnlessNarrower,
+            conversions: COMMON_CHOICES.with_rounding(Rounding::HalfAwayFromZero),
+            ..Dialect::plcnext()
+        }
+    }
+
+    /// TwinCAT 3, which compiles as CODESYS does.
+    ///
+    /// Basis: codesys-implicit; what it leaves open is accepted.
+    #[must_use]
+    pub const fn twincat() -> Dialect {
+        Dialect {
+            name: DialectName::Twincat,
+            ..Dialect::codesys()
+        }
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -326,7 +355,7 @@ mod tests {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
         assert_eq!(
             DialectName::ALL.map(has),
-            [false, true, true, false, true, true, true]
+            [false, true, true, false, true, true, true, true, true]
         );
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
     }

@@ -317,7 +317,7 @@ mod tests {
     #[test]
     fn mistakes_have_their_line_and_the_rest_is_used() {
         let (dialects, mistakes) = Dialects::read(
-            "[groups]\nsome = [\"matiec\",\n\"matieck\"]\n[dialect.codesys]\ntitle=''\ndescription=''\n\
+            "[groups]\nsome = [\"matiec\",\n\"matieck\"]\n[dialect.codesis]\ntitle=''\ndescription=''\n\
              [dialect.matiec]\ntitle=''\ndescription=''\nextends='nowhere'",
         );
         assert_eq!(

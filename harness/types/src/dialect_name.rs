@@ -7,47 +7,78 @@ use std::hash::{Hash, Hasher};
 use std::str::FromStr;
 use std::sync::{PoisonError, RwLock};
 
-/// A named set of language rules: those of one documented system, or of a user-defined dialect that overrides some rules of
-/// another.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum DialectName {
-    /// IronPLC as documented, with the second edition of the standard.
-    IronplcEd2,
-    /// IronPLC as documented, with the third edition of the standard.
-    IronplcEd3,
-    /// IronPLC as documented, with the extensions that follow RuSTy.
-    IronplcRusty,
-    /// matiec, as the page on its conversion functions documents it.
-    Matiec,
-    /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
-    Plcnext,
-    /// STruC++, as its documentation and the tests in its repository document it.
-    Strucpp,
-    /// RuSTy, as its book and the tests in its repository document it.
-    Rusty,
-    /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition does
-    /// not state otherwise.
-    Defined(DefinedDialect),
+/// Declares the dialects of documented systems, and the name of each.
+macro_rules! built_in {
+    ($($(#[$said:meta])* $dialect:ident = $text:literal,)*) => {
+        /// A named set of language rules: those of one documented system, or of a user-defined dialect that overrides some
+        /// rules of another.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum DialectName {
+            $($(#[$said])* $dialect,)*
+            /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition
+            /// does not state otherwise.
+            Defined(DefinedDialect),
+        }
+
+        /// A dialect of a documented system, which every user-defined dialect extends. Rules that a definition cannot override
+        /// depend on it alone.
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum BuiltIn {
+            $($(#[$said])* $dialect,)*
+        }
+
+        impl DialectName {
+            /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
+            /// dialects ([`DialectName::defined`]) are not included.
+            pub const ALL: [DialectName; [$(BuiltIn::$dialect),*].len()] = [$(DialectName::$dialect),*];
+
+            /// Returns the name of the dialect, such as `ironplc-ed2`.
+            pub const fn as_str(self) -> &'static str {
+                match self {
+                    $(DialectName::$dialect => $text,)*
+                    DialectName::Defined(defined) => defined.definition.name.as_str(),
+                }
+            }
+
+            /// Returns the dialect of a documented system that this one is, or that it finally extends.
+            pub const fn base(self) -> BuiltIn {
+                match self {
+                    $(DialectName::$dialect => BuiltIn::$dialect,)*
+                    DialectName::Defined(defined) => defined.definition.base,
+                }
+            }
+        }
+
+        impl BuiltIn {
+            /// Returns the name of the dialect.
+            pub const fn name(self) -> DialectName {
+                match self {
+                    $(BuiltIn::$dialect => DialectName::$dialect,)*
+                }
+            }
+        }
+    };
 }
 
-/// A dialect of a documented system, which every user-defined dialect extends. Rules that a definition cannot override
-/// depend on it alone.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum BuiltIn {
-    /// [`DialectName::IronplcEd2`].
-    IronplcEd2,
-    /// [`DialectName::IronplcEd3`].
-    IronplcEd3,
-    /// [`DialectName::IronplcRusty`].
-    IronplcRusty,
-    /// [`DialectName::Matiec`].
-    Matiec,
-    /// [`DialectName::Plcnext`].
-    Plcnext,
-    /// [`DialectName::Strucpp`].
-    Strucpp,
-    /// [`DialectName::Rusty`].
-    Rusty,
+built_in! {
+    /// IronPLC as documented, with the second edition of the standard.
+    IronplcEd2 = "ironplc-ed2",
+    /// IronPLC as documented, with the third edition of the standard.
+    IronplcEd3 = "ironplc-ed3",
+    /// IronPLC as documented, with the extensions that follow RuSTy.
+    IronplcRusty = "ironplc-rusty",
+    /// matiec, as the page on its conversion functions documents it.
+    Matiec = "matiec",
+    /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
+    Plcnext = "plcnext",
+    /// STruC++, as its documentation and the tests in its repository document it.
+    Strucpp = "strucpp",
+    /// RuSTy, as its book and the tests in its repository document it.
+    Rusty = "rusty",
+    /// CODESYS 3.5.21 with a 64-bit target, as it was recorded.
+    Codesys = "codesys",
+    /// TwinCAT 3, as its builds were recorded.
+    Twincat = "twincat",
 }
 
 /// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
@@ -62,46 +93,6 @@ pub struct DefinedDialect {
 static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
 
 impl DialectName {
-    /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
-    /// dialects ([`DialectName::defined`]) are not included.
-    pub const ALL: [DialectName; 7] = [
-        DialectName::IronplcEd2,
-        DialectName::IronplcEd3,
-        DialectName::IronplcRusty,
-        DialectName::Matiec,
-        DialectName::Plcnext,
-        DialectName::Strucpp,
-        DialectName::Rusty,
-    ];
-
-    /// Returns the name of the dialect, such as `ironplc-ed2`.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            DialectName::IronplcEd2 => "ironplc-ed2",
-            DialectName::IronplcEd3 => "ironplc-ed3",
-            DialectName::IronplcRusty => "ironplc-rusty",
-            DialectName::Matiec => "matiec",
-            DialectName::Plcnext => "plcnext",
-            DialectName::Strucpp => "strucpp",
-            DialectName::Rusty => "rusty",
-            DialectName::Defined(defined) => defined.definition.name.as_str(),
-        }
-    }
-
-    /// Returns the dialect of a documented system that this one is, or that it finally extends.
-    pub const fn base(self) -> BuiltIn {
-        match self {
-            DialectName::IronplcEd2 => BuiltIn::IronplcEd2,
-            DialectName::IronplcEd3 => BuiltIn::IronplcEd3,
-            DialectName::IronplcRusty => BuiltIn::IronplcRusty,
-            DialectName::Matiec => BuiltIn::Matiec,
-            DialectName::Plcnext => BuiltIn::Plcnext,
-            DialectName::Strucpp => BuiltIn::Strucpp,
-            DialectName::Rusty => BuiltIn::Rusty,
-            DialectName::Defined(defined) => defined.definition.base,
-        }
-    }
-
     /// Returns the definition of a user-defined dialect; `None` for a dialect of a documented system.
     pub const fn definition(self) -> Option<&'static Definition> {
         match self {
@@ -152,21 +143,6 @@ impl DialectName {
     pub fn defined() -> Vec<DialectName> {
         let defined = DEFINED.read().unwrap_or_else(PoisonError::into_inner);
         defined.iter().copied().map(DialectName::Defined).collect()
-    }
-}
-
-impl BuiltIn {
-    /// Returns the name of the dialect.
-    pub const fn name(self) -> DialectName {
-        match self {
-            BuiltIn::IronplcEd2 => DialectName::IronplcEd2,
-            BuiltIn::IronplcEd3 => DialectName::IronplcEd3,
-            BuiltIn::IronplcRusty => DialectName::IronplcRusty,
-            BuiltIn::Matiec => DialectName::Matiec,
-            BuiltIn::Plcnext => DialectName::Plcnext,
-            BuiltIn::Strucpp => DialectName::Strucpp,
-            BuiltIn::Rusty => DialectName::Rusty,
-        }
     }
 }
 
@@ -257,8 +233,8 @@ mod tests {
 
     #[test]
     fn the_error_for_an_unknown_name_lists_every_dialect() {
-        let message = "codesys".parse::<DialectName>().unwrap_err().to_string();
-        assert!(message.contains("`codesys`"), "{message}");
+        let message = "codesis".parse::<DialectName>().unwrap_err().to_string();
+        assert!(message.contains("`codesis`"), "{message}");
         for dialect in DialectName::ALL {
             assert!(
                 message.contains(&format!("`{dialect}`")),

@@ -251,7 +251,11 @@ fn every_command_knows_the_dialect() {
     );
     shows(&with(&["sweep", "SINT_TO_INT"]), 0, "mine");
     shows(&with(&["matrix"]), 0, "0 differ");
-    shows(&["engines", "reference"], 0, "plcnext, strucpp, rusty, mine");
+    shows(
+        &["engines", "reference"],
+        0,
+        "plcnext, strucpp, rusty, codesys, twincat, mine",
+    );
     shows(
         &["show", "widening/integer::assignment(SINT,INT)@mine"],
         0,

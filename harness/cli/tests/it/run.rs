@@ -334,7 +334,7 @@ fn a_run_in_a_dialect_that_the_engine_does_not_speak_says_what_it_speaks() {
             "ironplc-ed2",
             "speaks none of ironplc-ed2; it says that it speaks: matiec",
         ),
-        ("far.sh", "matiec", "it says that it speaks: codesys"),
+        ("far.sh", "matiec", "it says that it speaks: melsec"),
     ] {
         let engine = format!("cmd:sh '{scripts}/{script}'");
         let arguments = ["run", "--cases", SUITE, "--dialect", dialect, "--engine", &engine];

@@ -232,9 +232,9 @@ fn an_error_repeats_the_id_and_names_what_is_wrong() {
     );
     told(r#"{"id":7}"#, Some(7), "missing field `type`");
     told(
-        r#"{"type":"check","id":8,"dialect":"codesys","source":""}"#,
+        r#"{"type":"check","id":8,"dialect":"melsec","source":""}"#,
         Some(8),
-        "unknown dialect `codesys`",
+        "unknown dialect `melsec`",
     );
     told(
         r#"{"type":"check","id":9,"dialect":"matiec","source":5}"#,

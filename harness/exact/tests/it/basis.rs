@@ -245,7 +245,12 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         "nan",
         "99999999999999999999",
     ];
-    for dialect in DialectName::ALL {
+    // Of the recorded systems single values are known, which stand in tables.
+    let is_recorded = |dialect: &DialectName| matches!(dialect, DialectName::Codesys | DialectName::Twincat);
+    for dialect in DialectName::ALL
+        .into_iter()
+        .filter(|dialect| !is_recorded(dialect))
+    {
         let own = choices_of(dialect);
         let other = ConversionChoices {
             text_reading: TextReading::LeadingNumber,

@@ -39,6 +39,8 @@ fn each_dialect_has_as_many_functions_as_can_be_counted() {
             second + 1,
             third + 7,
             third + 7,
+            third + 7,
+            third + 7,
             third + 7
         ]
     );

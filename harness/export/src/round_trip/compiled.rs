@@ -20,6 +20,7 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
     let cases = cases(&[
         "widening/integer.toml",
         "widening/contexts.toml",
+        "widening/codesys.toml",
         "bit-access/outside-short.toml",
         "language/literals-outside.toml",
     ]);

@@ -4,7 +4,7 @@
 use super::literals;
 use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_third_edition};
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
@@ -41,19 +41,13 @@ pub(super) struct DialectProfile {
     offers: Vec<Vec<ConversionOffer>>,
 }
 
-static PROFILES: [LazyLock<DialectProfile>; DialectName::ALL.len()] = [
-    LazyLock::new(|| DialectProfile::build(DialectName::IronplcEd2)),
-    LazyLock::new(|| DialectProfile::build(DialectName::IronplcEd3)),
-    LazyLock::new(|| DialectProfile::build(DialectName::IronplcRusty)),
-    LazyLock::new(|| DialectProfile::build(DialectName::Matiec)),
-    LazyLock::new(|| DialectProfile::build(DialectName::Plcnext)),
-    LazyLock::new(|| DialectProfile::build(DialectName::Strucpp)),
-    LazyLock::new(|| DialectProfile::build(DialectName::Rusty)),
-];
+static PROFILES: [OnceLock<DialectProfile>; DialectName::ALL.len()] =
+    [const { OnceLock::new() }; DialectName::ALL.len()];
 
 impl DialectProfile {
     pub fn of(dialect: DialectName) -> &'static DialectProfile {
-        &PROFILES[dialect.base() as usize]
+        let base = dialect.base();
+        PROFILES[base as usize].get_or_init(|| DialectProfile::build(base.name()))
     }
 
     /// Returns the types that convert implicitly to `into`.
@@ -76,7 +70,8 @@ impl DialectProfile {
 
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
     pub fn has_bits(&self, open: bool) -> bool {
-        has_bits(self.dialect) || open && matches!(self.dialect, DialectName::Plcnext | DialectName::Strucpp)
+        let is_open = !matches!(self.dialect.base(), BuiltIn::Matiec);
+        has_bits(self.dialect) || open && is_open
     }
 
     /// Returns whether a call of a function may omit inputs, which then have their initial values.
@@ -89,7 +84,9 @@ impl DialectProfile {
             | BuiltIn::IronplcEd3
             | BuiltIn::IronplcRusty
             | BuiltIn::Strucpp
-            | BuiltIn::Rusty => open,
+            | BuiltIn::Rusty
+            | BuiltIn::Codesys
+            | BuiltIn::Twincat => open,
             BuiltIn::Matiec | BuiltIn::Plcnext => true,
         }
     }
@@ -109,7 +106,14 @@ impl DialectProfile {
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match (context, self.dialect) {
                 (TypeContext::Exact, _)
-                | (_, DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty) => false,
+                | (
+                    _,
+                    DialectName::Plcnext
+                    | DialectName::Strucpp
+                    | DialectName::Rusty
+                    | DialectName::Codesys
+                    | DialectName::Twincat,
+                ) => false,
                 (TypeContext::Initial | TypeContext::Operand, _) => true,
                 (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
                 _ => false,

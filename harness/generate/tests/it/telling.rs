@@ -13,7 +13,7 @@ use stickler_generate::random::bytes;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The number of programs: a campaign makes as many in some seconds.
-const PROGRAMS: u64 = 6000;
+const PROGRAMS: u64 = 9000;
 
 /// The number of programs that must show a mistake for it to count as found.
 const MIN_FOUND: usize = 6;

@@ -23,6 +23,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
             Widening::Plcnext => plcnext(from, to),
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
+            Widening::NumbersUnlessNarrower => numbers_unless_narrower(from, to),
         },
     };
     if !widens {
@@ -89,6 +90,18 @@ fn numbers(from: ElementaryType, to: ElementaryType) -> bool {
     let has_number = is_number(from) || from == ElementaryType::Bool;
     let is_truth_value = from.is_bit_string() && to == ElementaryType::Bool;
     (has_number && is_number(to)) || is_truth_value || short_or_long_form(from, to)
+}
+
+/// Every integer and bit string into those with as many bits or more, and every number and bit string into REAL and LREAL; what concerns a type that was not
+/// measured is open.
+///
+/// Basis: codesys-implicit.
+fn numbers_unless_narrower(from: ElementaryType, to: ElementaryType) -> bool {
+    use ElementaryType::{Bool, Time};
+    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    let fits = is_whole(from) && is_whole(to) && from.bits() <= to.bits();
+    let is_open = short_or_long_form(from, to) && from != Time && to != Time;
+    fits || (from != Bool && numbers(from, to) && to.is_real()) || is_open
 }
 
 /// Every duration, date and time of day into every other and into every number and bit string, and these into it.

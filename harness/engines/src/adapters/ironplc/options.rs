@@ -54,7 +54,7 @@ pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome
         BuiltIn::IronplcEd2 => (PLAIN, &[]),
         BuiltIn::IronplcEd3 => ("iec61131-3-ed3", &EDITION_3),
         BuiltIn::IronplcRusty => ("rusty", &RUSTY),
-        BuiltIn::Matiec | BuiltIn::Plcnext | BuiltIn::Strucpp | BuiltIn::Rusty => {
+        _ => {
             return Err(Outcome::Unsupported {
                 reason: format!("it does not speak {dialect}"),
             });

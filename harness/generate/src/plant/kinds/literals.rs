@@ -73,7 +73,11 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
     if matches!(
         original.dialect,
-        DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty
+        DialectName::Plcnext
+            | DialectName::Strucpp
+            | DialectName::Rusty
+            | DialectName::Codesys
+            | DialectName::Twincat
     ) {
         return None;
     }
