@@ -115,7 +115,10 @@ fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices
             return moment::has_real_units(to, calendar).then_some(BulkRule::RealUnits(calendar));
         }
         Family::BitString if choices.bits_as_real == BitsAsReal::Copy && to.bits() == 32 => BulkRule::Copied,
-        _ => BulkRule::Integral(operation.rounding(choices), choices.out_of_range),
+        _ => {
+            let choices = operation.choices(choices);
+            BulkRule::Integral(choices.rounding, choices.out_of_range)
+        }
     })
 }
 

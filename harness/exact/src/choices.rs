@@ -25,6 +25,7 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
     let ironplc = ConversionChoices {
         rounding: Rounding::Truncate,
         out_of_range: OutOfRange::Wrap,
+        truncation_out_of_range: OutOfRange::Wrap,
         text_reading: TextReading::WholeText,
         real_text: RealText::Shortest,
         bit_string_text: BitStringText::FullWidth,
@@ -51,6 +52,9 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
         },
         BuiltIn::Codesys | BuiltIn::Twincat => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
+            out_of_range: OutOfRange::Indefinite64,
+            truncation_out_of_range: OutOfRange::Indefinite32,
+            bit_string_text: BitStringText::Decimal,
             ..ironplc
         },
         BuiltIn::Strucpp => ConversionChoices {

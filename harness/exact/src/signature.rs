@@ -51,17 +51,16 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Returns how the operation rounds a real number to an integer: in its own way, or as the choices say.
+    /// Returns the choices by which the operation converts: those of the dialect, but for the rounding and the range of a
+    /// function that has its own.
     #[must_use]
-    pub(crate) const fn rounding(self, choices: &ConversionChoices) -> Rounding {
+    pub(crate) const fn choices(self, choices: &ConversionChoices) -> ConversionChoices {
         match self {
-            Operation::Convert => choices.rounding,
-            Operation::Round => Rounding::HalfToEven,
-            Operation::Ceiling => Rounding::Up,
-            Operation::Floor => Rounding::Down,
-            Operation::Truncate | Operation::FromBcd | Operation::ToBcd | Operation::Concatenate => {
-                Rounding::Truncate
-            }
+            Operation::Convert | Operation::FromBcd | Operation::ToBcd | Operation::Concatenate => *choices,
+            Operation::Round => choices.with_rounding(Rounding::HalfToEven),
+            Operation::Ceiling => choices.with_rounding(Rounding::Up),
+            Operation::Floor => choices.with_rounding(Rounding::Down),
+            Operation::Truncate => choices.of_truncation(),
         }
     }
 }

@@ -50,10 +50,7 @@ fn plain(
         Operation::FromBcd => integer::wrapped(bcd::number(raw, from), to),
         Operation::ToBcd => bcd::encoded(raw, from, to),
         Operation::Concatenate => return None,
-        operation => {
-            let rounding = operation.rounding(choices);
-            convert(raw, from, to, &choices.with_rounding(rounding))?
-        }
+        operation => convert(raw, from, to, &operation.choices(choices))?,
     };
     Some(Value::plain(to, result))
 }
@@ -129,7 +126,7 @@ fn from_real(
     out_of_range: OutOfRange,
 ) -> u64 {
     let whole = match real::decode(raw, from) {
-        Real::NotANumber => return 0,
+        Real::NotANumber => return not_a_number(to, out_of_range),
         Real::Infinite { negative } => Whole::Huge { negative },
         Real::Finite {
             negative,
@@ -145,5 +142,37 @@ fn from_real(
         (Whole::Huge { negative }, OutOfRange::Saturate) => {
             integer::saturated(if negative { i128::MIN } else { i128::MAX }, to)
         }
+        (whole, OutOfRange::Indefinite64) => integer::wrapped(of_64_bits(whole, to), to),
+        (Whole::Number(number), OutOfRange::Indefinite32) if integer::holds(ElementaryType::Dint, number) => {
+            integer::wrapped(number, to)
+        }
+        (_, OutOfRange::Indefinite32) => not_a_number(to, out_of_range),
+    }
+}
+
+/// Returns the result for a NaN: 0, or the number that a processor gives for want of another.
+fn not_a_number(to: ElementaryType, out_of_range: OutOfRange) -> u64 {
+    match out_of_range {
+        OutOfRange::Wrap | OutOfRange::Saturate => 0,
+        OutOfRange::Indefinite64 => integer::wrapped(-(1 << 63), to),
+        OutOfRange::Indefinite32 => integer::wrapped(-(1 << 31), to),
+    }
+}
+
+/// Returns the number as 64 bits hold it, and a negative number for a target of at most 32 bits as 32 bits hold it; the least
+/// number of so many bits where they do not.
+fn of_64_bits(whole: Whole, to: ElementaryType) -> i128 {
+    let is_negative = match whole {
+        Whole::Number(number) => number < 0,
+        Whole::Huge { negative } => negative,
+    };
+    let holder = if is_negative && to.bits() <= 32 {
+        ElementaryType::Dint
+    } else {
+        ElementaryType::Lint
+    };
+    match whole {
+        Whole::Number(number) if integer::holds(holder, number) => number,
+        _ => -(1 << (holder.bits() - 1)),
     }
 }

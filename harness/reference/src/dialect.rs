@@ -56,6 +56,7 @@ pub struct Dialect {
 pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     rounding: Rounding::Truncate,
     out_of_range: OutOfRange::Wrap,
+    truncation_out_of_range: OutOfRange::Wrap,
     text_reading: TextReading::WholeText,
     real_text: RealText::Shortest,
     bit_string_text: BitStringText::FullWidth,
@@ -315,7 +316,13 @@ impl Dialect {
         Dialect {
             name: DialectName::Codesys,
             widening: Widening::NumbersUnlessNarrower,
-            conversions: COMMON_CHOICES.with_rounding(Rounding::HalfAwayFromZero),
+            conversions: ConversionChoices {
+                rounding: Rounding::HalfAwayFromZero,
+                out_of_range: OutOfRange::Indefinite64,
+                truncation_out_of_range: OutOfRange::Indefinite32,
+                bit_string_text: BitStringText::Decimal,
+                ..COMMON_CHOICES
+            },
             ..Dialect::plcnext()
         }
     }

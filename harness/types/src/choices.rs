@@ -52,13 +52,20 @@ impl Rounding {
 words! {
     /// The result for a real number that, once rounded, lies outside the integer or bit string that it is converted to.
     ///
-    /// The choice applies to every function from a real to an integer or bit string, including TRUNC and ROUND, and to
-    /// nothing else: conversions among integers, of texts, and of durations and dates always wrap.
+    /// The choice applies to functions from a real to an integer or bit string, and to nothing else: conversions among
+    /// integers, of texts, and of durations and dates always wrap.
     OutOfRange {
         /// The exact integer modulo 2^n of the target; NaN and the infinities give 0.
         Wrap = "wrap",
         /// The nearest limit of the target, for the infinities too; NaN gives 0.
         Saturate = "saturate",
+        /// The low bits of a 64-bit integer, which is -2^63 where the integer is none of 64 bits, and for NaN and the
+        /// infinities. A negative number first becomes at least -2^31 where the target has at most 32 bits: x86-64 converts it
+        /// to 32 bits.
+        Indefinite64 = "indefinite-64",
+        /// The low bits of a 32-bit integer, which is -2^31 where the integer is none of 32 bits, and for NaN and the
+        /// infinities.
+        Indefinite32 = "indefinite-32",
     }
 }
 
@@ -81,6 +88,8 @@ words! {
         FullWidth = "full-width",
         /// No leading zeros, and lower case: `16#ff`, `16#0`.
         Shortest = "shortest",
+        /// The number in decimal digits: `255`.
+        Decimal = "decimal",
     }
 }
 
@@ -135,8 +144,10 @@ pub enum RealText {
 pub struct ConversionChoices {
     /// The rounding of conversion functions from a real number to an integer, except TRUNC, ROUND and their variants.
     pub rounding: Rounding,
-    /// The result for a real number whose integer the target cannot hold.
+    /// The result of a conversion function for a real number whose integer the target cannot hold.
     pub out_of_range: OutOfRange,
+    /// The same result of TRUNC and its variants.
+    pub truncation_out_of_range: OutOfRange,
     /// The part of a text that must be a number.
     pub text_reading: TextReading,
     /// The digits in which REAL and LREAL are written as text.
@@ -158,6 +169,16 @@ impl ConversionChoices {
         ConversionChoices { rounding, ..self }
     }
 
+    /// Returns a copy with the rounding and the range of TRUNC.
+    #[must_use]
+    pub const fn of_truncation(self) -> ConversionChoices {
+        ConversionChoices {
+            rounding: Rounding::Truncate,
+            out_of_range: self.truncation_out_of_range,
+            ..self
+        }
+    }
+
     /// Returns a copy in which the choices that a definition states replace the present ones.
     #[must_use]
     pub fn overridden(self, definition: &Definition) -> ConversionChoices {
@@ -167,6 +188,7 @@ impl ConversionChoices {
         ConversionChoices {
             rounding: stated(&definition.rounding, self.rounding),
             out_of_range: stated(&definition.out_of_range, self.out_of_range),
+            truncation_out_of_range: stated(&definition.out_of_range, self.truncation_out_of_range),
             text_reading: stated(&definition.text_reading, self.text_reading),
             real_text: stated(&definition.real_text, self.real_text),
             bit_string_text: stated(&definition.bit_string_text, self.bit_string_text),

@@ -127,9 +127,21 @@ fn rounding(choices: &ConversionChoices, _: &Signature) -> String {
 }
 
 fn outside_of_reals(choices: &ConversionChoices, signature: &Signature) -> String {
+    let choices = match signature.operation {
+        Operation::Truncate => choices.of_truncation(),
+        _ => *choices,
+    };
     match choices.out_of_range {
-        OutOfRange::Wrap => format!("{}; NaN and the infinities give 0", modulo(choices, signature)),
+        OutOfRange::Wrap => format!("{}; NaN and the infinities give 0", modulo(&choices, signature)),
         OutOfRange::Saturate => "the nearest limit, for the infinities too; NaN gives 0".to_owned(),
+        OutOfRange::Indefinite64 if signature.result.bits() <= 32 => {
+            format!(
+                "{}, but not below -2^31; 0 beyond 64 bits and for NaN",
+                modulo(&choices, signature)
+            )
+        }
+        OutOfRange::Indefinite64 => "-2^63, for NaN and the infinities too".to_owned(),
+        OutOfRange::Indefinite32 => "the low bits of -2^31, for NaN and the infinities too".to_owned(),
     }
 }
 
@@ -156,6 +168,7 @@ fn spelling(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.bit_string_text {
         BitStringText::FullWidth => "all digits in upper case, as in 16#00FF",
         BitStringText::Shortest => "no zeros in front, in lower case, as in 16#ff",
+        BitStringText::Decimal => "the number in decimal digits, as in 255",
     }
     .to_owned()
 }

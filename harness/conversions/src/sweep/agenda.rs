@@ -130,7 +130,11 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
     let (real, text) = (has(|ty| ty.is_real()), has(|ty| ty.is_text()));
     let mut kept = choices_of(DialectName::ALL[0]);
     if real && (signature.result.is_integer() || signature.result.is_bit_string()) {
-        (kept.rounding, kept.out_of_range) = (choices.rounding, choices.out_of_range);
+        kept.rounding = choices.rounding;
+        match signature.operation {
+            Operation::Truncate => kept.truncation_out_of_range = choices.truncation_out_of_range,
+            _ => kept.out_of_range = choices.out_of_range,
+        }
     }
     if text {
         kept.text_reading = choices.text_reading;

@@ -135,18 +135,21 @@ impl StatedKey {
             ]
             .map(|rounding| ConversionChoices { rounding, ..choices })
             .to_vec(),
-            StatedKey::OutOfRange => [OutOfRange::Wrap, OutOfRange::Saturate]
-                .map(|out_of_range| ConversionChoices {
+            StatedKey::OutOfRange => OutOfRange::ALL
+                .iter()
+                .map(|&out_of_range| ConversionChoices {
                     out_of_range,
+                    truncation_out_of_range: out_of_range,
                     ..choices
                 })
-                .to_vec(),
-            StatedKey::TextReading => [TextReading::WholeText, TextReading::LeadingNumber]
-                .map(|text_reading| ConversionChoices {
+                .collect(),
+            StatedKey::TextReading => TextReading::ALL
+                .iter()
+                .map(|&text_reading| ConversionChoices {
                     text_reading,
                     ..choices
                 })
-                .to_vec(),
+                .collect(),
             StatedKey::RealText => [
                 RealText::Shortest,
                 RealText::SignificantDigits(1),
@@ -155,12 +158,13 @@ impl StatedKey {
             ]
             .map(|real_text| ConversionChoices { real_text, ..choices })
             .to_vec(),
-            StatedKey::BitStringText => [BitStringText::FullWidth, BitStringText::Shortest]
-                .map(|bit_string_text| ConversionChoices {
+            StatedKey::BitStringText => BitStringText::ALL
+                .iter()
+                .map(|&bit_string_text| ConversionChoices {
                     bit_string_text,
                     ..choices
                 })
-                .to_vec(),
+                .collect(),
         };
         all.into_iter().filter(|other| *other != choices).collect()
     }

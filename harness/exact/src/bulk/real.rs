@@ -222,6 +222,8 @@ pub fn integral(
             match (out_of_range, rounding) {
                 $((OutOfRange::Wrap, Rounding::$rounding) => wrapped(operands, results, to, Rounding::$rounding),)*
                 (OutOfRange::Saturate, _) => saturated(operands, results, to, rounding),
+                (OutOfRange::Indefinite64, _) => indefinite(operands, results, to, rounding, 64),
+                (OutOfRange::Indefinite32, _) => indefinite(operands, results, to, rounding, 32),
             }
         };
     }
@@ -246,20 +248,39 @@ fn wrapped(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: 
 fn saturated(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding) {
     let (least, greatest) = to.integer_range().unwrap_or((0, 0));
     each(operands, results, |operand| {
-        let parts = Parts::of(operand);
-        let number = match (parts.finite, parts.significand) {
-            // From 2^88 on the number itself is not needed, nor where it is infinite.
-            (true, _) if parts.exponent < 64 => i128::from(parts.significand) << parts.exponent.max(0),
-            (true, _) | (false, 0) => i128::MAX,
-            (false, _) => 0,
-        };
-        let magnitude = if parts.finite && parts.exponent < 0 {
-            parts.magnitude(1, rounding).into()
-        } else {
-            number
-        };
-        let number = if parts.negative { -magnitude } else { magnitude };
+        let number = number(Parts::of(operand), rounding).unwrap_or(0);
         // The low bits are the raw form of a number in the range, sign and all.
         number.clamp(least, greatest) as u64
     });
+}
+
+/// Converts REAL to the low bits of an integer of so many bits, which is the least one where those do not hold the number; a negative
+/// number has at most 32 on its way to a target that has no more.
+fn indefinite(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding, bits: u32) {
+    let narrow = Narrow::to(to);
+    each(operands, results, |operand| {
+        let parts = Parts::of(operand);
+        let number = number(parts, rounding);
+        let is_below_zero = number.is_some_and(|number| number < 0);
+        let bits = if is_below_zero && to.bits() <= 32 {
+            32
+        } else {
+            bits
+        };
+        let least = -(1_i128 << (bits - 1));
+        let held = number.filter(|number| (least..-least).contains(number));
+        narrow.of(held.unwrap_or(least) as u64)
+    });
+}
+
+/// Returns the number rounded to an integer, or one beyond all integers for an infinity and from 2^88 on; `None` for a NaN.
+#[inline(always)]
+fn number(parts: Parts, rounding: Rounding) -> Option<i128> {
+    let magnitude = match (parts.finite, parts.significand) {
+        (true, _) if parts.exponent < 0 => parts.magnitude(1, rounding).into(),
+        (true, significand) if parts.exponent < 64 => i128::from(significand) << parts.exponent,
+        (true, _) | (false, 0) => i128::MAX,
+        (false, _) => return None,
+    };
+    Some(if parts.negative { -magnitude } else { magnitude })
 }

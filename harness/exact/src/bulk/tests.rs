@@ -25,14 +25,17 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
     [Truncate, HalfToEven, HalfAwayFromZero]
         .into_iter()
         .flat_map(|rounding| {
-            [OutOfRange::Wrap, OutOfRange::Saturate].map(|out_of_range| (rounding, out_of_range))
+            OutOfRange::ALL
+                .iter()
+                .map(move |out_of_range| (rounding, *out_of_range))
         })
         .map(|(rounding, out_of_range)| ConversionChoices {
             rounding,
             out_of_range,
+            truncation_out_of_range: out_of_range,
             ..choices_of(DialectName::Matiec)
         })
-        .chain([DialectName::Rusty, DialectName::Strucpp].map(choices_of))
+        .chain([DialectName::Rusty, DialectName::Strucpp, DialectName::Codesys].map(choices_of))
 }
 
 /// Returns whether the operand is a REAL number of days.

@@ -41,6 +41,7 @@ fn bit_string(raw: u64, from: ElementaryType, form: BitStringText) -> String {
     match form {
         BitStringText::FullWidth => format!("16#{raw:0width$X}", width = from.bits() as usize / 4),
         BitStringText::Shortest => format!("16#{raw:x}"),
+        BitStringText::Decimal => raw.to_string(),
     }
 }
 

@@ -252,19 +252,20 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         .filter(|dialect| !is_recorded(dialect))
     {
         let own = choices_of(dialect);
+        // matiec documents what lies outside.
+        let out_of_range = match dialect {
+            DialectName::Matiec => own.out_of_range,
+            _ => OutOfRange::Saturate,
+        };
         let other = ConversionChoices {
             text_reading: TextReading::LeadingNumber,
             real_text: RealText::SignificantDigits(3),
             bit_string_text: match own.bit_string_text {
                 BitStringText::FullWidth => BitStringText::Shortest,
-                BitStringText::Shortest => BitStringText::FullWidth,
+                BitStringText::Shortest | BitStringText::Decimal => BitStringText::FullWidth,
             },
-            // matiec documents both of these, IronPLC the first, and PLCnext neither.
-            out_of_range: if dialect == DialectName::Matiec {
-                own.out_of_range
-            } else {
-                OutOfRange::Saturate
-            },
+            out_of_range,
+            truncation_out_of_range: out_of_range,
             rounding: if dialect == DialectName::Plcnext {
                 Rounding::HalfAwayFromZero
             } else {

@@ -265,7 +265,7 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
     (takes_real && to.is_integer()).then_some(ConversionFunction {
         parameter,
         result: ResultType::Exactly(to),
-        meaning: RuleLookup::Pair(dialect.conversions.with_rounding(Rounding::Truncate)),
+        meaning: RuleLookup::Pair(dialect.conversions.of_truncation()),
     })
 }
 

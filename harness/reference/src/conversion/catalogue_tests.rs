@@ -218,6 +218,7 @@ fn each_choice_of_rounding_reaches_the_functions_that_it_is_for() {
 fn each_choice_for_what_lies_outside_reaches_the_functions_from_reals() {
     let saturating = chosen(ConversionChoices {
         out_of_range: OutOfRange::Saturate,
+        truncation_out_of_range: OutOfRange::Saturate,
         ..COMMON_CHOICES
     });
     for (name, value, wrapped, nearest) in [

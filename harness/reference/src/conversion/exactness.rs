@@ -250,8 +250,8 @@ fn many_values_are_converted_as_each_one_is() {
         Rounding::Down,
     ];
     let choices = roundings.into_iter().flat_map(|rounding| {
-        [OutOfRange::Wrap, OutOfRange::Saturate].map(|out_of_range| ConversionChoices {
-            out_of_range,
+        OutOfRange::ALL.iter().map(move |out_of_range| ConversionChoices {
+            out_of_range: *out_of_range,
             ..COMMON_CHOICES.with_rounding(rounding)
         })
     });

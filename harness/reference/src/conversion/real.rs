@@ -122,6 +122,36 @@ pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 
     nearest as u64
 }
 
+/// The number rounded to an integer of 64 bits, as [`stickler_types::OutOfRange::Indefinite64`] describes it; the low bits are
+/// those of the target.
+#[inline]
+#[must_use]
+pub fn to_integer_of_64_bits(value: f64, rounding: Rounding, to: ElementaryType) -> u64 {
+    let integer = checked(value, rounding).unwrap_or(i64::MIN);
+    let held = if value < 0.0 && to.bits() <= 32 {
+        integer.max(i32::MIN.into())
+    } else {
+        integer
+    };
+    held.cast_unsigned()
+}
+
+/// The number rounded to an integer of 32 bits, as [`stickler_types::OutOfRange::Indefinite32`] describes it.
+#[inline]
+#[must_use]
+pub fn to_integer_of_32_bits(value: f64, rounding: Rounding) -> u64 {
+    let integer = checked(value, rounding).filter(|integer| i32::try_from(*integer).is_ok());
+    integer.unwrap_or(i32::MIN.into()).cast_unsigned()
+}
+
+/// The number rounded to an integer; `None` where 64 bits do not hold it, and for a NaN.
+#[inline(always)]
+fn checked(value: f64, rounding: Rounding) -> Option<i64> {
+    const LIMIT: f64 = 9_223_372_036_854_775_808.0;
+    // Numbers next to the limits have no fraction.
+    (-LIMIT..LIMIT).contains(&value).then(|| rounded(value, rounding))
+}
+
 /// A number of 2^62 or more, which has no fraction, modulo 2^64. NaN and the infinities have the greatest
 /// exponent, at which no bits are left of any number.
 #[inline]

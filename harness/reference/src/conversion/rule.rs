@@ -165,6 +165,8 @@ macro_rules! one_loop_for_each_rule {
             FromReal(Rounding::HalfAwayFromZero, OutOfRange::Saturate),
             FromReal(Rounding::Up, OutOfRange::Saturate),
             FromReal(Rounding::Down, OutOfRange::Saturate),
+            FromReal(Rounding::HalfAwayFromZero, OutOfRange::Indefinite64),
+            FromReal(Rounding::Truncate, OutOfRange::Indefinite32),
             ToUnits(CalendarUnits::Seconds),
             ToUnits(CalendarUnits::DaysAndMilliseconds),
             FromUnits(CalendarUnits::Seconds),
@@ -221,6 +223,14 @@ impl Conversion {
             ),
             ConversionRule::FromReal(rounding, OutOfRange::Saturate) => {
                 real::to_nearest_of(real::decode(value, self.from), rounding, self.to)
+            }
+            ConversionRule::FromReal(rounding, OutOfRange::Indefinite64) => {
+                let value = real::decode(value, self.from);
+                raw::narrow(real::to_integer_of_64_bits(value, rounding, self.to), self.to)
+            }
+            ConversionRule::FromReal(rounding, OutOfRange::Indefinite32) => {
+                let value = real::decode(value, self.from);
+                raw::narrow(real::to_integer_of_32_bits(value, rounding), self.to)
             }
             ConversionRule::ToUnits(units) => raw::narrow(moment::to_units(value, self.from, units), self.to),
             ConversionRule::ToRealUnits(units) => moment::to_real_units(value, self.from, self.to, units),

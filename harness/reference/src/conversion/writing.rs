@@ -20,6 +20,7 @@ pub fn write(raw: u64, from: ElementaryType, reals: RealText, bits: BitStringTex
             rounded_digits(&mut text, real::decode(raw, from), digits)
         }
         (Family::BitString, _, BitStringText::Shortest) => fmt::write(&mut text, format_args!("16#{raw:x}")),
+        (Family::BitString, _, BitStringText::Decimal) => fmt::write(&mut text, format_args!("{raw}")),
         _ => literal(&mut text, raw, from),
     };
     debug_assert!(written.is_ok(), "a vector takes everything");

@@ -22,6 +22,26 @@ fn the_documents_own_examples() {
 }
 
 #[test]
+fn what_was_recorded_of_codesys() {
+    check(
+        DialectName::Codesys,
+        &[
+            ("LREAL_TO_DINT", "LREAL#3.0E9", "DINT#-1294967296"),
+            ("LREAL_TO_DINT", "LREAL#-3.0E9", "DINT#-2147483648"),
+            ("LREAL_TO_DINT", "LREAL#NaN", "DINT#0"),
+            ("LREAL_TO_DINT", "LREAL#-Infinity", "DINT#-2147483648"),
+            ("LREAL_TO_INT", "LREAL#-3.0E9", "INT#0"),
+            ("REAL_TO_SINT", "REAL#-508.0", "SINT#4"),
+            ("LREAL_TO_LINT", "LREAL#NaN", "LINT#-9223372036854775808"),
+            ("REAL_TO_ULINT", "REAL#Infinity", "ULINT#9223372036854775808"),
+            ("TRUNC", "LREAL#3.0E9", "DINT#-2147483648"),
+            ("TRUNC_INT", "LREAL#3.0E9", "INT#0"),
+            ("TRUNC_INT", "REAL#40000.5", "INT#-25536"),
+        ],
+    );
+}
+
+#[test]
 fn what_the_tests_of_rusty_expect() {
     check(
         DialectName::Rusty,
@@ -193,6 +213,7 @@ fn other_choices_round_away_and_saturate() {
     let choices = ConversionChoices {
         rounding: Rounding::HalfAwayFromZero,
         out_of_range: OutOfRange::Saturate,
+        truncation_out_of_range: OutOfRange::Saturate,
         ..choices_of(DialectName::Matiec)
     };
     check_by(
