@@ -13,7 +13,7 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
-use stickler_types::{BuiltIn, CalendarUnits, DialectName, ElementaryType, Family, Rounding, Value};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MomentUnits, Rounding, Value};
 use tested::{STRUCPP_TEXTS, STRUCPP_TIME, STRUCPP_TO_TIME};
 
 /// The expected result of a call, and the document that states it.
@@ -254,7 +254,7 @@ impl UnaryCall<'_> {
     /// Returns the milliseconds that TIME and a number have in common, if both hold them.
     fn whole_milliseconds(self, raw: u64) -> Option<i128> {
         // The unit of a duration is the same, whatever counts a date.
-        let calendar = CalendarUnits::Seconds;
+        let calendar = MomentUnits::Seconds;
         match (self.from.family(), self.to.family()) {
             (Family::Duration, Family::Signed | Family::Unsigned | Family::Real) => {
                 let units = moment::units(raw, self.from, calendar);

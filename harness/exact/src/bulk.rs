@@ -16,8 +16,7 @@ mod tests;
 use crate::{Operation, Signature};
 use real::RealResult;
 use stickler_types::{
-    BitStringAsBool, BitsAsReal, CalendarUnits, ConversionChoices, ElementaryType, Family, OutOfRange,
-    Rounding,
+    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange, Rounding,
 };
 
 /// One conversion, applied to many raw forms at a time.
@@ -48,9 +47,9 @@ enum BulkRule {
     /// A REAL, rounded to an integer.
     Integral(Rounding, OutOfRange),
     /// A number of units of time, as a duration, date or time of day.
-    Units(CalendarUnits),
+    Units(MomentUnits),
     /// A REAL number of units of time, as a duration, date or time of day.
-    RealUnits(CalendarUnits),
+    RealUnits(MomentUnits),
     /// The bits, unchanged.
     Copied,
     /// Binary-coded decimal digits, as the number that they spell.
@@ -61,7 +60,7 @@ enum BulkRule {
 
 impl Bulk {
     /// Returns the fast form of a function that has one: a function with a single operand of at most 32 bits, where neither
-    /// the operand nor the result is a text. A REAL number of days has none.
+    /// the operand nor the result is a text. A REAL number of days or counts has none.
     #[must_use]
     pub fn new(signature: &Signature, choices: &ConversionChoices) -> Option<Bulk> {
         let [from] = signature.operands[..] else {
@@ -96,8 +95,8 @@ impl Bulk {
             BulkRule::Integral(rounding, out_of_range) => {
                 real::integral(operands, results, to, rounding, out_of_range)
             }
-            BulkRule::Units(calendar) => moment::units(operands, results, to, calendar),
-            BulkRule::RealUnits(calendar) => moment::real_units(operands, results, to, calendar),
+            BulkRule::Units(units) => moment::units(operands, results, to, units),
+            BulkRule::RealUnits(units) => moment::real_units(operands, results, to, units),
             BulkRule::Copied => each(operands, results, |operand| operand),
             BulkRule::Digits => decimal::number(operands, results, to),
             BulkRule::Decimal => decimal::digits(operands, results, from, to),
@@ -106,13 +105,13 @@ impl Bulk {
 }
 
 fn of_real(to: ElementaryType, operation: Operation, choices: &ConversionChoices) -> Option<BulkRule> {
-    let calendar = choices.calendar_units;
+    let units = choices.moment_units;
     Some(match to.family() {
         Family::Boolean => BulkRule::RealTruth,
         Family::Real if to == ElementaryType::Real => BulkRule::Same,
         Family::Real => BulkRule::Lengthened,
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
-            return moment::has_real_units(to, calendar).then_some(BulkRule::RealUnits(calendar));
+            return moment::has_real_units(to, units).then_some(BulkRule::RealUnits(units));
         }
         Family::BitString if choices.bits_as_real == BitsAsReal::Copy && to.bits() == 32 => BulkRule::Copied,
         _ => {
@@ -138,7 +137,7 @@ fn of_number(from: ElementaryType, to: ElementaryType, choices: &ConversionChoic
         Family::Real if to == ElementaryType::Real => BulkRule::Nearest(RealResult::Single),
         Family::Real => BulkRule::Nearest(RealResult::Double),
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime => {
-            BulkRule::Units(choices.calendar_units)
+            BulkRule::Units(choices.moment_units)
         }
         Family::Character if from.is_character() && to == ElementaryType::Char => BulkRule::Replaced,
         _ => BulkRule::Modulo,

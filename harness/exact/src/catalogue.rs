@@ -3,12 +3,13 @@
 //! The catalogue is generated once for all dialects that have the same functions, from pairs of types and a few patterns of
 //! names, and looked up afterwards.
 
+use crate::choices::choices_of;
 use crate::pair;
 use crate::signature::{Operation, Signature};
 use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 use stickler_types::definition::Flag;
-use stickler_types::{BuiltIn, DialectName, ElementaryType};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, MomentUnits};
 
 /// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
 ///
@@ -77,12 +78,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [LazyLock<Catalogue>; 4] = [
-    LazyLock::new(|| Catalogue::written_out(Features::at(0))),
-    LazyLock::new(|| Catalogue::written_out(Features::at(1))),
-    LazyLock::new(|| Catalogue::written_out(Features::at(2))),
-    LazyLock::new(|| Catalogue::written_out(Features::at(3))),
-];
+static CATALOGUES: [OnceLock<Catalogue>; 8] = [const { OnceLock::new() }; 8];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -91,6 +87,8 @@ struct Features {
     third_edition: bool,
     /// Bit 1: ROUND and its kin.
     roundings: bool,
+    /// Bit 2: whether each type counts its own units.
+    moment_units: MomentUnits,
 }
 
 impl Features {
@@ -98,24 +96,21 @@ impl Features {
         Features {
             third_edition: has_third_edition(dialect),
             roundings: stated(dialect, Flag::RoundingFunctions).unwrap_or(dialect.base() != BuiltIn::Matiec),
-        }
-    }
-
-    const fn at(index: usize) -> Features {
-        Features {
-            third_edition: index & 1 != 0,
-            roundings: index & 2 != 0,
+            moment_units: choices_of(dialect).moment_units,
         }
     }
 
     fn index(self) -> usize {
-        usize::from(self.third_edition) | usize::from(self.roundings) << 1
+        usize::from(self.third_edition)
+            | usize::from(self.roundings) << 1
+            | usize::from(self.moment_units == MomentUnits::Counts) << 2
     }
 }
 
 impl Catalogue {
     fn of(dialect: DialectName) -> &'static Catalogue {
-        &CATALOGUES[Features::of(dialect).index()]
+        let features = Features::of(dialect);
+        CATALOGUES[features.index()].get_or_init(|| Catalogue::written_out(features))
     }
 
     fn written_out(features: Features) -> Catalogue {
@@ -127,7 +122,7 @@ impl Catalogue {
             .into_iter()
             .filter(|ty| features.third_edition || !ty.is_third_edition())
             .collect();
-        catalogue.add_pairs(&types);
+        catalogue.add_pairs(&types, features.moment_units);
         catalogue.add_truncations();
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
@@ -156,12 +151,12 @@ impl Catalogue {
     }
 
     /// Adds `<SRC>_TO_<DST>` and `TO_<DST>`.
-    fn add_pairs(&mut self, types: &[ElementaryType]) {
+    fn add_pairs(&mut self, types: &[ElementaryType], units: MomentUnits) {
         let pairs = || {
             let all = types
                 .iter()
                 .flat_map(|&from| types.iter().map(move |&to| (from, to)));
-            all.filter(|&(from, to)| pair::has_meaning(from, to))
+            all.filter(|&(from, to)| pair::has_meaning(from, to, units))
         };
         for (from, to) in pairs().filter(|(from, to)| from != to) {
             self.add(format!("{from}_TO_{to}"), from, to, Operation::Convert);

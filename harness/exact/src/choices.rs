@@ -1,7 +1,7 @@
 //! The choices of each dialect in the points in which systems convert differently.
 
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, CalendarUnits, ConversionChoices, DialectName,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, DialectName, MomentUnits,
     OutOfRange, RealText, Rounding, TextReading,
 };
 
@@ -31,7 +31,7 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
         bit_string_text: BitStringText::FullWidth,
         bits_as_real: BitsAsReal::Number,
         bit_string_as_bool: BitStringAsBool::AnyBit,
-        calendar_units: CalendarUnits::Seconds,
+        moment_units: MomentUnits::Seconds,
     };
     match base {
         BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => ironplc,
@@ -55,12 +55,13 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             out_of_range: OutOfRange::Indefinite64,
             truncation_out_of_range: OutOfRange::Indefinite32,
             bit_string_text: BitStringText::Decimal,
+            moment_units: MomentUnits::Counts,
             ..ironplc
         },
         BuiltIn::Strucpp => ConversionChoices {
             rounding: Rounding::HalfAwayFromZero,
             text_reading: TextReading::LeadingNumber,
-            calendar_units: CalendarUnits::DaysAndMilliseconds,
+            moment_units: MomentUnits::DaysAndMilliseconds,
             ..ironplc
         },
     }

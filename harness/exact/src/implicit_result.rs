@@ -2,10 +2,10 @@
 
 use crate::real;
 use crate::{integer, moment};
-use stickler_types::{CalendarUnits, ElementaryType, Value};
+use stickler_types::{ElementaryType, MomentUnits, Value};
 
 /// The unit of a TIME, which is the same whatever counts a date.
-const MILLISECONDS: CalendarUnits = CalendarUnits::Seconds;
+const MILLISECONDS: MomentUnits = MomentUnits::Seconds;
 
 /// The result of an implicit conversion, as far as it is known.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,32 +1,37 @@
 //! Conversions of durations, dates and times of day: to numbers, from numbers, and among each other.
 //!
-//! Numbers count a duration and a time of day in milliseconds; in what they count a date and a date and time since 1970-01-01
-//! is a choice.
+//! In what numbers count them is a choice.
 //!
 //! Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT` "returns ms", `DINT_TO_TIME` "interprets as ms");
-//! strucpp-tests: tests/st-validation/data_types/test_time_types.st (TIME, TOD and DT in ms, DATE in days); elsewhere no source
-//! says what the others count.
+//! strucpp-tests: tests/st-validation/data_types/test_time_types.st (TIME, TOD and DT in ms, DATE in days); codesys-recording:
+//! fixtures/conversions/explicit-pairs.ts; elsewhere no source says what the others count.
 
 use crate::quotient;
 use crate::real::{self, Real};
 use num_bigint::BigUint;
-use stickler_types::{CalendarUnits, ElementaryType, Family, Rounding};
+use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 
 /// The nanoseconds of a day.
 const DAY: i128 = 86_400_000_000_000;
 
 /// Returns the nanoseconds of the unit in which numbers count values of a type.
-const fn unit(ty: ElementaryType, calendar: CalendarUnits) -> u64 {
-    match ty.family() {
-        Family::Date => match calendar {
-            CalendarUnits::Seconds => 1_000_000_000,
-            CalendarUnits::DaysAndMilliseconds => 86_400_000_000_000,
-        },
-        Family::DateAndTime => match calendar {
-            CalendarUnits::Seconds => 1_000_000_000,
-            CalendarUnits::DaysAndMilliseconds => 1_000_000,
-        },
+const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
+    use ElementaryType::{Date, Dt, Ldate, Ldt, Ltime, Ltod};
+    match (units, ty) {
+        (MomentUnits::Counts, Ltime | Ltod | Ldate | Ldt) => 1,
+        (MomentUnits::DaysAndMilliseconds, Date | Ldate) => 86_400_000_000_000,
+        (MomentUnits::Seconds, Date | Ldate | Dt | Ldt) | (MomentUnits::Counts, Date | Dt) => 1_000_000_000,
         _ => 1_000_000,
+    }
+}
+
+/// Returns the number modulo 2^n as the integer that a type is, where each type counts its own units.
+const fn count(number: i128, ty: ElementaryType) -> i128 {
+    use ElementaryType::{Date, Dt, Ltime, Ltod, Time, Tod};
+    match ty {
+        Time | Tod | Date | Dt => number.rem_euclid(1 << 32),
+        Ltime | Ltod => number.rem_euclid(1 << 64),
+        _ => number as i64 as i128,
     }
 }
 
@@ -36,41 +41,61 @@ pub(crate) const fn nanoseconds(raw: u64) -> i128 {
 }
 
 /// Returns the number of whole units, without the fraction.
-pub(crate) fn units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> i128 {
-    nanoseconds(raw) / i128::from(unit(from, calendar))
+pub(crate) fn units(raw: u64, from: ElementaryType, units: MomentUnits) -> i128 {
+    let whole = nanoseconds(raw) / i128::from(unit(from, units));
+    match units {
+        MomentUnits::Counts => count(whole, from),
+        _ => whole,
+    }
 }
 
 /// Returns whether the raw form is a whole number of units.
-pub(crate) fn has_whole_units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> bool {
-    nanoseconds(raw) % i128::from(unit(from, calendar)) == 0
+pub(crate) fn has_whole_units(raw: u64, from: ElementaryType, units: MomentUnits) -> bool {
+    nanoseconds(raw) % i128::from(unit(from, units)) == 0
 }
 
 /// Returns the number of units, including the fraction, as REAL or LREAL.
-pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
+pub(crate) fn real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
+    if units == MomentUnits::Counts {
+        return real::from_integer(self::units(raw, from, units), to);
+    }
     let nanoseconds = nanoseconds(raw);
     let magnitude = BigUint::from(nanoseconds.unsigned_abs());
-    quotient::nearest(nanoseconds < 0, &magnitude, &unit(from, calendar).into(), to)
+    quotient::nearest(nanoseconds < 0, &magnitude, &unit(from, units).into(), to)
 }
 
 /// Returns the nanoseconds of a number of units.
-pub(crate) fn of_units(number: i128, to: ElementaryType, calendar: CalendarUnits) -> i128 {
+pub(crate) fn of_units(number: i128, to: ElementaryType, units: MomentUnits) -> i128 {
     // Less than 2^64 units of less than 2^47 nanoseconds.
-    number * i128::from(unit(to, calendar))
+    number * i128::from(unit(to, units))
 }
 
 /// Returns the raw form of a whole number of units, modulo 2^64 nanoseconds.
-pub(crate) fn from_units(number: i128, to: ElementaryType, calendar: CalendarUnits) -> u64 {
-    stored(wrapped(of_units(number, to, calendar)), to)
+pub(crate) fn from_units(number: i128, to: ElementaryType, units: MomentUnits) -> u64 {
+    match units {
+        // A time of day without a sign is one before it has the width of a moment.
+        MomentUnits::Counts if to.family() == Family::TimeOfDay => {
+            let time = of_units(count(number, to), to, units).rem_euclid(DAY);
+            wrapped(time).cast_unsigned()
+        }
+        MomentUnits::Counts => stored(wrapped(of_units(count(number, to), to, units)), to),
+        _ => stored(wrapped(of_units(number, to, units)), to),
+    }
+}
+
+/// Returns the integer type that a type is, where each counts its own units.
+pub(crate) const fn counter(ty: ElementaryType) -> ElementaryType {
+    use ElementaryType::{Date, Dt, Ltime, Ltod, Time, Tod};
+    match ty {
+        Time | Tod | Date | Dt => ElementaryType::Udint,
+        Ltime | Ltod => ElementaryType::Ulint,
+        _ => ElementaryType::Lint,
+    }
 }
 
 /// Returns the raw form of a real number of units, rounded to the nearest nanosecond, ties to even, modulo 2^64; NaN and
 /// the infinities give 0.
-pub(crate) fn from_real_units(
-    raw: u64,
-    from: ElementaryType,
-    to: ElementaryType,
-    calendar: CalendarUnits,
-) -> u64 {
+pub(crate) fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     let Real::Finite {
         negative,
         significand,
@@ -79,7 +104,7 @@ pub(crate) fn from_real_units(
     else {
         return stored(0, to);
     };
-    let nanoseconds = BigUint::from(significand) * unit(to, calendar);
+    let nanoseconds = BigUint::from(significand) * unit(to, units);
     let magnitude = if exponent < 0 {
         let divisor = BigUint::from(1_u32) << exponent.unsigned_abs();
         quotient::half_to_even(&nanoseconds, &divisor)
@@ -96,7 +121,7 @@ pub(crate) fn is_whole_moment(
     raw: u64,
     from: ElementaryType,
     to: ElementaryType,
-    calendar: CalendarUnits,
+    units: MomentUnits,
 ) -> bool {
     let Real::Finite {
         negative,
@@ -110,7 +135,7 @@ pub(crate) fn is_whole_moment(
     let whole = exponent >= 0 || significand.trailing_zeros() >= exponent.unsigned_abs() || significand == 0;
     match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
         real::Whole::Number(number) if whole && number.unsigned_abs() < 1 << 64 => {
-            fits(of_units(number, to, calendar))
+            fits(of_units(number, to, units))
         }
         _ => false,
     }
@@ -170,6 +195,22 @@ fn time_of_day(moment: i64) -> u64 {
 /// TOD the time since midnight; a duration to TOD is taken modulo 24 hours.
 pub(crate) fn between(raw: u64, to: ElementaryType) -> u64 {
     stored(raw.cast_signed(), to)
+}
+
+/// Converts a duration, date or time of day to another such type, where each counts its own units: the time since midnight, or the
+/// whole units since 1970-01-01 or of the duration, modulo 2^n. LTIME gets the number of a TOD, although that counts milliseconds.
+pub(crate) fn between_counts(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let number = units(raw, from, MomentUnits::Counts);
+    if from == ElementaryType::Tod && to == ElementaryType::Ltime {
+        return from_units(number, to, MomentUnits::Counts);
+    }
+    let nanoseconds = of_units(number, from, MomentUnits::Counts);
+    let kept = match to.family() {
+        Family::TimeOfDay => nanoseconds.rem_euclid(DAY),
+        _ => nanoseconds,
+    };
+    let unit = i128::from(unit(to, MomentUnits::Counts));
+    from_units(kept.div_euclid(unit), to, MomentUnits::Counts)
 }
 
 /// Returns the moment of a date and a time of day, modulo 2^64 nanoseconds.

@@ -1,6 +1,6 @@
 //! The pairs of types that have a conversion.
 
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, MomentUnits};
 
 /// Returns whether a value of one type has a meaning in the other; a type has one in itself.
 ///
@@ -16,17 +16,22 @@ use stickler_types::{ElementaryType, Family};
 /// | a character | integers, bit strings, characters; and these convert to characters |
 /// | a text | everything; and everything to a text |
 ///
+/// Where each type counts its own units, each duration, date and time of day has a meaning in each.
+///
 /// Basis: ironplc-type-conversions: Explicit Conversion Functions ("for all type pairs"), as far as a pair makes sense;
-/// forgeiec-conversion-functions: The naming pattern.
-pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
+/// forgeiec-conversion-functions: The naming pattern; codesys-recording: fixtures/conversions/explicit-pairs.ts.
+pub(crate) const fn has_meaning(from: ElementaryType, to: ElementaryType, units: MomentUnits) -> bool {
     use Family::{Boolean, Character, Date, DateAndTime, Duration, Real, Text, TimeOfDay};
     match (from.family(), to.family()) {
         (Text, _) | (_, Text) | (Character, Character) => true,
         (Character, Boolean | Real) | (Boolean | Real, Character) => false,
         (Character, _) => is_number(to),
         (_, Character) => is_number(from),
-        (Duration, Date | DateAndTime) | (TimeOfDay, Date | DateAndTime) => false,
-        (Date, Duration | TimeOfDay) | (DateAndTime, Duration) => false,
+        (Duration | TimeOfDay, Date | DateAndTime)
+        | (Date, Duration | TimeOfDay)
+        | (DateAndTime, Duration) => {
+            matches!(units, MomentUnits::Counts)
+        }
         _ => true,
     }
 }

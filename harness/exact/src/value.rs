@@ -4,7 +4,8 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::{bcd, character, integer, moment, pair, text};
 use stickler_types::{
-    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, OutOfRange, Rounding, Value,
+    BitStringAsBool, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits, OutOfRange,
+    Rounding, Value,
 };
 
 /// Returns the result of a call of a conversion function, computed exactly by the given choices.
@@ -79,11 +80,12 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
     use Family::{
         BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
     };
-    if !pair::has_meaning(from, to) {
+    let units = choices.moment_units;
+    if !pair::has_meaning(from, to, units) {
         return None;
     }
     let number = || integer::number(raw, from);
-    let calendar = choices.calendar_units;
+    let counts = units == MomentUnits::Counts;
     let is_copy = choices.bits_as_real == BitsAsReal::Copy && from.bits() == to.bits();
     Some(match (from.family(), to.family()) {
         (Character, Character) => character::unit(character::of_raw(raw), to).into(),
@@ -100,13 +102,23 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
             from_real(raw, from, to, choices.rounding, choices.out_of_range)
         }
         (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
-            moment::from_units(number(), to, calendar)
+            moment::from_units(number(), to, units)
         }
-        (Real, Duration | Date | TimeOfDay | DateAndTime) => moment::from_real_units(raw, from, to, calendar),
+        (Real, Duration | Date | TimeOfDay | DateAndTime) if counts => {
+            let counter = moment::counter(to);
+            let count = from_real(raw, from, counter, choices.rounding, choices.out_of_range);
+            moment::from_units(integer::number(count, counter), to, units)
+        }
+        (Real, Duration | Date | TimeOfDay | DateAndTime) => moment::from_real_units(raw, from, to, units),
         (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
-            integer::wrapped(moment::units(raw, from, calendar), to)
+            integer::wrapped(moment::units(raw, from, units), to)
         }
-        (Duration | Date | TimeOfDay | DateAndTime, Real) => moment::real_units(raw, from, to, calendar),
+        (Duration | Date | TimeOfDay | DateAndTime, Real) => moment::real_units(raw, from, to, units),
+        (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime)
+            if counts && from != to =>
+        {
+            moment::between_counts(raw, from, to)
+        }
         (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime) => {
             moment::between(raw, to)
         }

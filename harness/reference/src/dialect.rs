@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, CalendarUnits, ConversionChoices, Definition,
-    DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, Stated, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, Definition, DialectName,
+    ElementaryType, MatrixWord, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading,
 };
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
@@ -62,7 +62,7 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     bit_string_text: BitStringText::FullWidth,
     bits_as_real: BitsAsReal::Number,
     bit_string_as_bool: BitStringAsBool::AnyBit,
-    calendar_units: CalendarUnits::Seconds,
+    moment_units: MomentUnits::Seconds,
 };
 
 /// The statements of a definition about pairs of types: of the value, and of the target.
@@ -278,7 +278,7 @@ impl Dialect {
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 text_reading: TextReading::LeadingNumber,
-                calendar_units: CalendarUnits::DaysAndMilliseconds,
+                moment_units: MomentUnits::DaysAndMilliseconds,
                 ..COMMON_CHOICES
             },
             ..Dialect::plcnext()
@@ -321,6 +321,7 @@ impl Dialect {
                 out_of_range: OutOfRange::Indefinite64,
                 truncation_out_of_range: OutOfRange::Indefinite32,
                 bit_string_text: BitStringText::Decimal,
+                moment_units: MomentUnits::Counts,
                 ..COMMON_CHOICES
             },
             ..Dialect::plcnext()

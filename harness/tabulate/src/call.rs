@@ -13,12 +13,14 @@ pub struct Call {
 }
 
 impl Call {
-    /// Returns the call of `function` with these operands that gives a `to`, or nothing where no dialect has such a function.
+    /// Returns the call of `function` with these operands that gives a `to`, or nothing where no dialect has such a function whose documents state
+    /// rules.
     #[must_use]
     pub fn new(function: &str, operands: Vec<WrittenValue>, to: ElementaryType) -> Option<Call> {
         let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
         let signature = DialectName::ALL
             .into_iter()
+            .filter(|dialect| !dialect.base().is_recorded())
             .find_map(|dialect| signature(function, &types, to, dialect))?;
         Some(Call { signature, operands })
     }

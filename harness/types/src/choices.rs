@@ -116,14 +116,17 @@ words! {
 }
 
 words! {
-    /// The unit in which a number counts a DATE and a DT, and LDATE and LDT, since 1970-01-01.
-    ///
-    /// A duration and a time of day always count in milliseconds.
-    CalendarUnits {
-        /// Seconds, both of them.
+    /// The unit in which a number counts a duration, a time of day, and the time since 1970-01-01 of a date.
+    MomentUnits {
+        /// Milliseconds, and seconds for a date and for a date with a time.
         Seconds = "seconds",
-        /// Days for a date, and milliseconds for a date with a time.
+        /// Milliseconds, and days for a date.
         DaysAndMilliseconds = "days-and-milliseconds",
+        /// Each type is an integer that counts its own unit, modulo 2^n: TIME and TOD 32 bits of milliseconds, DATE and DT 32 bits
+        /// of seconds, LTIME and LTOD 64 bits of nanoseconds without a sign, LDATE and LDT with one. A real number
+        /// becomes such an integer as it becomes any other, and each type converts to each; only TOD gives LTIME its count,
+        /// not its time.
+        Counts = "counts",
     }
 }
 
@@ -158,8 +161,8 @@ pub struct ConversionChoices {
     pub bits_as_real: BitsAsReal,
     /// The bits of a bit string that decide whether it converts to TRUE.
     pub bit_string_as_bool: BitStringAsBool,
-    /// The unit in which a number counts a date, and a date with a time.
-    pub calendar_units: CalendarUnits,
+    /// The unit in which a number counts a duration, date or time of day.
+    pub moment_units: MomentUnits,
 }
 
 impl ConversionChoices {

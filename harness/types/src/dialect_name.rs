@@ -146,6 +146,13 @@ impl DialectName {
     }
 }
 
+impl BuiltIn {
+    /// Returns whether the system is known by recordings: of single values, not by documents that state a rule.
+    pub const fn is_recorded(self) -> bool {
+        matches!(self, BuiltIn::Codesys | BuiltIn::Twincat)
+    }
+}
+
 impl fmt::Debug for DefinedDialect {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.definition.name)

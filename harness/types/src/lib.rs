@@ -35,7 +35,7 @@ mod wrap;
 mod written_value;
 
 pub use choices::{
-    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, MatrixWord, OutOfRange,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MatrixWord, MomentUnits, OutOfRange,
     RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};

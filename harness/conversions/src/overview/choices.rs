@@ -5,7 +5,7 @@ use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, DialectName, Family,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, Family, MomentUnits,
     OutOfRange, RealText, Rounding, TextReading,
 };
 
@@ -203,18 +203,29 @@ fn truth(choices: &ConversionChoices, _: &Signature) -> String {
 fn unit(choices: &ConversionChoices, signature: &Signature) -> String {
     let families = [signature.operands[0].family(), signature.result.family()];
     match families.into_iter().find(|family| is_moment(*family)) {
+        _ if choices.moment_units == MomentUnits::Counts => {
+            "the type's own: milliseconds, seconds of a DATE and a DT, nanoseconds of the long types"
+        }
         Some(Family::TimeOfDay) => "the number counts milliseconds since midnight",
-        Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.calendar_units, family) {
-            (CalendarUnits::Seconds, _) => "the number counts seconds since 1970-01-01",
-            (CalendarUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
-            (CalendarUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
+        Some(family @ (Family::Date | Family::DateAndTime)) => match (choices.moment_units, family) {
+            (MomentUnits::Seconds | MomentUnits::Counts, _) => "the number counts seconds since 1970-01-01",
+            (MomentUnits::DaysAndMilliseconds, Family::Date) => "the number counts days since 1970-01-01",
+            (MomentUnits::DaysAndMilliseconds, _) => "the number counts milliseconds since 1970-01-01",
         },
         _ => "the number counts milliseconds",
     }
     .to_owned()
 }
 
-fn outside_of_moments(_: &ConversionChoices, signature: &Signature) -> String {
+fn outside_of_moments(choices: &ConversionChoices, signature: &Signature) -> String {
+    if choices.moment_units == MomentUnits::Counts {
+        let bits = if signature.result.is_third_edition() {
+            64
+        } else {
+            32
+        };
+        return format!("modulo 2^{bits} units");
+    }
     let wrapped = match signature.result.family() {
         Family::TimeOfDay => "modulo a day",
         Family::Date => "modulo 2^64 nanoseconds, of which the day is kept",

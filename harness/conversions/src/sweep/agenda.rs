@@ -5,7 +5,7 @@ use crate::sweep::domain::{Domain, Sampling};
 use crate::sweep::foreign::has_digest;
 use crate::sweep::reference::ReferenceFunction;
 use stickler_exact::{Operation, Signature, choices_of, signatures};
-use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family};
+use stickler_types::{ConversionChoices, DialectName, ElementaryType, Family, MomentUnits};
 
 /// A sweep of one function between fixed types, by one rule.
 #[derive(Clone, PartialEq, Debug)]
@@ -150,7 +150,16 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
         let is_calendar = |ty: ElementaryType| matches!(ty.family(), Family::Date | Family::DateAndTime);
         let is_number = |ty: ElementaryType| ty.integer_range().is_some() || ty.is_real();
         if (is_calendar(from) && is_number(to)) || (is_number(from) && is_calendar(to)) {
-            kept.calendar_units = choices.calendar_units;
+            kept.moment_units = choices.moment_units;
+        }
+        let is_moment = |ty: ElementaryType| {
+            is_calendar(ty) || matches!(ty.family(), Family::Duration | Family::TimeOfDay)
+        };
+        if choices.moment_units == MomentUnits::Counts && (is_moment(from) || is_moment(to)) {
+            kept.moment_units = choices.moment_units;
+            if from.is_real() {
+                (kept.rounding, kept.out_of_range) = (choices.rounding, choices.out_of_range);
+            }
         }
         let bits_and_real = (from.is_bit_string() && to.is_real()) || (from.is_real() && to.is_bit_string());
         if bits_and_real && from.bits() == to.bits() {

@@ -124,7 +124,7 @@ fn dialects_share_a_sweep_unless_their_rules_for_it_differ() {
     for (function, distinct) in [
         ("REAL_TO_LREAL", 1),
         ("REAL_TO_BOOL", 1),
-        ("REAL_TO_TIME", 1),
+        ("REAL_TO_TIME", 2),
         ("DINT_TO_INT", 1),
         ("TRUNC_INT", 4),
         ("REAL_TO_INT", 4),

@@ -3,7 +3,7 @@
 
 use super::{BITS_AND_NUMBERS, BITS_TO_BITS, DATES, ROUNDED, Rules, UnaryCall};
 use crate::{integer, moment, real};
-use stickler_types::{CalendarUnits, ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, MomentUnits};
 
 // The tests of STruC++.
 pub(super) const STRUCPP_TIME: &str = "strucpp-tests: tests/st-validation/data_types/test_time_types.st";
@@ -77,8 +77,8 @@ impl UnaryCall<'_> {
             (Signed | Unsigned, Real) => Some(ROUNDED),
             (Real, Real) => Some(self.of_real_to_real(raw)),
             (Date | DateAndTime | TimeOfDay, Signed | Unsigned) if !self.from.is_third_edition() => {
-                let units = moment::units(raw, self.from, CalendarUnits::DaysAndMilliseconds);
-                let is_whole = moment::has_whole_units(raw, self.from, CalendarUnits::DaysAndMilliseconds);
+                let units = moment::units(raw, self.from, MomentUnits::DaysAndMilliseconds);
+                let is_whole = moment::has_whole_units(raw, self.from, MomentUnits::DaysAndMilliseconds);
                 (is_whole && integer::holds(self.to, units)).then_some(STRUCPP_TIME)
             }
             (DateAndTime, Date) if self.to == ElementaryType::Date => moment::has_day(raw).then_some(DATES),

@@ -1,34 +1,42 @@
 //! Conversions of numbers to durations, dates and times of day.
 //!
-//! A duration and a time of day count in milliseconds; the unit of a date and of a date with a time is a choice.
+//! The unit is a choice.
 //! Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms"); all but TIME is
 //! open, and is as the documentation of the reference has it.
 
 use super::each;
 use super::real::Parts;
-use stickler_types::{CalendarUnits, ElementaryType, Family, Rounding};
+use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 
 /// The nanoseconds of a day.
 const DAY: i64 = 86_400_000_000_000;
 
 /// Returns the nanoseconds of the unit in which numbers count values of a type.
-const fn unit(ty: ElementaryType, calendar: CalendarUnits) -> u64 {
-    match (ty.family(), calendar) {
-        (Family::Date | Family::DateAndTime, CalendarUnits::Seconds) => 1_000_000_000,
-        (Family::Date, CalendarUnits::DaysAndMilliseconds) => DAY.unsigned_abs(),
+const fn unit(ty: ElementaryType, units: MomentUnits) -> u64 {
+    match (ty.family(), units) {
+        (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
+        (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
+        (Family::Date, MomentUnits::DaysAndMilliseconds) => DAY.unsigned_abs(),
         _ => 1_000_000,
     }
 }
 
-/// Returns whether REAL numbers of units have a fast form: the nanoseconds of a REAL number of days need more than 64 bits.
-pub const fn has_real_units(to: ElementaryType, calendar: CalendarUnits) -> bool {
-    unit(to, calendar) < DAY.unsigned_abs()
+/// Returns whether REAL numbers of units have a fast form: the nanoseconds of a REAL number of days need more than 64 bits, and a
+/// count is rounded like an integer.
+pub const fn has_real_units(to: ElementaryType, units: MomentUnits) -> bool {
+    !matches!(units, MomentUnits::Counts) && unit(to, units) < DAY.unsigned_abs()
 }
 
 /// Converts numbers of whole units, modulo 2^64 nanoseconds.
-pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType, calendar: CalendarUnits) {
-    let unit = unit(to, calendar);
+pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType, units: MomentUnits) {
+    let unit = unit(to, units);
     match to.family() {
+        _ if units == MomentUnits::Counts && !to.is_third_edition() => each(operands, results, |operand| {
+            held((operand & 0xFFFF_FFFF).wrapping_mul(unit), to)
+        }),
+        Family::TimeOfDay if units == MomentUnits::Counts => {
+            each(operands, results, |operand| operand % DAY.unsigned_abs());
+        }
         // A product modulo 2^64 is the same whether its factors are signed or not.
         Family::Duration | Family::DateAndTime => {
             each(operands, results, |operand| operand.wrapping_mul(unit));
@@ -38,8 +46,8 @@ pub fn units(operands: &[u64], results: &mut [u64], to: ElementaryType, calendar
 }
 
 /// Converts REAL numbers of units, rounded to the nearest nanosecond, ties to even; NaN and the infinities give 0.
-pub fn real_units(operands: &[u64], results: &mut [u64], to: ElementaryType, calendar: CalendarUnits) {
-    let unit = unit(to, calendar);
+pub fn real_units(operands: &[u64], results: &mut [u64], to: ElementaryType, units: MomentUnits) {
+    let unit = unit(to, units);
     each(operands, results, |operand| {
         let parts = Parts::of(operand);
         if parts.finite {

@@ -4,7 +4,7 @@ use super::Bulk;
 use crate::{Operation, Signature, choices_of, functions, signatures, value};
 use std::collections::HashSet;
 use stickler_types::{
-    CalendarUnits, ConversionChoices, DialectName, ElementaryType, Family, OutOfRange, Rounding, Value,
+    ConversionChoices, DialectName, ElementaryType, Family, MomentUnits, OutOfRange, Rounding, Value,
 };
 
 /// Returns every signature that has a fast form, each once whatever its name.
@@ -38,11 +38,20 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
         .chain([DialectName::Rusty, DialectName::Strucpp, DialectName::Codesys].map(choices_of))
 }
 
-/// Returns whether the operand is a REAL number of days.
-fn counts_real_days(signature: &Signature, choices: &ConversionChoices) -> bool {
+/// Returns whether the operand is a REAL number of days or of counts.
+fn counts_real_units(signature: &Signature, choices: &ConversionChoices) -> bool {
+    use Family::{Date, DateAndTime, Duration, TimeOfDay};
     signature.operands == [ElementaryType::Real]
-        && signature.result.family() == Family::Date
-        && choices.calendar_units == CalendarUnits::DaysAndMilliseconds
+        && match choices.moment_units {
+            MomentUnits::Seconds => false,
+            MomentUnits::DaysAndMilliseconds => signature.result.family() == Date,
+            MomentUnits::Counts => {
+                matches!(
+                    signature.result.family(),
+                    Date | DateAndTime | Duration | TimeOfDay
+                )
+            }
+        }
 }
 
 /// Returns bit patterns around each power of two and of ten, around each exponent of REAL, and scattered ones.
@@ -74,7 +83,7 @@ fn the_quick_form_agrees_with_the_exact_one() {
         let choices = all_choices().skip(if from.is_real() { 0 } else { 5 });
         for choices in choices {
             let Some(bulk) = Bulk::new(signature, &choices) else {
-                assert!(counts_real_days(signature, &choices), "{signature:?}");
+                assert!(counts_real_units(signature, &choices), "{signature:?}");
                 continue;
             };
             let mut results = vec![0; operands.len()];
@@ -108,7 +117,7 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
             let bulk = Bulk::new(&signature, &choices);
             assert_eq!(
                 bulk.is_some(),
-                quick && !counts_real_days(&signature, &choices),
+                quick && !counts_real_units(&signature, &choices),
                 "{signature:?}"
             );
         }

@@ -228,7 +228,7 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
     use stickler_exact::{choices_of, value};
     use stickler_types::{
-        BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, OutOfRange, RealText,
+        BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MomentUnits, OutOfRange, RealText,
         Rounding, TextReading,
     };
     let texts = [
@@ -245,11 +245,9 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         "nan",
         "99999999999999999999",
     ];
-    // Of the recorded systems single values are known, which stand in tables.
-    let is_recorded = |dialect: &DialectName| matches!(dialect, DialectName::Codesys | DialectName::Twincat);
     for dialect in DialectName::ALL
         .into_iter()
-        .filter(|dialect| !is_recorded(dialect))
+        .filter(|dialect| !dialect.base().is_recorded())
     {
         let own = choices_of(dialect);
         // matiec documents what lies outside.
@@ -282,10 +280,10 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
             } else {
                 own.bit_string_as_bool
             },
-            calendar_units: if dialect == DialectName::Strucpp {
-                own.calendar_units
+            moment_units: if dialect == DialectName::Strucpp {
+                own.moment_units
             } else {
-                CalendarUnits::DaysAndMilliseconds
+                MomentUnits::DaysAndMilliseconds
             },
         };
         let mut asserted = 0;

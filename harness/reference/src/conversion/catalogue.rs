@@ -7,7 +7,7 @@ use super::{Conversion, ConversionRule};
 use crate::COMMON_CHOICES;
 use crate::dialect::Dialect;
 use std::sync::LazyLock;
-use stickler_types::{ConversionChoices, ElementaryType, Rounding};
+use stickler_types::{ConversionChoices, ElementaryType, MomentUnits, Rounding};
 
 /// The parameter of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -88,18 +88,22 @@ const BCD_BITS: &[ElementaryType] = &[ElementaryType::Byte, ElementaryType::Word
 const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::Dint];
 
 /// For each target, in the order of [`ElementaryType::ALL`], the types that the overloaded `TO_<DST>` takes.
-static SOURCES: LazyLock<[Vec<ElementaryType>; ElementaryType::ALL.len()]> =
-    LazyLock::new(|| ElementaryType::ALL.map(sources_of));
+type Sources = [Vec<ElementaryType>; ElementaryType::ALL.len()];
 
-fn sources_of(to: ElementaryType) -> Vec<ElementaryType> {
-    ElementaryType::ALL
-        .into_iter()
-        .filter(|&from| has_meaning(from, to))
-        .collect()
-}
+static COMMON_SOURCES: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Seconds));
+/// The same where each duration, date and time of day converts to each.
+static SOURCES_OF_COUNTS: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Counts));
 
-fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
-    ConversionRule::between(from, to, &COMMON_CHOICES).is_some()
+fn sources(moment_units: MomentUnits) -> Sources {
+    let choices = ConversionChoices {
+        moment_units,
+        ..COMMON_CHOICES
+    };
+    let converts = |from, to| ConversionRule::between(from, to, &choices).is_some();
+    ElementaryType::ALL.map(|to| {
+        let all = ElementaryType::ALL.into_iter();
+        all.filter(|&from| converts(from, to)).collect()
+    })
 }
 
 impl ConversionFunction {
@@ -208,7 +212,8 @@ fn elementary(name: &str, dialect: &Dialect) -> Option<ElementaryType> {
 
 /// `<SRC>_TO_<DST>`.
 fn pair(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<ConversionFunction> {
-    (from != to && has_meaning(from, to)).then_some(ConversionFunction {
+    let has_meaning = ConversionRule::between(from, to, &dialect.conversions).is_some();
+    (from != to && has_meaning).then_some(ConversionFunction {
         parameter: Parameter::Exactly(from),
         result: ResultType::Exactly(to),
         meaning: RuleLookup::Pair(dialect.conversions),
@@ -221,7 +226,11 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
         return any_to_bcd(one_of(BITS, bits)?);
     }
     let to = elementary(to, dialect)?;
-    let allowed = SOURCES.get(to as usize)?;
+    let sources = match dialect.conversions.moment_units {
+        MomentUnits::Counts => &SOURCES_OF_COUNTS,
+        _ => &COMMON_SOURCES,
+    };
+    let allowed = sources.get(to as usize)?;
     Some(ConversionFunction {
         parameter: Parameter::AnyOf {
             allowed,

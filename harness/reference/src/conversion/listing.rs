@@ -3,7 +3,6 @@
 
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
-use crate::COMMON_CHOICES;
 use crate::dialect::Dialect;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
@@ -32,13 +31,14 @@ pub fn functions(dialect: &Dialect) -> Vec<&'static str> {
     names.filter(|name| known(name)).collect()
 }
 
-/// `<SRC>_TO_<DST>`, `TO_<DST>`.
+/// `<SRC>_TO_<DST>`, `TO_<DST>`; of a dialect that has all of them.
 fn of_pairs() -> Vec<String> {
     let mut names = Vec::new();
+    let choices = Dialect::codesys().conversions;
     for to in ElementaryType::ALL {
         names.push(format!("TO_{}", to.name()));
         for from in ElementaryType::ALL {
-            let converts = ConversionRule::between(from, to, &COMMON_CHOICES).is_some();
+            let converts = ConversionRule::between(from, to, &choices).is_some();
             if from != to && converts {
                 names.push(format!("{}_TO_{}", from.name(), to.name()));
             }
@@ -83,7 +83,7 @@ mod tests {
 
     #[test]
     fn every_name_is_a_function_and_stands_there_once() {
-        let all = functions(&Dialect::ironplc_ed3());
+        let all = functions(&Dialect::codesys());
         assert_eq!(all.len(), catalogue_names().len(), "this dialect has them all");
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
         let matiec = functions(&Dialect::matiec());

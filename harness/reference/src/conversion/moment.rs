@@ -1,54 +1,106 @@
 //! Durations, dates and times of day as numbers, and back.
 //!
 //! A duration counts in milliseconds. Basis: forgeiec-conversion-functions: The naming pattern (`TIME_TO_DINT`
-//! "returns ms"). LTIME and times of day count in milliseconds too; in what dates and dates with a time count since
-//! 1970-01-01 is a choice of the dialect. STruC++ documents it in its tests; where no source says, it is seconds, as
-//! CODESYS has it.
+//! "returns ms"). In what the other types count is a choice of the dialect. STruC++ documents it in its tests, and CODESYS was
+//! recorded; where no source says, dates and dates with a time count seconds, and the others milliseconds.
 
 use super::real::{self, Exact};
-use stickler_types::{CalendarUnits, ElementaryType, Family, Rounding};
+use crate::raw::narrow;
+use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 
 const DAY: i64 = 86_400_000_000_000;
 
 /// Nanoseconds in the unit that a type is counted in.
-const fn unit(ty: ElementaryType, calendar: CalendarUnits) -> i64 {
-    match (ty.family(), calendar) {
-        (Family::Date | Family::DateAndTime, CalendarUnits::Seconds) => 1_000_000_000,
-        (Family::Date, CalendarUnits::DaysAndMilliseconds) => DAY,
+const fn unit(ty: ElementaryType, units: MomentUnits) -> i64 {
+    match (ty.family(), units) {
+        (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
+        (Family::Date | Family::DateAndTime, MomentUnits::Seconds | MomentUnits::Counts) => 1_000_000_000,
+        (Family::Date, MomentUnits::DaysAndMilliseconds) => DAY,
         _ => 1_000_000,
     }
+}
+
+/// The integer type that counts the units of a type, where each type counts its own.
+pub const fn counter(ty: ElementaryType) -> ElementaryType {
+    match (ty.family(), ty.is_third_edition()) {
+        (_, false) => ElementaryType::Udint,
+        (Family::Date | Family::DateAndTime, true) => ElementaryType::Lint,
+        (_, true) => ElementaryType::Ulint,
+    }
+}
+
+/// The nanoseconds of a raw form, where each type counts its own units.
+fn nanoseconds(raw: u64, from: ElementaryType) -> i128 {
+    let count = to_units(raw, from, MomentUnits::Counts);
+    let number = match counter(from) {
+        ElementaryType::Lint => count.cast_signed().into(),
+        _ => i128::from(count),
+    };
+    number * i128::from(unit(from, MomentUnits::Counts))
+}
+
+/// Converts between types that count their own units: what is finer is dropped, and the count taken modulo 2^n.
+///
+/// A TOD gives LTIME its count, as if the milliseconds were nanoseconds.
+#[must_use]
+pub fn between_counts(raw: u64, from: ElementaryType, to: ElementaryType) -> u64 {
+    let units = MomentUnits::Counts;
+    if (from, to) == (ElementaryType::Tod, ElementaryType::Ltime) {
+        return to_units(raw, from, units);
+    }
+    let nanoseconds = match to.family() {
+        Family::TimeOfDay => nanoseconds(raw, from).rem_euclid(DAY.into()),
+        _ => nanoseconds(raw, from),
+    };
+    // The low bits are the count modulo 2^n.
+    from_units(nanoseconds.div_euclid(unit(to, units).into()) as u64, to, units)
 }
 
 /// The number of whole units, the fraction dropped.
 #[inline]
 #[must_use]
-pub fn to_units(raw: u64, from: ElementaryType, calendar: CalendarUnits) -> u64 {
-    (raw.cast_signed() / unit(from, calendar)).cast_unsigned()
+pub fn to_units(raw: u64, from: ElementaryType, units: MomentUnits) -> u64 {
+    let whole = (raw.cast_signed() / unit(from, units)).cast_unsigned();
+    match units {
+        MomentUnits::Counts => narrow(whole, counter(from)),
+        _ => whole,
+    }
 }
 
 /// The number of units as REAL or LREAL, rounded once.
 #[must_use]
-pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
+pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
+    if units == MomentUnits::Counts {
+        return real::from_integer(to_units(raw, from, units), counter(from), to);
+    }
     let nanoseconds = raw.cast_signed();
     let magnitude = nanoseconds.unsigned_abs().into();
-    Exact::quotient(nanoseconds < 0, magnitude, unit(from, calendar).unsigned_abs(), 0).to_real(to)
+    Exact::quotient(nanoseconds < 0, magnitude, unit(from, units).unsigned_abs(), 0).to_real(to)
 }
 
 /// Returns so many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
 /// product modulo 2^64 is the same.
 #[inline]
 #[must_use]
-pub fn from_units(raw: u64, to: ElementaryType, calendar: CalendarUnits) -> u64 {
-    whole(raw.cast_signed().wrapping_mul(unit(to, calendar)), to)
+pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
+    match (units, to) {
+        // Without a sign.
+        (MomentUnits::Counts, ElementaryType::Ltod) => raw % DAY.unsigned_abs(),
+        (MomentUnits::Counts, _) => {
+            let count = narrow(raw, counter(to)).cast_signed();
+            whole(count.wrapping_mul(unit(to, units)), to)
+        }
+        _ => whole(raw.cast_signed().wrapping_mul(unit(to, units)), to),
+    }
 }
 
 /// Returns so many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
 /// infinities give 0.
 #[inline]
 #[must_use]
-pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, calendar: CalendarUnits) -> u64 {
+pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     let value = real::decode(raw, from);
-    let unit = unit(to, calendar);
+    let unit = unit(to, units);
     let nanoseconds = if from == ElementaryType::Real && unit != DAY {
         // A REAL has 24 binary digits, and the units but for the day have at most 21 before their zeros: the product is exact.
         real::to_integer(value * unit as f64, Rounding::HalfToEven)
@@ -105,8 +157,8 @@ pub const fn time_of_day(raw: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use CalendarUnits::{DaysAndMilliseconds, Seconds};
     use ElementaryType::{Date, Dt, Lreal, Real, Tod};
+    use MomentUnits::{DaysAndMilliseconds, Seconds};
 
     const SECOND: i64 = 1_000_000_000;
 

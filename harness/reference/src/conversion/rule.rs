@@ -4,7 +4,7 @@
 use super::{moment, reading, real, text, writing};
 use crate::raw;
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, CalendarUnits, ConversionChoices, ElementaryType, Family,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
     OutOfRange, RealText, Rounding, TextReading,
 };
 
@@ -44,14 +44,20 @@ pub enum ConversionRule {
     /// A duration, date or time of day as the number of its units, the fraction dropped, modulo 2^n.
     /// Basis: forgeiec-conversion-functions: The naming pattern (TIME in ms); strucpp-tests:
     /// tests/st-validation/data_types/test_time_types.st (the others there, elsewhere they are open).
-    ToUnits(CalendarUnits),
+    ToUnits(MomentUnits),
     /// Counts the units as a real number, rounded once.
-    ToRealUnits(CalendarUnits),
+    ToRealUnits(MomentUnits),
     /// A number of units as a duration, date or time of day.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DINT_TO_TIME` "interprets as ms").
-    FromUnits(CalendarUnits),
+    FromUnits(MomentUnits),
     /// Returns a real number of units, rounded to the nearest nanosecond, ties to even.
-    FromRealUnits(CalendarUnits),
+    FromRealUnits(MomentUnits),
+    /// A real number, rounded to the integer that counts a duration, date or time of day.
+    /// Basis: codesys-recording: fixtures/conversions/explicit-pairs.ts.
+    FromRealCount(Rounding, OutOfRange),
+    /// A duration, date or time of day as another that counts its own unit.
+    /// Basis: codesys-recording: fixtures/conversions/cross-family.ts, fixtures/conversions/explicit-pairs.ts.
+    BetweenCounts,
     /// The day of a date and time, also before 1970.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
     Day,
@@ -94,10 +100,12 @@ impl ConversionRule {
             BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, Text, TimeOfDay,
             Unsigned,
         };
-        let calendar = match (from.family(), to.family()) {
-            (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.calendar_units,
-            // The others have one unit in all dialects, and so one rule.
-            _ => CalendarUnits::Seconds,
+        let counts = matches!(choices.moment_units, MomentUnits::Counts);
+        let units = match (from.family(), to.family()) {
+            (Date | DateAndTime, _) | (_, Date | DateAndTime) => choices.moment_units,
+            _ if counts => choices.moment_units,
+            // The others have one unit in all other dialects, and so one rule.
+            _ => MomentUnits::Seconds,
         };
         Some(match (from.family(), to.family()) {
             (Boolean | Signed | Unsigned | BitString, Signed | Unsigned | BitString)
@@ -120,18 +128,26 @@ impl ConversionRule {
             (Real, Signed | Unsigned | BitString) => {
                 ConversionRule::FromReal(choices.rounding, choices.out_of_range)
             }
+            (Duration | Date | TimeOfDay | DateAndTime, Duration | Date | TimeOfDay | DateAndTime)
+                if counts && from as usize != to as usize =>
+            {
+                ConversionRule::BetweenCounts
+            }
             (Duration, Duration)
             | (Date, Date | DateAndTime)
             | (TimeOfDay, TimeOfDay | Duration)
             | (DateAndTime, DateAndTime) => ConversionRule::Keep,
             (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
-                ConversionRule::ToUnits(calendar)
+                ConversionRule::ToUnits(units)
             }
-            (Duration | Date | TimeOfDay | DateAndTime, Real) => ConversionRule::ToRealUnits(calendar),
+            (Duration | Date | TimeOfDay | DateAndTime, Real) => ConversionRule::ToRealUnits(units),
             (Boolean | Signed | Unsigned | BitString, Duration | Date | TimeOfDay | DateAndTime) => {
-                ConversionRule::FromUnits(calendar)
+                ConversionRule::FromUnits(units)
             }
-            (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits(calendar),
+            (Real, Duration | Date | TimeOfDay | DateAndTime) if counts => {
+                ConversionRule::FromRealCount(choices.rounding, choices.out_of_range)
+            }
+            (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits(units),
             (DateAndTime, Date) => ConversionRule::Day,
             (DateAndTime | Duration, TimeOfDay) => ConversionRule::TimeOfDay,
             (Character, Character) => ConversionRule::Character,
@@ -167,12 +183,12 @@ macro_rules! one_loop_for_each_rule {
             FromReal(Rounding::Down, OutOfRange::Saturate),
             FromReal(Rounding::HalfAwayFromZero, OutOfRange::Indefinite64),
             FromReal(Rounding::Truncate, OutOfRange::Indefinite32),
-            ToUnits(CalendarUnits::Seconds),
-            ToUnits(CalendarUnits::DaysAndMilliseconds),
-            FromUnits(CalendarUnits::Seconds),
-            FromUnits(CalendarUnits::DaysAndMilliseconds),
-            FromRealUnits(CalendarUnits::Seconds),
-            FromRealUnits(CalendarUnits::DaysAndMilliseconds),
+            ToUnits(MomentUnits::Seconds),
+            ToUnits(MomentUnits::DaysAndMilliseconds),
+            FromUnits(MomentUnits::Seconds),
+            FromUnits(MomentUnits::DaysAndMilliseconds),
+            FromRealUnits(MomentUnits::Seconds),
+            FromRealUnits(MomentUnits::DaysAndMilliseconds),
             FromBcd, ToBcd)
     };
     ($self:ident, $conversion:ident => $body:expr; $($name:ident $(($($choice:path),*))?),*) => {
@@ -217,25 +233,20 @@ impl Conversion {
             ConversionRule::NonZero => u64::from(real::is_nonzero(value, self.from)),
             ConversionRule::ToReal => real::from_integer(value, self.from, self.to),
             ConversionRule::BetweenReals => real::between(value, self.from, self.to),
-            ConversionRule::FromReal(rounding, OutOfRange::Wrap) => raw::narrow(
-                real::to_integer(real::decode(value, self.from), rounding),
-                self.to,
-            ),
-            ConversionRule::FromReal(rounding, OutOfRange::Saturate) => {
-                real::to_nearest_of(real::decode(value, self.from), rounding, self.to)
-            }
-            ConversionRule::FromReal(rounding, OutOfRange::Indefinite64) => {
+            ConversionRule::FromReal(rounding, out_of_range) => {
                 let value = real::decode(value, self.from);
-                raw::narrow(real::to_integer_of_64_bits(value, rounding, self.to), self.to)
-            }
-            ConversionRule::FromReal(rounding, OutOfRange::Indefinite32) => {
-                let value = real::decode(value, self.from);
-                raw::narrow(real::to_integer_of_32_bits(value, rounding), self.to)
+                from_real(value, self.to, rounding, out_of_range)
             }
             ConversionRule::ToUnits(units) => raw::narrow(moment::to_units(value, self.from, units), self.to),
             ConversionRule::ToRealUnits(units) => moment::to_real_units(value, self.from, self.to, units),
             ConversionRule::FromUnits(units) => moment::from_units(value, self.to, units),
             ConversionRule::FromRealUnits(units) => moment::from_real_units(value, self.from, self.to, units),
+            ConversionRule::FromRealCount(rounding, out_of_range) => {
+                let value = real::decode(value, self.from);
+                let count = from_real(value, moment::counter(self.to), rounding, out_of_range);
+                moment::from_units(count, self.to, MomentUnits::Counts)
+            }
+            ConversionRule::BetweenCounts => moment::between_counts(value, self.from, self.to),
             ConversionRule::Day => moment::day(value),
             ConversionRule::TimeOfDay => moment::time_of_day(value),
             ConversionRule::Character => text::character(value, self.to),
@@ -293,5 +304,16 @@ impl Conversion {
     #[must_use]
     pub fn text_to_text(self, units: &[u16]) -> Vec<u16> {
         text::between(units, self.to)
+    }
+}
+
+/// The raw form of a real number as an integer or bit string. Inlined, so that little is left of it where the rule is known.
+#[inline(always)]
+fn from_real(value: f64, to: ElementaryType, rounding: Rounding, out_of_range: OutOfRange) -> u64 {
+    match out_of_range {
+        OutOfRange::Wrap => raw::narrow(real::to_integer(value, rounding), to),
+        OutOfRange::Saturate => real::to_nearest_of(value, rounding, to),
+        OutOfRange::Indefinite64 => raw::narrow(real::to_integer_of_64_bits(value, rounding, to), to),
+        OutOfRange::Indefinite32 => raw::narrow(real::to_integer_of_32_bits(value, rounding), to),
     }
 }

@@ -1,7 +1,7 @@
 //! Conversion functions of constants are constants themselves, and mean what they mean as the program runs.
 
 use super::{MATIEC, PLCNEXT, codes, diagnose, gives, gives_in, says};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, MomentUnits};
 
 /// Asserts that an expression stands for a number wherever a constant may stand, and gives it as the program runs,
 /// whether the constants in it are global or local.
@@ -196,13 +196,17 @@ fn a_function_of_the_text_is_no_constant() {
 
 #[test]
 fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
-    let value = |ty: ElementaryType| match ty.name() {
+    let value = |ty: ElementaryType, counts: bool| match ty.name() {
         "BOOL" => "TRUE",
         "STRING" => "'3'",
         "WSTRING" => "\"3\"",
         "CHAR" => "'$03'",
         "WCHAR" => "\"$0003\"",
         "TIME" => "T#3ms",
+        // Some dialects count nanoseconds of the long types.
+        "LTIME" if counts => "LTIME#3ns",
+        "LTOD" if counts => "LTOD#0:0:0.000000003",
+        "LDT" if counts => "LDT#1970-01-01-00:00:00.000000003",
         "LTIME" => "LTIME#3ms",
         "DATE" => "D#1970-01-01",
         "LDATE" => "LDATE#1970-01-01",
@@ -217,6 +221,7 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
     for name in stickler_types::DialectName::ALL {
         let dialect = crate::Dialect::of(name);
         let types = || ElementaryType::ALL.into_iter().filter(|&ty| dialect.has(ty));
+        let counts = dialect.conversions.moment_units == MomentUnits::Counts;
         for (from, to) in types().flat_map(|from| types().map(move |to| (from, to))) {
             let text = format!(
                 "PROGRAM main VAR CONSTANT d : {0} := {2}; n : {1} := d; END_VAR
@@ -224,7 +229,7 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
                  CASE 3 OF n: hit := TRUE; END_CASE; END_PROGRAM",
                 from.name(),
                 to.name(),
-                value(from),
+                value(from, counts),
             );
             let Some(wrong) = diagnose(name, &text)
                 .into_iter()
