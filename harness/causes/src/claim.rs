@@ -35,7 +35,11 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
             let number = program[..number].lines().count() as u32 + 1;
             all.iter().filter(|token| token.line == number).copied().collect()
         }),
-        Some(Fact::Diagnostic(Diagnostic { line, .. }) | Fact::Fault { line, .. }) => {
+        Some(
+            Fact::Diagnostic(Diagnostic { line, .. })
+            | Fact::Warning(Diagnostic { line, .. })
+            | Fact::Fault { line, .. },
+        ) => {
             let on_line = |token: &&ProgramToken<'_>| Some(token.line) == *line;
             Some(all.iter().filter(on_line).copied().collect())
         }

@@ -186,7 +186,7 @@ impl ReducedGroup {
             let codes = codes.filter_map(|fact| fact.diagnostic()?.registered_code());
             if asked.judge.plan.needed_for(asked.judge.engine, codes) != Grade::Code {
                 for fact in &mut deviation.expected {
-                    if let Fact::Diagnostic(expected) = fact {
+                    if let Fact::Diagnostic(expected) | Fact::Warning(expected) = fact {
                         expected.code = None;
                     }
                 }

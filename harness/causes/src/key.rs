@@ -124,9 +124,7 @@ mod tests {
         let int = |raw| Value::plain(ElementaryType::Int, raw);
         let values = [("a".to_owned(), int(5))];
         let of = |raw| {
-            let outcome = Outcome::Executed {
-                values: vec![("a".to_owned(), int(raw))],
-            };
+            let outcome = Outcome::executed(vec![("a".to_owned(), int(raw))]);
             CauseKey::of_program(&program("a : INT;", "a := 3 + 2;"), ED3, &values, &outcome)
         };
         assert_eq!(of(5), None);

@@ -134,7 +134,7 @@ impl Questioner<'_> {
         }
         let checked = self.session.check(case.dialect, &case.source)?;
         Ok(match checked {
-            Outcome::Accepted => Answers::of_run(checked),
+            Outcome::Accepted { .. } => Answers::of_run(checked),
             _ => answers,
         })
     }
@@ -182,7 +182,7 @@ pub(crate) fn all_variables(case: &Case, program: &str) -> Vec<Observation> {
         ..case.request()
     };
     let outcome = stickler_reference::run(&request, Limits::default());
-    let Ok(Outcome::Executed { values }) = outcome else {
+    let Ok(Outcome::Executed { values, .. }) = outcome else {
         return all;
     };
     let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
@@ -212,7 +212,7 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
                 .collect(),
             ..Expectation::default()
         },
-        Outcome::Executed { values } => Expectation {
+        Outcome::Executed { values, .. } => Expectation {
             values: values
                 .into_iter()
                 .map(|(name, value)| ExpectedValue {
@@ -278,7 +278,7 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
             };
             may_hide.then(Expectation::default)
         }
-        Outcome::Executed { values } if whole.fault.is_none() => accepted(whole, symptom, &values),
+        Outcome::Executed { values, .. } if whole.fault.is_none() => accepted(whole, symptom, &values),
         Outcome::Faulted { fault, line, .. } => {
             let expected = whole.fault.filter(|expected| expected.fault == fault)?;
             let line = line.unwrap_or(expected.line);

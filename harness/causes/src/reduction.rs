@@ -205,7 +205,7 @@ fn is_alike(one: &Fact, other: &Fact) -> bool {
         (Fact::Crashed { .. }, Fact::Crashed { .. })
         | (Fact::Unusable { .. }, Fact::Unusable { .. })
         | (Fact::TimedOut { .. }, Fact::TimedOut { .. }) => true,
-        (Fact::Diagnostic(one), Fact::Diagnostic(other)) => {
+        (Fact::Diagnostic(one), Fact::Diagnostic(other)) | (Fact::Warning(one), Fact::Warning(other)) => {
             (&one.code, one.line) == (&other.code, other.line)
         }
         _ => one == other,
@@ -213,9 +213,12 @@ fn is_alike(one: &Fact, other: &Fact) -> bool {
 }
 
 /// Returns whether programs with this symptom are made smaller. A hang would take the whole time limit of each question;
-/// what a compiler renders, and what it answers beside the point, is plain without a smaller program.
+/// what a compiler renders or warns of, and what it answers beside the point, is plain without a smaller program.
 pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
-    !matches!(symptom, Symptom::Hang | Symptom::Error(_) | Symptom::Text)
+    !matches!(
+        symptom,
+        Symptom::Hang | Symptom::Error(_) | Symptom::Text | Symptom::NotWarned(_) | Symptom::Warned(_)
+    )
 }
 
 /// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
@@ -252,7 +255,7 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     let mut facts = facts.to_vec();
     for fact in &mut facts {
         match fact {
-            Fact::Diagnostic(told) => told.line.iter_mut().for_each(place),
+            Fact::Diagnostic(told) | Fact::Warning(told) => told.line.iter_mut().for_each(place),
             Fact::Fault { line, .. } => line.iter_mut().for_each(place),
             _ => {}
         }

@@ -103,6 +103,18 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             )
         }
         Symptom::Value | Symptom::Missing => wrong_value(program, expected, got),
+        Symptom::NotWarned(_) => {
+            let missing = warning(expected, got);
+            format!("{} is accepted without a warning", line(missing.line))
+        }
+        Symptom::Warned(_) => {
+            let extra = warning(got, expected);
+            format!(
+                "{} is accepted with a warning: {}",
+                line(extra.line),
+                said(&extra)
+            )
+        }
         Symptom::Crash(words) => format!("{} makes it crash: {}", line(None), clipped(words)),
         Symptom::Unusable(words) => format!("{} is accepted, but {}", line(None), clipped(words)),
         Symptom::Hang => format!("{}: no answer in time", line(None)),
@@ -115,6 +127,15 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             _ => rendered(expected, got),
         },
     }
+}
+
+/// Returns the first warning of `these` that the others do not have.
+fn warning(these: &[Fact], others: &[Fact]) -> Diagnostic {
+    let unmet = these.iter().find_map(|fact| match fact {
+        Fact::Warning(warning) if !others.contains(fact) => Some(warning.clone()),
+        _ => None,
+    });
+    unmet.unwrap_or_default()
 }
 
 /// Returns the first expected value that did not come, with the statement that computes it.

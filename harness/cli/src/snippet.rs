@@ -3,7 +3,7 @@
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Patch, Renderer, Report, Snippet};
 use std::io::{self, Write};
 use std::ops::Range;
-use stickler_types::Diagnostic;
+use stickler_types::{Diagnostic, Severity};
 
 /// The maximum number of diagnostics that are shown; a broken file has more than anyone reads.
 const MAX_DIAGNOSTICS: usize = 200;
@@ -14,11 +14,14 @@ const MAX_LINE_LEN: usize = 400;
 /// The maximum number of lines of a diagnostic's place that is shown.
 const MAX_EXCERPT_LINES: usize = 6;
 
-/// Writes the diagnostics of a text; `path` is the name to show for it.
+/// Writes the diagnostics of a text, nothing where there are none; `path` is the name to show for it.
 ///
 /// # Errors
 /// Errors of writing to `out`.
 pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn Write) -> io::Result<()> {
+    let Some(first) = diagnostics.first() else {
+        return Ok(());
+    };
     let lines: Vec<&str> = text.split('\n').collect();
     let renderer = Renderer::styled();
     for diagnostic in diagnostics.iter().take(MAX_DIAGNOSTICS) {
@@ -29,8 +32,7 @@ pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn W
     if number > MAX_DIAGNOSTICS {
         writeln!(out, "... and {} more diagnostics\n", number - MAX_DIAGNOSTICS)?;
     }
-    let first = diagnostics.first().and_then(|first| first.code.as_deref());
-    let code = first.unwrap_or("P4035");
+    let code = first.code.as_deref().unwrap_or("P4035");
     let found = if number == 1 {
         "1 diagnostic".to_owned()
     } else {
@@ -40,7 +42,11 @@ pub fn write(diagnostics: &[Diagnostic], text: &str, path: &str, out: &mut dyn W
 }
 
 fn groups<'a>(diagnostic: &'a Diagnostic, lines: &[&str], path: &'a str) -> Vec<Group<'a>> {
-    let title = Level::ERROR
+    let level = match diagnostic.severity {
+        Severity::Error => Level::ERROR,
+        Severity::Warning => Level::WARNING,
+    };
+    let title = level
         .primary_title(&diagnostic.message)
         .id(diagnostic.code.as_deref().unwrap_or_default());
     let line = diagnostic.line.unwrap_or_default() as usize;

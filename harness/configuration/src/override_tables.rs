@@ -22,7 +22,12 @@ const CONVERSIONS: [&str; 5] = [
 ];
 
 /// The words that an override may state for a pair of different types.
-const WORDS: [MatrixWord; 3] = [MatrixWord::Yes, MatrixWord::No, MatrixWord::Open];
+const WORDS: [MatrixWord; 4] = [
+    MatrixWord::Yes,
+    MatrixWord::Warn,
+    MatrixWord::No,
+    MatrixWord::Open,
+];
 
 /// The permitted numbers of significant digits; a real number of 64 bits never needs more than 17.
 const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;

@@ -424,7 +424,7 @@ fn a_mistake_in_a_dialect_is_told_with_its_place_and_the_word_that_was_meant() {
         ),
         (
             table("implicit.\"INT.BOOL\" = \"error\""),
-            "3:23: `INT.BOOL` is not `error`; there is `yes`, `no` and `open`",
+            "3:23: `INT.BOOL` is not `error`; there is `yes`, `warn`, `no` and `open`",
         ),
         (
             table("implicit.\"INT.BOOL\" = \"yess\""),

@@ -143,8 +143,8 @@ fn values(outcome: Outcome, program: &ConversionProgram) -> Result<Vec<Value>, R
         _ => None,
     };
     let (kind, detail) = match outcome {
-        Outcome::Executed { values } => return in_order(values, program),
-        Outcome::Accepted => (Unsupported, "it accepts programs and executes none".to_owned()),
+        Outcome::Executed { values, .. } => return in_order(values, program),
+        Outcome::Accepted { .. } => (Unsupported, "it accepts programs and executes none".to_owned()),
         Outcome::Unsupported { reason } | Outcome::NotImplemented { reason } => (Unsupported, reason),
         Outcome::Rejected { diagnostics } => (Rejected, first_message(&diagnostics)),
         Outcome::Faulted { fault, .. } if fault == Fault::StepLimit => {

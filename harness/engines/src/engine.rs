@@ -53,7 +53,7 @@ pub trait Engine: Send + Sync {
 /// One conversation with an engine. Requests are independent: none may see what an earlier one left behind.
 pub trait Session {
     /// Executes a program and gives the values asked for: [`Outcome::Executed`], `Rejected`, `Faulted`, or,
-    /// from an engine that can only check, [`Outcome::Accepted`].
+    /// from an engine that can only check, [`Outcome::ACCEPTED`].
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome;
 
     /// Executes several programs of one dialect with less work than one after the other. Returns the result for each program,
@@ -62,7 +62,7 @@ pub trait Session {
         vec![Packed::Alone; requests.len()]
     }
 
-    /// Checks a program without executing it: [`Outcome::Accepted`] or `Rejected`.
+    /// Checks a program without executing it: [`Outcome::ACCEPTED`] or `Rejected`.
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome;
 
     /// Renders a program as normalised source: [`Outcome::Rendered`] or `Rejected`.

@@ -39,5 +39,7 @@ pub use reproduction::{
 };
 pub use session::EngineSession;
 pub use shell::shell_quote;
-pub use stickler_types::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};
+pub use stickler_types::{
+    ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting, Severity,
+};
 pub use validate::{Check, CheckVerdict, Validation, validate};

@@ -12,7 +12,7 @@ mod request;
 mod schema;
 mod server;
 
-pub use reply::{ErrorReply, ExecutedReply, FaultedReply, HelloReply, IdReply};
+pub use reply::{AcceptedReply, ErrorReply, ExecutedReply, FaultedReply, HelloReply};
 pub use reply::{RejectedReply, RenderedReply, Reply, UnsupportedReply};
 pub use request::{
     ClockMessage, HelloRequest, ObserveMessage, ProgramRequest, Request, RunMessage, SetMessage,

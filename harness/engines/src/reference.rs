@@ -75,12 +75,7 @@ impl Session for ReferenceSession {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let diagnostics = reference::check(source, dialect);
-        if diagnostics.is_empty() {
-            Outcome::Accepted
-        } else {
-            Outcome::Rejected { diagnostics }
-        }
+        Outcome::of_check(reference::check(source, dialect))
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {

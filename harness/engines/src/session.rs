@@ -147,7 +147,7 @@ mod tests {
         fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
             let number = 7;
             assert_ne!(request.source, "panic", "broken {number}");
-            Outcome::Accepted
+            Outcome::ACCEPTED
         }
 
         fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
@@ -158,11 +158,11 @@ mod tests {
         }
 
         fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-            Outcome::Accepted
+            Outcome::ACCEPTED
         }
 
         fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-            Outcome::Accepted
+            Outcome::ACCEPTED
         }
     }
 
@@ -175,7 +175,7 @@ mod tests {
         let engine = Panicking::default();
         let mut session = EngineSession::new(&engine);
         assert_eq!(engine.opened.load(Ordering::Relaxed), 0);
-        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::Accepted);
+        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::ACCEPTED);
         let Outcome::Crashed { reason } = session.run(&request("panic")).unwrap() else {
             panic!("it goes on")
         };
@@ -183,7 +183,7 @@ mod tests {
             reason.starts_with("panicked: ") && reason.contains("broken 7"),
             "{reason}"
         );
-        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::Accepted);
+        assert_eq!(session.run(&request("fine")).unwrap(), Outcome::ACCEPTED);
         assert_eq!(engine.opened.load(Ordering::Relaxed), 2);
         session.run(&request("panic")).unwrap();
         assert!(
@@ -203,7 +203,7 @@ mod tests {
         );
         assert_eq!(
             session.run_pack(&pack[..1]).unwrap(),
-            [Packed::Answered(Outcome::Accepted)]
+            [Packed::Answered(Outcome::ACCEPTED)]
         );
     }
 }

@@ -125,24 +125,31 @@ fn strucpp(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     }
 }
 
-/// Returns the answer of the matrix that was measured on CODESYS and TwinCAT. The value of what may lose digits or the sign is open, and so is what
-/// concerns a type that the matrix does not have.
+/// Returns the answer of the matrix that was measured on CODESYS and TwinCAT, which has numbers and bit strings: what may lose the sign
+/// or digits is warned of. For other types the matrix is a rule that was not measured.
 fn codesys(from: ElementaryType, to: ElementaryType) -> MatrixWord {
-    use ElementaryType::{Char, Ldate, Ldt, Ltod, Wchar};
-    let is_measured = |ty| !matches!(ty, Ldate | Ltod | Ldt | Char | Wchar);
-    if !is_measured(from) || !is_measured(to) {
+    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    let is_signed = |ty: ElementaryType| ty.family() == Family::Signed;
+    let is_number = |ty: ElementaryType| is_whole(ty) || ty.is_real();
+    if !is_number(from) || !is_number(to) {
         return MatrixWord::Open;
     }
-    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
-    let is_number = |ty: ElementaryType| is_whole(ty) || ty.is_real();
-    let is_accepted = match (is_whole(from), is_whole(to)) {
-        (true, true) => from.bits() <= to.bits(),
-        _ => is_number(from) && to.is_real(),
+    let keeps_all = match (is_whole(from), is_whole(to)) {
+        (true, true) if from.bits() > to.bits() => return MatrixWord::No,
+        (true, true) => match (is_signed(from), is_signed(to)) {
+            (true, false) => false,
+            (false, true) => from.bits() < to.bits(),
+            _ => true,
+        },
+        // 24 binary digits in a REAL, 53 in an LREAL.
+        (true, false) => from.bits() <= if to == ElementaryType::Real { 16 } else { 32 },
+        (false, true) => return MatrixWord::No,
+        (false, false) => from == ElementaryType::Real,
     };
-    match keeps_its_value(from, to) {
-        true => MatrixWord::Yes,
-        false if is_accepted => MatrixWord::Open,
-        false => MatrixWord::No,
+    if keeps_all {
+        MatrixWord::Yes
+    } else {
+        MatrixWord::Warn
     }
 }
 

@@ -354,7 +354,7 @@ struct PageResults {
 /// Returns the outcome of a case that is only compiled, by its first message, whose line number is of the page and not of the case.
 fn compiled_outcome(message: Option<String>) -> PageResult {
     let outcome = match message {
-        None => Outcome::Accepted,
+        None => Outcome::ACCEPTED,
         Some(message) => Outcome::Rejected {
             diagnostics: vec![Diagnostic {
                 message,
@@ -367,7 +367,7 @@ fn compiled_outcome(message: Option<String>) -> PageResult {
 
 fn answered(answer: ReportedOutcome, place: &str) -> Outcome {
     match answer {
-        ReportedOutcome::Accepted => Outcome::Accepted,
+        ReportedOutcome::Accepted => Outcome::ACCEPTED,
         ReportedOutcome::Rejected => Outcome::Rejected {
             diagnostics: vec![Diagnostic {
                 message: format!("rejected, as noted at {place}"),

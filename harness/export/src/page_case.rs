@@ -108,6 +108,9 @@ fn refuse(case: &Case) -> Result<(), Reason> {
     if expectation.fault.is_some() {
         return Err(Reason::Fault);
     }
+    if !expectation.warnings.is_empty() {
+        return Err(Reason::Warned);
+    }
     let later = case
         .observe
         .iter()

@@ -35,13 +35,15 @@ pub enum Reason {
     Unseen,
     /// A mistake in the program keeps a compiler from parsing the cases after it.
     Unreadable,
+    /// The compiler must warn, which no array of results and no note of an outcome tells.
+    Warned,
     /// The program must be rejected, and its mistake may be in a POU or type of its own.
     RejectedUnits,
 }
 
 impl Reason {
     /// Every reason, in the order in which reports list them.
-    pub const ALL: [Reason; 16] = [
+    pub const ALL: [Reason; 17] = [
         Reason::Rejected,
         Reason::Open,
         Reason::Named,
@@ -57,6 +59,7 @@ impl Reason {
         Reason::NegativeZero,
         Reason::Unseen,
         Reason::Unreadable,
+        Reason::Warned,
         Reason::RejectedUnits,
     ];
 }
@@ -81,6 +84,7 @@ impl fmt::Display for Reason {
             Reason::Unreadable => {
                 "cannot be read by a compiler, which would not read what stands behind them"
             }
+            Reason::Warned => "must be accepted with a warning, which is not imported",
             Reason::RejectedUnits => {
                 "must be rejected, and have POUs or types of their own in which the mistake may be"
             }

@@ -85,12 +85,7 @@ impl ResultArrays {
         }
         match reading.contradiction {
             Some(message) => PageResult::Outcome(Outcome::Error { message }, Vec::new()),
-            None => PageResult::Outcome(
-                Outcome::Executed {
-                    values: reading.values,
-                },
-                reading.untold,
-            ),
+            None => PageResult::Outcome(Outcome::executed(reading.values), reading.untold),
         }
     }
 

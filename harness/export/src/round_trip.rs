@@ -102,7 +102,7 @@ fn array(page: &str, dialect: DialectName, elements: usize, scans: usize) -> Vec
         clock: &[],
         set: &[],
     });
-    let Outcome::Executed { values } = outcome else {
+    let Outcome::Executed { values, .. } = outcome else {
         panic!("{outcome:?}\n{page}");
     };
     let number = |value: &Value| match value {

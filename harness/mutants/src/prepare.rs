@@ -55,17 +55,18 @@ impl CaseTexts {
             let lines = text.lines.iter().map(|line| line.trim());
             lines.filter(|line| !line.is_empty()).collect()
         };
+        let told = |told: &[stickler_suite::ExpectedDiagnostic]| {
+            let told = told.iter().map(|one| (one.line, one.code.as_str()));
+            told.collect()
+        };
         Expectation {
             acceptance: match expectation.accepted {
                 stickler_suite::Acceptance::Required => Acceptance::Required,
                 stickler_suite::Acceptance::Rejected => Acceptance::Rejected,
                 stickler_suite::Acceptance::Observed => Acceptance::Observed,
             },
-            diagnostics: expectation
-                .diagnostics
-                .iter()
-                .map(|one| (one.line, one.code.as_str()))
-                .collect(),
+            diagnostics: told(&expectation.diagnostics),
+            warnings: told(&expectation.warnings),
             clean_lines: expectation.clean_lines.clone(),
             values: self
                 .values

@@ -7,7 +7,7 @@ mod request;
 mod run;
 mod settings;
 
-pub use diagnose::{check, check_bytes, render, variables};
+pub use diagnose::{check, check_bytes, errors, render, variables};
 pub use located::locate;
 pub use request::{Limits, RequestError};
 pub use run::{execute, run};

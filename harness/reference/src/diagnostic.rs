@@ -3,7 +3,7 @@
 use crate::source::Span;
 use stickler_types::Code;
 
-/// An error in a source text.
+/// An error in a source text, or a warning, as its code says.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SpannedDiagnostic {
     /// The kind of error.
@@ -26,6 +26,13 @@ impl SpannedDiagnostic {
             suggestion: None,
         }
     }
+}
+
+/// Returns whether a diagnostic is an error, for which the text is rejected.
+pub(crate) fn has_errors(diagnostics: &[SpannedDiagnostic]) -> bool {
+    diagnostics
+        .iter()
+        .any(|diagnostic| diagnostic.code.severity().is_error())
 }
 
 /// A list of diagnostics that stays bounded, whatever the input is.
@@ -62,9 +69,9 @@ impl Diagnostics {
         }
     }
 
-    /// Returns whether there are no diagnostics.
-    pub(crate) fn is_empty(&self) -> bool {
-        self.list.is_empty()
+    /// Returns whether a diagnostic is an error.
+    pub(crate) fn has_errors(&self) -> bool {
+        has_errors(&self.list)
     }
 
     /// Returns the diagnostics in the order of the text.

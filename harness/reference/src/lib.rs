@@ -25,7 +25,7 @@
 //! let request = RunRequest::once(DialectName::Matiec, source, &observe);
 //! let small = Value::parse("INT#-31072").expect("a typed literal");
 //! let values = vec![("small".to_owned(), small)];
-//! assert_eq!(run(&request, Limits::default()), Ok(Outcome::Executed { values }));
+//! assert_eq!(run(&request, Limits::default()), Ok(Outcome::executed(values)));
 //! ```
 //!
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
@@ -42,5 +42,5 @@ pub mod semantics;
 pub mod source;
 pub mod syntax;
 
-pub use api::{Limits, RequestError, check, check_bytes, execute, locate, render, run, variables};
+pub use api::{Limits, RequestError, check, check_bytes, errors, execute, locate, render, run, variables};
 pub use dialect::{COMMON_CHOICES, Dialect};

@@ -105,14 +105,14 @@ struct StoredRendering {
     rerun: Option<StoredOutcome>,
 }
 
-/// The serialized form of an outcome that may be kept; values are typed literals.
+/// The serialized form of an outcome that may be kept; values are typed literals, and warnings come last.
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "lowercase", deny_unknown_fields)]
 enum StoredOutcome {
-    Accepted,
-    Executed(Vec<(String, String)>),
+    Accepted(Vec<Diagnostic>),
+    Executed(Vec<(String, String)>, Vec<Diagnostic>),
     Rejected(Vec<Diagnostic>),
-    Faulted(String, Option<u32>, Vec<(String, String)>),
+    Faulted(String, Option<u32>, Vec<(String, String)>, Vec<Diagnostic>),
     Rendered(String),
     Unsupported(String),
     #[serde(rename = "not-implemented")]
@@ -173,12 +173,17 @@ impl StoredOutcome {
     /// Converts an outcome; returns `None` for one that is not to be kept.
     fn of(outcome: &Outcome) -> Option<StoredOutcome> {
         Some(match outcome {
-            Outcome::Accepted => StoredOutcome::Accepted,
-            Outcome::Executed { values } => StoredOutcome::Executed(literals(values)),
-            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics.clone()),
-            Outcome::Faulted { fault, line, values } => {
-                StoredOutcome::Faulted(fault.to_string(), *line, literals(values))
+            Outcome::Accepted { warnings } => StoredOutcome::Accepted(warnings.clone()),
+            Outcome::Executed { values, warnings } => {
+                StoredOutcome::Executed(literals(values), warnings.clone())
             }
+            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics.clone()),
+            Outcome::Faulted {
+                fault,
+                line,
+                values,
+                warnings,
+            } => StoredOutcome::Faulted(fault.to_string(), *line, literals(values), warnings.clone()),
             Outcome::Rendered { text } => StoredOutcome::Rendered(text.clone()),
             Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason.clone()),
             Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason.clone()),
@@ -192,15 +197,17 @@ impl StoredOutcome {
     /// Converts back to an outcome; returns `None` where a literal or a fault cannot be parsed.
     fn outcome(self) -> Option<Outcome> {
         Some(match self {
-            StoredOutcome::Accepted => Outcome::Accepted,
-            StoredOutcome::Executed(literals) => Outcome::Executed {
+            StoredOutcome::Accepted(warnings) => Outcome::Accepted { warnings },
+            StoredOutcome::Executed(literals, warnings) => Outcome::Executed {
                 values: values(literals)?,
+                warnings,
             },
             StoredOutcome::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
-            StoredOutcome::Faulted(fault, line, literals) => Outcome::Faulted {
+            StoredOutcome::Faulted(fault, line, literals, warnings) => Outcome::Faulted {
                 fault: fault.parse::<Fault>().ok()?,
                 line,
                 values: values(literals)?,
+                warnings,
             },
             StoredOutcome::Rendered(text) => Outcome::Rendered { text },
             StoredOutcome::Unsupported(reason) => Outcome::Unsupported { reason },
@@ -242,10 +249,8 @@ mod tests {
             ..Diagnostic::default()
         };
         let outcomes = [
-            Outcome::Accepted,
-            Outcome::Executed {
-                values: values.clone(),
-            },
+            Outcome::ACCEPTED,
+            Outcome::executed(values.clone()),
             Outcome::Rejected {
                 diagnostics: vec![diagnostic, Diagnostic::default()],
             },
@@ -253,6 +258,7 @@ mod tests {
                 fault: Fault::DivisionByZero,
                 line: Some(3),
                 values,
+                warnings: Vec::new(),
             },
             Outcome::Unsupported {
                 reason: "no clock".to_owned(),
@@ -299,7 +305,7 @@ mod tests {
                 again: None,
                 rerun: None,
             });
-            let run = Outcome::Accepted;
+            let run = Outcome::ACCEPTED;
             assert_eq!(written(&Answers { run, rendering }), None);
         }
     }
@@ -310,15 +316,16 @@ mod tests {
             "",
             "{}",
             r#"{"run":"approved"}"#,
-            r#"{"run":"accepted","mood":"fine"}"#,
-            r#"{"run":{"executed":[["n","5"]]}}"#,
-            r#"{"run":{"faulted":["bad luck",null,[]]}}"#,
+            r#"{"run":"accepted"}"#,
+            r#"{"run":{"accepted":[]},"mood":"fine"}"#,
+            r#"{"run":{"executed":[[["n","5"]],[]]}}"#,
+            r#"{"run":{"faulted":["bad luck",null,[],[]]}}"#,
         ] {
             assert_eq!(read(text), None, "{text}");
         }
         assert_eq!(
-            read(r#"{"run":"accepted"}"#),
-            Some(Answers::of_run(Outcome::Accepted))
+            read(r#"{"run":{"accepted":[]}}"#),
+            Some(Answers::of_run(Outcome::ACCEPTED))
         );
     }
 }

@@ -21,9 +21,12 @@ pub enum Fact {
     RejectedSilently,
     /// The program may be accepted or rejected: no document decides.
     AcceptedOrRejected,
-    /// The engine reports a diagnostic. An expected diagnostic has a line and a code and no message; so has an actual one
+    /// The engine reports an error. An expected diagnostic has a line and a code and no message; so has an actual one
     /// that matches it.
     Diagnostic(Diagnostic),
+    /// The engine accepts the program with a warning. An expected warning, and an actual one that matches it, has a line and a code and
+    /// no message.
+    Warning(Diagnostic),
     /// The engine gave further diagnostics, which are only counted.
     MoreDiagnostics {
         /// The number of further diagnostics.
@@ -137,7 +140,7 @@ impl Fact {
         hasher.0.folded()
     }
 
-    /// Returns the diagnostic, where the fact is one.
+    /// Returns the error, where the fact is one.
     #[must_use]
     pub fn diagnostic(&self) -> Option<&Diagnostic> {
         match self {
@@ -161,6 +164,7 @@ impl Fact {
         let text = match self {
             Fact::Rendered { lines } => return edit(lines),
             Fact::Diagnostic(Diagnostic { message: text, .. })
+            | Fact::Warning(Diagnostic { message: text, .. })
             | Fact::NotRendered {
                 rejection: Some(text),
                 ..
@@ -187,7 +191,7 @@ impl fmt::Display for Fact {
             Fact::Rejected => f.write_str("rejected"),
             Fact::RejectedSilently => f.write_str("rejected, with no diagnostic"),
             Fact::AcceptedOrRejected => f.write_str("accepted or rejected"),
-            Fact::Diagnostic(diagnostic) => write_diagnostic(f, diagnostic),
+            Fact::Diagnostic(diagnostic) | Fact::Warning(diagnostic) => write_diagnostic(f, diagnostic),
             Fact::MoreDiagnostics { number } => write!(f, "and {number} diagnostics more"),
             Fact::Fault {
                 fault,
@@ -233,12 +237,13 @@ impl fmt::Display for Fact {
     }
 }
 
-/// Writes `line 6: error P4035: …`, in which every report begins with the place.
+/// Writes `line 6: error P4035: …`, or `line 6: warning C0195: …`; every report begins with the place.
 fn write_diagnostic(f: &mut fmt::Formatter<'_>, diagnostic: &Diagnostic) -> fmt::Result {
     match diagnostic.line {
-        Some(line) => write!(f, "line {line}: error ")?,
-        None => f.write_str("somewhere: error ")?,
+        Some(line) => write!(f, "line {line}: ")?,
+        None => f.write_str("somewhere: ")?,
     }
+    write!(f, "{} ", diagnostic.severity.as_str())?;
     let code = match (&diagnostic.code, diagnostic.message.as_str()) {
         (Some(code), _) => code,
         (None, "") => return f.write_str("of any code"),

@@ -13,7 +13,7 @@ pub use rendered::differ_in_blanks_only;
 
 use crate::{Answers, Fact, Grade, Observed, Verdict};
 use findings::Findings;
-use stickler_engines::{NamedValue, Outcome};
+use stickler_engines::{Diagnostic, NamedValue, Outcome};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault, ExpectedText};
 use stickler_types::Fault;
 
@@ -50,14 +50,17 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
     let mut findings = Findings::default();
     let grade = match &answers.run {
         Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics, strict, &mut findings),
-        Outcome::Faulted { fault, line, values } => {
-            faulted(expectation, (*fault, *line), values, strict, &mut findings)
-        }
-        Outcome::Executed { values } => executed(expectation, values, &mut findings),
+        Outcome::Faulted {
+            fault, line, values, ..
+        } => faulted(expectation, (*fault, *line), values, strict, &mut findings),
+        Outcome::Executed { values, .. } => executed(expectation, values, &mut findings),
         _ => accepted(expectation, &mut findings),
     };
     if let (Some(text), Some(rendering)) = (&expectation.rendered, &answers.rendering) {
         rendered::compare(text, &answers.run, rendering, &mut findings);
+    }
+    if let Some(warnings) = answers.run.warnings() {
+        diagnostics::warnings(expectation, warnings, strict, &mut findings);
     }
     let (verdict, got) = findings.finish();
     Judgement {
@@ -115,7 +118,7 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
             let message = message.clone();
             (Verdict::Error, Fact::Error { message })
         }
-        Outcome::Accepted
+        Outcome::Accepted { .. }
         | Outcome::Executed { .. }
         | Outcome::Rejected { .. }
         | Outcome::Faulted { .. }
@@ -138,6 +141,7 @@ fn expected(expectation: &Expectation) -> Vec<Fact> {
     if facts.is_empty() {
         facts.push(acceptance(expectation));
     }
+    facts.extend(diagnostics::expected(&expectation.warnings));
     facts
 }
 
@@ -151,7 +155,7 @@ fn acceptance(expectation: &Expectation) -> Fact {
 
 fn rejected(
     expectation: &Expectation,
-    diagnostics: &[stickler_engines::Diagnostic],
+    diagnostics: &[Diagnostic],
     strict: Grade,
     findings: &mut Findings,
 ) -> Option<Grade> {
@@ -246,7 +250,7 @@ fn observations(case: &Case, run: &Outcome) -> Vec<Observed> {
         }
     }
     if case.observe.len() > case.expectation.values.len()
-        && let Outcome::Executed { values } | Outcome::Faulted { values, .. } = run
+        && let Outcome::Executed { values, .. } | Outcome::Faulted { values, .. } = run
     {
         values::unasserted(case, values, &mut observations);
     }

@@ -1,9 +1,11 @@
 //! Classifies the deviation of an engine in a case by a symptom, from the expected and the actual facts.
 
 mod normalize;
+mod rejection;
 
 use crate::{CaseEvent, Fact, Grade, Verdict};
 use normalize::normalize_message;
+use rejection::rejection;
 use std::fmt;
 use stickler_types::{Diagnostic, Fault};
 
@@ -42,6 +44,10 @@ pub enum Symptom {
     Incomplete(String),
     /// The engine reports all mistakes and another one; holds the code or normalized message of the latter.
     Surplus(String),
+    /// The engine does not warn of what it must warn of; holds the expected code.
+    NotWarned(String),
+    /// The engine warns on a line that must have no diagnostic; holds the code or normalized message of the warning.
+    Warned(String),
     /// The engine stops with a fault where it must stop with none or with another one; holds the actual fault.
     Fault(String),
     /// The engine stops with the expected fault, but names another line or none; holds the fault.
@@ -93,6 +99,7 @@ impl Symptom {
                 .or_else(|| value(expected, got))
                 .or_else(|| fault_line(expected, got, strict))
                 .or_else(|| got.iter().any(is_missing).then_some(Symptom::Missing))
+                .or_else(|| warning(expected, got))
                 .unwrap_or(Symptom::Text),
         }
     }
@@ -123,6 +130,8 @@ impl Symptom {
             Symptom::OtherLine(code) => ("line-of", code),
             Symptom::Incomplete(code) => ("incomplete", code),
             Symptom::Surplus(reason) => ("surplus", reason),
+            Symptom::NotWarned(code) => ("not-warned", code),
+            Symptom::Warned(reason) => ("warned", reason),
             Symptom::Fault(fault) => ("fault", fault),
             Symptom::FaultLine(fault) => ("line-of", fault),
             Symptom::NotFaulted(fault) => ("not-faulted", fault),
@@ -178,6 +187,14 @@ impl fmt::Display for Symptom {
             Symptom::Incomplete(code) => write!(f, "it does not tell every mistake ({code} is not told)"),
             Symptom::Surplus(reason) => {
                 write!(f, "it tells more mistakes than there are{}", in_brackets(reason))
+            }
+            Symptom::NotWarned(code) => write!(f, "it does not warn{}", in_brackets(code)),
+            Symptom::Warned(reason) => {
+                write!(
+                    f,
+                    "it warns where there is nothing to warn of{}",
+                    in_brackets(reason)
+                )
             }
             Symptom::Fault(fault) => {
                 write!(
@@ -258,61 +275,16 @@ fn first_reason(facts: &[Fact]) -> String {
     first.map(reason).unwrap_or_default()
 }
 
-/// Returns the symptom of an expected rejection, by those parts of the diagnostics that were compared.
-fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
-    let (missing, extra) = unmet(expected, got, strict);
-    let told = extra.first().map(|first| reason(first)).unwrap_or_default();
-    // Where lines are not compared, only a diagnostic on a line without a mistake is wrong.
-    let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
-        return Symptom::Surplus(told);
+/// Returns the symptom where warnings differ. A missing warning counts before one that is not expected, which may be its other form.
+fn warning(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
+    let unmet = |these: &[Fact], others: &[Fact]| {
+        these.iter().find_map(|fact| match fact {
+            Fact::Warning(warning) if !others.contains(fact) => Some(reason(warning)),
+            _ => None,
+        })
     };
-    let code = reason(first);
-    let nothing_met = missing.len() == expected.len() && !extra.is_empty();
-    match strict {
-        Grade::Code => match extra.iter().find(|told| told.code == first.code) {
-            Some(same) if has_no_place(same) => Symptom::NoPlace(code),
-            Some(_) => Symptom::OtherLine(code),
-            None if nothing_met || extra.iter().any(|told| told.line == first.line) => {
-                Symptom::OtherCode { code, told }
-            }
-            None => Symptom::Incomplete(code),
-        },
-        Grade::Line | Grade::Rejected if nothing_met => match extra.iter().all(|told| has_no_place(told)) {
-            true => Symptom::NoPlace(told),
-            false => Symptom::OtherLine(code),
-        },
-        _ => Symptom::Incomplete(code),
-    }
-}
-
-/// Returns whether a diagnostic does not tell where the mistake is. Line 1, column 1 is what a compiler says that has lost the
-/// place; where the mistake really stands there, the diagnostic is the expected one.
-fn has_no_place(told: &Diagnostic) -> bool {
-    told.line.is_none() || (told.line, told.column) == (Some(1), Some(1))
-}
-
-/// Returns the expected diagnostics that did not come, and the actual ones that are not expected. Where codes are compared,
-/// each diagnostic counts; otherwise any diagnostic on a line meets all on that line.
-fn unmet<'t>(
-    expected: &[&'t Diagnostic],
-    got: &[&'t Diagnostic],
-    strict: Grade,
-) -> (Vec<&'t Diagnostic>, Vec<&'t Diagnostic>) {
-    let on_line_of_any =
-        |among: &[&Diagnostic], one: &Diagnostic| among.iter().any(|other| other.line == one.line);
-    if strict != Grade::Code {
-        let missing = expected.iter().filter(|wanted| !on_line_of_any(got, wanted));
-        let extra = got.iter().filter(|told| !on_line_of_any(expected, told));
-        return (missing.copied().collect(), extra.copied().collect());
-    }
-    let mut extra = got.to_vec();
-    let mut missing = expected.to_vec();
-    missing.retain(|wanted| {
-        let same = |told: &&Diagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
-        let met = extra.iter().position(same);
-        met.map(|at| extra.remove(at)).is_none()
-    });
-    (missing, extra)
+    let missing = unmet(expected, got).map(Symptom::NotWarned);
+    missing.or_else(|| unmet(got, expected).map(Symptom::Warned))
 }
 
 /// Returns the fault among these facts, with its line.

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use stickler_types::{ClockSetting, Observation, Setting, Value};
+use stickler_types::{ClockSetting, Code, Observation, Setting, Severity, Value};
 
 use crate::assembly::{Assembly, AssemblyMistake, TypeNames, contradiction, shared};
-use crate::mark::{Mark, MarkClaim, ValueLine};
+use crate::mark::{Known, Mark, MarkClaim, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
 
@@ -92,12 +92,12 @@ impl<'n> Assembler<'n> {
         match claim {
             MarkClaim::Error(codes) => {
                 self.expectation.accepted = Acceptance::Rejected;
-                for code in codes {
-                    let code = code.get(scratch, texts)?;
-                    self.expectation
-                        .diagnostics
-                        .push(ExpectedDiagnostic { line, code });
-                }
+                let told = diagnostics(codes, Severity::Error, line, scratch, texts)?;
+                self.expectation.diagnostics.extend(told);
+            }
+            MarkClaim::Warning(codes) => {
+                let told = diagnostics(codes, Severity::Warning, line, scratch, texts)?;
+                self.expectation.warnings.extend(told);
             }
             MarkClaim::Ok => self.expectation.clean_lines.push(line),
             MarkClaim::Fault(fault) => {
@@ -202,6 +202,7 @@ impl<'n> Assembler<'n> {
         }
         let observe = observed::all(&self.expectation.values, recorded, self.names).map_err(wrong)?;
         self.expectation.diagnostics.sort();
+        self.expectation.warnings.sort();
         self.set.sort_by_key(|set| set.before);
         self.clock.sort_by_key(|clock| clock.before);
         Ok(Assembly {
@@ -231,6 +232,28 @@ impl<'n> Assembler<'n> {
             None => Ok(()),
         }
     }
+}
+
+/// Returns the diagnostics with these codes on a line.
+///
+/// # Errors
+/// A message, if a code is not one of this severity.
+fn diagnostics(
+    codes: &[Known<Code>],
+    severity: Severity,
+    line: u32,
+    scratch: &mut String,
+    texts: &[&str],
+) -> Result<Vec<ExpectedDiagnostic>, String> {
+    let diagnostic = |code: &Known<Code>| {
+        let code = code.get(scratch, texts)?;
+        let own = code.severity().as_str();
+        match code.severity() == severity {
+            true => Ok(ExpectedDiagnostic { line, code }),
+            false => Err(format!("{code} is the code of {own}s; write `{own} {code}`")),
+        }
+    };
+    codes.iter().map(diagnostic).collect()
 }
 
 /// Returns the trimmed lines of a text, without empty ones at its start and end.

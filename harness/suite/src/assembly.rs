@@ -33,6 +33,7 @@ impl Assembly {
         let expectation = &self.expectation;
         expectation.accepted == Acceptance::Required
             && expectation.values.is_empty()
+            && expectation.warnings.is_empty()
             && expectation.clean_lines.is_empty()
             && expectation.fault.is_none()
             && expectation.rendered.is_none()
@@ -44,6 +45,7 @@ impl Assembly {
 pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
     let Expectation {
         diagnostics,
+        warnings,
         clean_lines,
         values,
         fault,
@@ -52,9 +54,13 @@ pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
     } = expectation;
     let observed = *accepted == Acceptance::Observed;
     let has_clean_line = |line| clean_lines.binary_search(&line).is_ok();
+    if warnings.iter().any(|warning| has_clean_line(warning.line)) {
+        return Some("`ok` and `warning` apply to the same line");
+    }
     if diagnostics.is_empty() {
         return match observed {
             false => None,
+            true if !warnings.is_empty() => Some("`observe acceptance` asserts nothing, but `warning` does"),
             true if !values.is_empty() => {
                 Some("`observe acceptance` asserts nothing, but values are asserted")
             }
@@ -68,6 +74,10 @@ pub(crate) fn contradiction(expectation: &Expectation) -> Option<&'static str> {
     }
     if observed {
         Some("an `error` mark and `observe acceptance` apply at once")
+    } else if !warnings.is_empty() {
+        Some(
+            "an `error` mark applies, and the warnings of a rejected program are not compared, but one is asserted",
+        )
     } else if !values.is_empty() {
         Some("an `error` mark applies, so the program does not run, but values are asserted")
     } else if fault.is_some() {

@@ -1,6 +1,6 @@
 //! Conditions under which a mark or a probe applies: `if no|open`, `if row = ANY_INT and column <> row`.
 
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, MatrixWord};
 
 /// A conjunction of tests; without a test it always holds.
 #[derive(Clone, Debug, Default)]
@@ -139,10 +139,10 @@ fn words_of_cells(words: &[&str]) -> Result<Vec<Alternative>, String> {
     let joined = words.concat();
     joined
         .split('|')
-        .map(|word| match word {
-            "yes" | "no" | "open" | "=" => Ok(Alternative::Text(word.into())),
-            _ => Err(format!(
-                "`{word}` is no word of a cell; there are yes, no, open and =, and `NAME = WORD`"
+        .map(|word| match MatrixWord::from_word(word) {
+            Some(word) => Ok(Alternative::Text(word.as_str().into())),
+            None => Err(format!(
+                "`{word}` is no word of a cell; there are yes, warn, no, open and =, and `NAME = WORD`"
             )),
         })
         .collect()

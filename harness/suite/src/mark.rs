@@ -28,7 +28,9 @@ pub(crate) struct Mark {
 pub(crate) enum MarkClaim {
     /// Diagnostics with these codes name the line.
     Error(Vec<Known<Code>>),
-    /// No diagnostic names the line of the mark.
+    /// Warnings with these codes name the line; they alone reject nothing.
+    Warning(Vec<Known<Code>>),
+    /// No diagnostic, neither error nor warning, names the line of the mark.
     Ok,
     Fault(Known<Fault>),
     Values {

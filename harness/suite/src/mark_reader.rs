@@ -56,7 +56,8 @@ impl MarkReader<'_> {
         let rest = head[word.len()..].trim();
         let mut clauses = Clauses::default();
         let claim = match word {
-            "error" => self.error(rest, &mut clauses).map_err(here)?,
+            "error" => MarkClaim::Error(self.codes(word, "P4035", rest, &mut clauses).map_err(here)?),
+            "warning" => MarkClaim::Warning(self.codes(word, "C0195", rest, &mut clauses).map_err(here)?),
             "ok" => self
                 .clauses(rest, &mut clauses)
                 .map(|()| MarkClaim::Ok)
@@ -94,17 +95,24 @@ impl MarkReader<'_> {
         })
     }
 
-    fn error(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
+    /// Reads the codes behind `error` or `warning`; `example` is a code for the message where there are none.
+    fn codes(
+        &self,
+        word: &str,
+        example: &str,
+        rest: &str,
+        clauses: &mut Clauses,
+    ) -> Result<Vec<Known<Code>>, String> {
         let (codes, rest) = split_clauses(rest);
         let codes: Vec<Known<Code>> = codes
             .split_whitespace()
             .map(|code| self.known(code))
             .collect::<Result<_, _>>()?;
         if codes.is_empty() {
-            return Err("`error` needs a code: `error P4035`".to_owned());
+            return Err(format!("`{word}` needs a code: `{word} {example}`"));
         }
         self.clauses(rest, clauses)?;
-        Ok(MarkClaim::Error(codes))
+        Ok(codes)
     }
 
     fn fault(&self, rest: &str, clauses: &mut Clauses) -> Result<MarkClaim, String> {
@@ -279,7 +287,7 @@ fn newlines(text: &str) -> u32 {
 }
 
 fn unknown_mark(word: &str) -> String {
-    let known = "error, ok, fault, values, rendered, observe, set, clock";
+    let known = "error, warning, ok, fault, values, rendered, observe, set, clock";
     match word {
         "" => format!("the mark is empty; there are {known}"),
         _ => format!("no mark `{word}`; there are {known}"),

@@ -117,7 +117,9 @@ pub struct Expectation {
     pub accepted: Acceptance,
     /// The diagnostics that must be there, ordered by line; empty unless [`Acceptance::Rejected`].
     pub diagnostics: Vec<ExpectedDiagnostic>,
-    /// Lines of the program that no diagnostic may name (`ok` marks), ascending.
+    /// The warnings that must be there, ordered by line. Others may be there as well, except on a clean line.
+    pub warnings: Vec<ExpectedDiagnostic>,
+    /// Lines of the program that no diagnostic, error or warning, may name (`ok` marks), ascending.
     pub clean_lines: Vec<u32>,
     /// The values that variables must have after a scan.
     pub values: Vec<ExpectedValue>,
@@ -134,14 +136,14 @@ impl Expectation {
         let Expectation {
             accepted,
             diagnostics,
+            warnings,
             clean_lines,
             values,
             fault,
             rendered,
         } = self;
-        let asserts = !(diagnostics.is_empty() && clean_lines.is_empty() && values.is_empty())
-            || fault.is_some()
-            || rendered.is_some();
+        let tells = !(diagnostics.is_empty() && warnings.is_empty() && clean_lines.is_empty());
+        let asserts = tells || !values.is_empty() || fault.is_some() || rendered.is_some();
         match accepted {
             _ if asserts => false,
             Acceptance::Required => !observe.is_empty(),
@@ -154,10 +156,10 @@ impl Expectation {
 /// Whether a program must be accepted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Acceptance {
-    /// No diagnostic at all may be given.
+    /// No error may be given.
     #[default]
     Required,
-    /// At least one diagnostic must be given: those that the expectation lists and no others.
+    /// At least one error must be given: those that the expectation lists and no others.
     Rejected,
     /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
     Observed,

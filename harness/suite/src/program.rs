@@ -126,6 +126,13 @@ impl ProgramTemplate {
             .any(|&index| matches!(self.marks[index].claim, MarkClaim::Error(_)))
     }
 
+    /// Returns whether one of these marks claims a warning.
+    pub(crate) fn warns(&self, active: &[usize]) -> bool {
+        active
+            .iter()
+            .any(|&index| matches!(self.marks[index].claim, MarkClaim::Warning(_)))
+    }
+
     /// Returns whether one of these marks claims that execution stops with a fault.
     pub(crate) fn faults(&self, active: &[usize]) -> bool {
         active

@@ -13,17 +13,18 @@ impl Case {
         let program = unmarked(&self.source);
         let expectation = &*self.expectation;
         let line = |line: u32| program.line(line);
+        let moved = |told: &[ExpectedDiagnostic]| {
+            let moved = told.iter().map(|expected| ExpectedDiagnostic {
+                line: line(expected.line),
+                ..*expected
+            });
+            moved.collect()
+        };
         Case {
             source: program.text.as_str().into(),
             expectation: Arc::new(Expectation {
-                diagnostics: expectation
-                    .diagnostics
-                    .iter()
-                    .map(|expected| ExpectedDiagnostic {
-                        line: line(expected.line),
-                        ..*expected
-                    })
-                    .collect(),
+                diagnostics: moved(&expectation.diagnostics),
+                warnings: moved(&expectation.warnings),
                 clean_lines: expectation.clean_lines.iter().map(|clean| line(*clean)).collect(),
                 fault: expectation.fault.map(|expected| ExpectedFault {
                     line: line(expected.line),

@@ -16,6 +16,8 @@ words! {
         Yes = "yes",
         /// The two types are the same; treated like `yes`.
         Same = "=",
+        /// Accepted with a warning, and otherwise like `yes`.
+        Warn = "warn",
         /// Rejected.
         No = "no",
         /// No document decides; the result is recorded without an expectation.

@@ -8,6 +8,7 @@ mod table;
 
 pub use table::Code;
 
+use crate::diagnostic::Severity;
 use crate::dialect_name::DialectName;
 use page::CodePage;
 use std::fmt;
@@ -32,6 +33,14 @@ impl Code {
     /// Returns the number, such as `P4035`.
     pub const fn as_str(self) -> &'static str {
         ENTRIES[self as usize].code
+    }
+
+    /// Returns the weight of a diagnostic with this code: a program with an error is rejected, one with warnings alone is accepted.
+    pub const fn severity(self) -> Severity {
+        match self {
+            Code::SignedToUnsigned | Code::UnsignedToSigned | Code::LossOfInformation => Severity::Warning,
+            _ => Severity::Error,
+        }
     }
 
     /// Returns the name, such as `AssignmentTypeMismatch`.

@@ -1,7 +1,6 @@
 //! The answers of engines: the outcome of a request.
 
-use crate::{Code, Fault, Value};
-use serde::{Deserialize, Serialize};
+use crate::{Diagnostic, Fault, Value};
 use std::fmt;
 
 /// A value with the name under which it was requested (`q`, `a[1]`, `q@3`; see
@@ -12,15 +11,20 @@ pub type NamedValue = (String, Value);
 #[derive(Clone, PartialEq, Debug)]
 pub enum Outcome {
     /// The program was accepted; nothing was executed.
-    Accepted,
+    Accepted {
+        /// The warnings, sorted by line, column and code.
+        warnings: Vec<Diagnostic>,
+    },
     /// The program ran to the end of its last scan.
     Executed {
         /// The observed values, in the order asked for.
         values: Vec<NamedValue>,
+        /// The warnings of the compiler, sorted by line, column and code.
+        warnings: Vec<Diagnostic>,
     },
     /// The program was rejected.
     Rejected {
-        /// The diagnostics, sorted by line, column and code.
+        /// The errors, sorted by line, column and code; the warnings of a rejected program are left out.
         diagnostics: Vec<Diagnostic>,
     },
     /// The program was accepted and stopped at a run-time fault.
@@ -31,6 +35,8 @@ pub enum Outcome {
         line: Option<u32>,
         /// The values observed so far.
         values: Vec<NamedValue>,
+        /// The warnings of the compiler, sorted by line, column and code.
+        warnings: Vec<Diagnostic>,
     },
     /// The program was rendered as normalised source.
     Rendered {
@@ -70,6 +76,58 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// The outcome of a program that was accepted without a warning, and not executed.
+    pub const ACCEPTED: Outcome = Outcome::Accepted { warnings: Vec::new() };
+
+    /// Returns the outcome of a program that ran to its end and had no warning.
+    #[must_use]
+    pub const fn executed(values: Vec<NamedValue>) -> Outcome {
+        let warnings = Vec::new();
+        Outcome::Executed { values, warnings }
+    }
+
+    /// Returns the outcome of a program that was rejected with these diagnostics, of which the errors are kept.
+    #[must_use]
+    pub fn rejected(mut diagnostics: Vec<Diagnostic>) -> Outcome {
+        diagnostics.retain(Diagnostic::is_error);
+        Outcome::Rejected { diagnostics }
+    }
+
+    /// Returns the outcome of checking a program: rejected where a diagnostic is an error, otherwise accepted with the
+    /// diagnostics as warnings.
+    #[must_use]
+    pub fn of_check(diagnostics: Vec<Diagnostic>) -> Outcome {
+        match diagnostics.iter().any(Diagnostic::is_error) {
+            true => Outcome::rejected(diagnostics),
+            false => Outcome::Accepted {
+                warnings: diagnostics,
+            },
+        }
+    }
+
+    /// Returns the same outcome with these warnings of the compiler, where it is one that has warnings.
+    #[must_use]
+    pub fn with_warnings(mut self, of_compiler: Vec<Diagnostic>) -> Outcome {
+        if let Outcome::Accepted { warnings }
+        | Outcome::Executed { warnings, .. }
+        | Outcome::Faulted { warnings, .. } = &mut self
+        {
+            *warnings = of_compiler;
+        }
+        self
+    }
+
+    /// Returns the warnings of a program that was accepted; `None` where no compiler accepted it.
+    #[must_use]
+    pub fn warnings(&self) -> Option<&[Diagnostic]> {
+        match self {
+            Outcome::Accepted { warnings }
+            | Outcome::Executed { warnings, .. }
+            | Outcome::Faulted { warnings, .. } => Some(warnings),
+            _ => None,
+        }
+    }
+
     /// Formats a time limit for messages: `300 ms`, `60 s`, `1.5 s`.
     #[must_use]
     pub fn limit(milliseconds: u64) -> String {
@@ -82,11 +140,15 @@ impl Outcome {
 }
 
 impl fmt::Display for Outcome {
-    /// Writes the outcome in one line, without values and rendered text: `accepted`, `no answer within 60 s`,
-    /// `crashed: panicked: out of memory`.
+    /// Writes the outcome in one line, without values and rendered text: `accepted`, `accepted with 2 warnings`, `no answer
+    /// within 60 s`, `crashed: panicked: out of memory`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Outcome::Accepted => f.write_str("accepted"),
+            Outcome::Accepted { warnings } => match warnings.len() {
+                0 => f.write_str("accepted"),
+                1 => f.write_str("accepted with 1 warning"),
+                several => write!(f, "accepted with {several} warnings"),
+            },
             Outcome::Executed { .. } => f.write_str("executed"),
             Outcome::Rejected { diagnostics } => match diagnostics.first() {
                 Some(first) => write!(f, "rejected: {first}"),
@@ -107,63 +169,10 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// A diagnostic that an engine reports for a program. A foreign engine may report only the message; the reference always
-/// reports a registered code and the whole span.
-#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
-pub struct Diagnostic {
-    /// A code of Stickler's registry, or the engine's own.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub code: Option<String>,
-    /// The line, from 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
-    pub line: Option<u32>,
-    /// The column, from 1, in Unicode scalar values.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
-    pub column: Option<u32>,
-    /// The line on which the span ends, from 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
-    pub end_line: Option<u32>,
-    /// The column after the last character of the span.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[cfg_attr(feature = "schema", schemars(range(min = 1)))]
-    pub end_column: Option<u32>,
-    /// A description of the problem, for a person.
-    #[serde(default)]
-    pub message: String,
-    /// A text that replaces exactly the span and makes the program acceptable.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub suggestion: Option<String>,
-}
-
-impl Diagnostic {
-    /// Returns the code, if the registry has it.
-    #[must_use]
-    pub fn registered_code(&self) -> Option<Code> {
-        self.code.as_deref()?.parse().ok()
-    }
-}
-
-impl fmt::Display for Diagnostic {
-    /// Writes `P4035 on line 6, column 13: …` without the unknown parts; `error` stands in for a missing code.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.code.as_deref().unwrap_or("error"))?;
-        if let Some(line) = self.line {
-            write!(f, " on line {line}")?;
-            if let Some(column) = self.column {
-                write!(f, ", column {column}")?;
-            }
-        }
-        write!(f, ": {}", self.message)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::{Code, Severity};
 
     #[test]
     fn a_limit_is_told_in_seconds_where_there_are_any() {
@@ -177,6 +186,21 @@ mod tests {
         ] {
             assert_eq!(Outcome::limit(milliseconds), told);
         }
+    }
+
+    #[test]
+    fn a_program_with_warnings_alone_is_accepted() {
+        let warning = || Diagnostic {
+            severity: Severity::Warning,
+            ..Diagnostic::default()
+        };
+        let accepted = Outcome::of_check(vec![warning(), warning()]);
+        assert_eq!(accepted.to_string(), "accepted with 2 warnings");
+        assert_eq!(accepted.warnings().map(<[_]>::len), Some(2));
+        let rejected = Outcome::of_check(vec![warning(), Diagnostic::default()]);
+        let diagnostics = vec![Diagnostic::default()];
+        assert_eq!(rejected, Outcome::Rejected { diagnostics });
+        assert_eq!(Outcome::of_check(Vec::new()), Outcome::ACCEPTED);
     }
 
     #[test]
@@ -202,6 +226,7 @@ mod tests {
             fault: Fault::Subrange,
             line: Some(3),
             values: Vec::new(),
+            warnings: Vec::new(),
         };
         for (outcome, described) in [
             (rejected(&[first]), "rejected: P4035 on line 6, column 13: no INT"),

@@ -65,8 +65,8 @@ pub(crate) fn compare(question: JudgedProgram<'_>, outcome: &Outcome) -> Agreeme
     } = question;
     match outcome {
         Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => Agreement::Unsupported,
-        Outcome::Accepted => Agreement::Agrees,
-        Outcome::Executed { values } if binds => values_agree(expected, values),
+        Outcome::Accepted { .. } => Agreement::Agrees,
+        Outcome::Executed { values, .. } if binds => values_agree(expected, values),
         Outcome::Rejected { diagnostics } if binds => rejected(diagnostics),
         Outcome::Faulted { fault, line, .. } if binds => {
             let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();

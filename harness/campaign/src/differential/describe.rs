@@ -14,13 +14,14 @@ pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
             .collect::<Vec<String>>()
     };
     let (word, said) = match outcome {
-        Outcome::Accepted => ("accepted", Vec::new()),
-        Outcome::Executed { values: got } => ("executed", values(got)),
+        Outcome::Accepted { .. } => ("accepted", Vec::new()),
+        Outcome::Executed { values: got, .. } => ("executed", values(got)),
         Outcome::Rejected { diagnostics } => ("rejected", diagnostics.iter().map(diagnostic).collect()),
         Outcome::Faulted {
             fault,
             line,
             values: got,
+            ..
         } => {
             let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
             let mut said = vec![format!("{fault}{line}")];

@@ -59,7 +59,7 @@ impl Session for Running {
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::Accepted
+        Outcome::ACCEPTED
     }
 
     fn render(&mut self, _: DialectName, _: &str) -> Outcome {
@@ -339,7 +339,7 @@ fn without_types_of_operands(request: &RunRequest<'_>) -> Outcome {
                 .iter()
                 .all(|told| told.code.as_deref() == Some("P4049")) =>
         {
-            Outcome::Accepted
+            Outcome::ACCEPTED
         }
         other => other,
     }
@@ -436,7 +436,7 @@ fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
 /// Adds one too few, and assigns nothing of `c` alone.
 fn adds_too_little(request: &RunRequest<'_>) -> Outcome {
     let mut outcome = as_the_reference(request);
-    if let Outcome::Executed { values } = &mut outcome {
+    if let Outcome::Executed { values, .. } = &mut outcome {
         for (_, value) in values.iter_mut().filter(|(name, _)| name == "x") {
             if request.source.contains('+') {
                 *value = Value::plain(ElementaryType::Int, 5);

@@ -79,22 +79,22 @@ impl Session for Compiling<'_> {
             Outcome::Rejected { mut diagnostics } => {
                 diagnostics.retain(|told| told.code.as_deref() != Some("P4035"));
                 match diagnostics.is_empty() {
-                    true => Outcome::Accepted,
+                    true => Outcome::ACCEPTED,
                     false => Outcome::Rejected { diagnostics },
                 }
             }
-            Outcome::Executed { mut values } => {
+            Outcome::Executed { mut values, .. } => {
                 let reals = values.iter_mut().filter(|(_, value)| value.type_name() == "REAL");
                 let wrong = || Value::parse("REAL#0.5").expect("a literal");
                 reals.filter(|_| integers).for_each(|(_, value)| *value = wrong());
-                Outcome::Executed { values }
+                Outcome::executed(values)
             }
             other => other,
         }
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::Accepted
+        Outcome::ACCEPTED
     }
 
     fn render(&mut self, _: DialectName, source: &str) -> Outcome {

@@ -6,7 +6,7 @@ use crate::{output, snippet, source_file};
 use anyhow::bail;
 use std::io::{self, Write};
 use stickler_reference::Limits;
-use stickler_types::{Observation, Outcome, RunRequest, Value};
+use stickler_types::{Diagnostic, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of values that are shown where no variable is named.
 const MAX_VALUES: usize = 1000;
@@ -20,8 +20,8 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     let (bytes, path) = source_file::read(&arguments.source.file)?;
     let dialect = arguments.source.dialect;
     let (text, diagnostics) = stickler_reference::check_bytes(&bytes, dialect);
-    if !diagnostics.is_empty() {
-        snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+    snippet::write(&diagnostics, &text, &path, &mut output::stderr())?;
+    if diagnostics.iter().any(Diagnostic::is_error) {
         return Ok(Exit::Failures);
     }
     let names = names(arguments, &text);
@@ -31,11 +31,13 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
         ..RunRequest::once(dialect, &text, &observe)
     };
     match stickler_reference::run(&request, Limits::default()) {
-        Ok(Outcome::Executed { values }) => {
+        Ok(Outcome::Executed { values, .. }) => {
             write_values(&values, out)?;
             Ok(Exit::AsExpected)
         }
-        Ok(Outcome::Faulted { fault, line, values }) => {
+        Ok(Outcome::Faulted {
+            fault, line, values, ..
+        }) => {
             write_values(&values, out)?;
             out.flush()?;
             let line = line.unwrap_or_default();

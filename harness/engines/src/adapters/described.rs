@@ -214,7 +214,7 @@ impl Session for DescribedSession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match self.try_check(dialect, source) {
-            Ok(()) => Outcome::Accepted,
+            Ok(()) => Outcome::ACCEPTED,
             Err(outcome) => outcome,
         }
     }
@@ -257,7 +257,7 @@ impl DescribedSession<'_> {
         let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
             return self
                 .try_check(request.dialect, request.source)
-                .map(|()| Outcome::Accepted);
+                .map(|()| Outcome::ACCEPTED);
         };
         takes_scans(&run.0, request)?;
         let call = self.call(request.dialect)?;
@@ -283,7 +283,7 @@ impl DescribedSession<'_> {
         executions: &BTreeMap<u32, Execution>,
     ) -> Result<Outcome, Outcome> {
         let Some(pattern) = &self.engine.description.value else {
-            return Ok(Outcome::Accepted);
+            return Ok(Outcome::ACCEPTED);
         };
         let printed: BTreeMap<u32, Printed<'_>> = executions
             .iter()
@@ -304,11 +304,12 @@ impl DescribedSession<'_> {
             }
         }
         Ok(match fault {
-            None => Outcome::Executed { values },
+            None => Outcome::executed(values),
             Some(fault) => Outcome::Faulted {
                 fault,
                 line: None,
                 values,
+                warnings: Vec::new(),
             },
         })
     }

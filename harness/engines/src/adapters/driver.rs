@@ -101,7 +101,7 @@ impl<'r> Driver<'r> {
         subjects
             .map(|(number, (subject, printed))| match printed {
                 Some(printed) => match self.values(&printed, subject) {
-                    Ok(values) => Outcome::Executed { values },
+                    Ok(values) => Outcome::executed(values),
                     Err(_) => alone(number, subject),
                 },
                 None => alone(number, subject),
@@ -120,6 +120,7 @@ impl<'r> Driver<'r> {
             fault,
             line: None,
             values: Vec::new(),
+            warnings: Vec::new(),
         };
         if ended.stopped_by_arithmetic() {
             return Ok(faulted(Fault::DivisionByZero));
@@ -127,7 +128,7 @@ impl<'r> Driver<'r> {
         let code = ended.code().map_err(unusable)?;
         if code == 0 {
             let values = self.values(&ended.stdout, subject).map_err(failed)?;
-            return Ok(Outcome::Executed { values });
+            return Ok(Outcome::executed(values));
         }
         let listed = self.faults.iter().find(|(of, _)| *of == code);
         listed

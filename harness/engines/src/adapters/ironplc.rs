@@ -121,7 +121,7 @@ impl Session for IronplcSession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match self.compile(dialect, source) {
-            Ok(_) => Outcome::Accepted,
+            Ok(_) => Outcome::ACCEPTED,
             Err(outcome) => outcome,
         }
     }
@@ -311,11 +311,12 @@ impl Scans<'_> {
             }
         }
         Ok(RunResult::Done(match last {
-            ExecutionEnd::Finished(_) => Outcome::Executed { values },
+            ExecutionEnd::Finished(_) => Outcome::executed(values),
             ExecutionEnd::Faulted(fault, _) => Outcome::Faulted {
                 fault,
                 line: None,
                 values,
+                warnings: Vec::new(),
             },
         }))
     }

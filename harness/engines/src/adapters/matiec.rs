@@ -175,7 +175,7 @@ impl Session for MatiecSession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match speaks(dialect).and_then(|()| self.translate(source)) {
-            Ok(()) => Outcome::Accepted,
+            Ok(()) => Outcome::ACCEPTED,
             Err(outcome) => outcome,
         }
     }
@@ -205,7 +205,7 @@ impl MatiecSession<'_> {
         speaks(request.dialect)?;
         let Some(main) = main_program(request.source) else {
             self.translate(request.source)?;
-            return Ok(Outcome::Accepted);
+            return Ok(Outcome::ACCEPTED);
         };
         let probes = ProbeVariables::of(request);
         let subject = MatiecSubject {

@@ -86,13 +86,13 @@ mod tests {
     }
 
     fn answered() -> Packed {
-        Packed::Answered(Outcome::Accepted)
+        Packed::Answered(Outcome::ACCEPTED)
     }
 
     #[test]
     fn what_is_taken_out_keeps_its_answer_and_the_rest_goes_on() {
         let taken = BTreeMap::from([(0, Packed::Alone), (2, answered())]);
-        let ran = Round::Ran(vec![Outcome::Accepted, Outcome::Accepted]);
+        let ran = Round::Ran(vec![Outcome::ACCEPTED, Outcome::ACCEPTED]);
         let (answers, seen) = played(9, vec![Round::TakenOut(taken), ran]);
         assert_eq!(seen, [vec![1, 3, 5, 7], vec![3, 7]]);
         assert_eq!(answers[1], Packed::Alone);

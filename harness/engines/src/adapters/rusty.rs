@@ -243,7 +243,7 @@ impl Session for RustySession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match speaks(dialect).and_then(|()| self.accepts(&["--check"], source)) {
-            Ok(()) => Outcome::Accepted,
+            Ok(()) => Outcome::ACCEPTED,
             Err(outcome) => outcome,
         }
     }
@@ -283,7 +283,7 @@ impl RustySession<'_> {
         speaks(request.dialect)?;
         let Some(program) = PackedProgram::alone(request) else {
             self.accepts(&OBJECT, request.source)?;
-            return Ok(Outcome::Accepted);
+            return Ok(Outcome::ACCEPTED);
         };
         let subjects = [program.subject()];
         let driver = driver(&subjects, &PackedProgram::file_of(program.place))

@@ -232,7 +232,7 @@ impl Session for StrucppSession<'_> {
 
     fn check(&mut self, _: DialectName, source: &str) -> Outcome {
         match self.translate(source) {
-            Ok(_) => Outcome::Accepted,
+            Ok(_) => Outcome::ACCEPTED,
             Err(outcome) => outcome,
         }
     }
@@ -300,7 +300,7 @@ impl StrucppSession<'_> {
     fn try_run(&mut self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         match self.accepted(request)? {
             Some(accepted) => self.build_and_run(&accepted),
-            None => Ok(Outcome::Accepted),
+            None => Ok(Outcome::ACCEPTED),
         }
     }
 

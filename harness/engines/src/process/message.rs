@@ -2,7 +2,7 @@
 
 use crate::protocol::{ClockMessage, ObserveMessage, ProgramRequest, Reply};
 use crate::protocol::{Request, RunMessage, SetMessage};
-use crate::{NamedValue, Observation, Outcome, RunRequest};
+use crate::{Diagnostic, NamedValue, Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use stickler_types::{DialectName, ElementaryType, Fault, Value};
 
@@ -80,20 +80,21 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
         return Err(format!("it answered out of turn: {}", excerpt(line)));
     }
     match (reply, verb) {
-        (Reply::Accepted(_), Verb::Run | Verb::Check) => Ok(Outcome::Accepted),
-        (Reply::Executed(reply), Verb::Run) => {
-            let values = values(reply.values, observe)?;
-            Ok(Outcome::Executed { values })
-        }
+        (Reply::Accepted(reply), Verb::Run | Verb::Check) => Ok(Outcome::Accepted {
+            warnings: warnings(reply.diagnostics, word)?,
+        }),
+        (Reply::Executed(reply), Verb::Run) => Ok(Outcome::Executed {
+            values: values(reply.values, observe)?,
+            warnings: warnings(reply.diagnostics, word)?,
+        }),
         (Reply::Faulted(reply), Verb::Run) => Ok(Outcome::Faulted {
             fault: reply.fault.parse::<Fault>().map_err(|error| error.to_string())?,
             line: reply.line,
             values: values(reply.values, observe)?,
+            warnings: warnings(reply.diagnostics, word)?,
         }),
         (Reply::Rendered(reply), Verb::Render) => Ok(Outcome::Rendered { text: reply.text }),
-        (Reply::Rejected(reply), _) => Ok(Outcome::Rejected {
-            diagnostics: reply.diagnostics,
-        }),
+        (Reply::Rejected(reply), _) => Ok(Outcome::rejected(reply.diagnostics)),
         (Reply::Unsupported(reply), _) => Ok(match reply.not_implemented {
             true => Outcome::NotImplemented { reason: reply.reason },
             false => Outcome::Unsupported { reason: reply.reason },
@@ -105,6 +106,16 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
         | (Reply::Executed(_) | Reply::Faulted(_) | Reply::Rendered(_), _) => {
             Err(format!("it answered `{}` by `{word}`", verb.name()))
         }
+    }
+}
+
+/// Returns the diagnostics of a program that was accepted, none of which is an error.
+fn warnings(diagnostics: Vec<Diagnostic>, word: &str) -> Result<Vec<Diagnostic>, String> {
+    match diagnostics.iter().find(|told| told.is_error()) {
+        None => Ok(diagnostics),
+        Some(error) => Err(format!(
+            "it answered `{word}` with the error `{error}`; a diagnostic of an accepted program has the `severity` `warning`"
+        )),
     }
 }
 
@@ -159,7 +170,7 @@ mod tests {
         ];
         assert_eq!(
             outcome(line, 3, Verb::Run, &observe),
-            Ok(Outcome::Executed { values })
+            Ok(Outcome::executed(values))
         );
     }
 
@@ -183,6 +194,23 @@ mod tests {
             let reason = outcome(line, 3, Verb::Run, &[observation("a")]).unwrap_err();
             assert!(reason.contains(part), "{reason}");
         }
+    }
+
+    #[test]
+    fn an_accepted_program_has_warnings_and_no_errors() {
+        let of = |severity: &str| {
+            let line = format!(
+                r#"{{"type":"accepted","id":3,"diagnostics":[{{"line":6,"message":"m"{severity}}}]}}"#
+            );
+            outcome(line.as_bytes(), 3, Verb::Check, &[])
+        };
+        let accepted = of(r#","severity":"warning""#).unwrap();
+        assert_eq!(accepted.to_string(), "accepted with 1 warning");
+        let reason = of("").unwrap_err();
+        assert!(
+            reason.contains("`accepted` with the error `error on line 6: m`"),
+            "{reason}"
+        );
     }
 
     #[test]

@@ -12,7 +12,7 @@ pub enum Reply {
     /// Answers `hello`.
     Hello(HelloReply),
     /// The program is accepted; nothing was executed.
-    Accepted(IdReply),
+    Accepted(AcceptedReply),
     /// The program ran to the end of its last scan.
     Executed(ExecutedReply),
     /// The program is rejected.
@@ -47,12 +47,15 @@ pub struct HelloReply {
     pub grade: Grade,
 }
 
-/// A reply that carries nothing but the request's id.
+/// The acceptance of a program.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct IdReply {
+pub struct AcceptedReply {
     /// The request's id.
     pub id: u64,
+    /// The warnings, each with `severity` `warning`, sorted by line, column and code.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// The values of an execution.
@@ -63,6 +66,9 @@ pub struct ExecutedReply {
     pub id: u64,
     /// Each value under the name by which it was asked for, as a typed literal in its canonical spelling.
     pub values: BTreeMap<String, String>,
+    /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// The reasons of a rejection.
@@ -91,6 +97,9 @@ pub struct FaultedReply {
     /// The values observed so far.
     #[serde(default)]
     pub values: BTreeMap<String, String>,
+    /// The warnings of the compiler, each with `severity` `warning`, sorted by line, column and code.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub diagnostics: Vec<Diagnostic>,
 }
 
 /// Normalised source.
@@ -180,17 +189,27 @@ impl Reply {
     #[must_use]
     pub fn from_outcome(id: u64, outcome: Outcome) -> Reply {
         match outcome {
-            Outcome::Accepted => Reply::Accepted(IdReply { id }),
-            Outcome::Executed { values } => Reply::Executed(ExecutedReply {
+            Outcome::Accepted { warnings } => Reply::Accepted(AcceptedReply {
+                id,
+                diagnostics: warnings,
+            }),
+            Outcome::Executed { values, warnings } => Reply::Executed(ExecutedReply {
                 id,
                 values: literals(values),
+                diagnostics: warnings,
             }),
             Outcome::Rejected { diagnostics } => Reply::Rejected(RejectedReply { id, diagnostics }),
-            Outcome::Faulted { fault, line, values } => Reply::Faulted(FaultedReply {
+            Outcome::Faulted {
+                fault,
+                line,
+                values,
+                warnings,
+            } => Reply::Faulted(FaultedReply {
                 id,
                 fault: fault.as_str().to_owned(),
                 line,
                 values: literals(values),
+                diagnostics: warnings,
             }),
             Outcome::Rendered { text } => Reply::Rendered(RenderedReply { id, text }),
             Outcome::Unsupported { reason } => Reply::unsupported(id, reason, false),

@@ -33,7 +33,7 @@ fn ask(engine: &dyn Engine, source: &str, observe: &[(&str, &str, Option<u32>)],
 }
 
 fn values(outcome: Outcome) -> Vec<String> {
-    let Outcome::Executed { values } = outcome else {
+    let Outcome::Executed { values, .. } = outcome else {
         panic!("not executed: {outcome:?}")
     };
     values
@@ -82,7 +82,7 @@ fn behaves(engine: &dyn Engine) {
         dialect,
         "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := 1;\nEND_PROGRAM\n",
     );
-    assert_eq!(accepted, Outcome::Accepted);
+    assert_eq!(accepted, Outcome::ACCEPTED);
 }
 
 fn divides_by_zero(engine: &dyn Engine) {

@@ -34,7 +34,7 @@ fn outcome_of(what: &str, limits: ProcessLimits) -> Outcome {
     let outcome = please(session.as_mut(), what);
     assert_eq!(
         please(session.as_mut(), "accept"),
-        Outcome::Accepted,
+        Outcome::ACCEPTED,
         "after {what}"
     );
     outcome
@@ -72,7 +72,7 @@ fn an_engine_is_who_it_says_and_answers_in_turn() {
     let mut session = engine.session().unwrap();
     for number in 0..100 {
         let outcome = please(session.as_mut(), &format!("accept {number}"));
-        assert_eq!(outcome, Outcome::Accepted);
+        assert_eq!(outcome, Outcome::ACCEPTED);
     }
     drop(session);
     assert_eq!(engine.named("other".to_owned()).identity().name, "other");
@@ -84,7 +84,7 @@ fn sessions_do_not_share_a_process() {
     let mut one = engine.session().unwrap();
     let mut other = engine.session().unwrap();
     assert!(matches!(please(one.as_mut(), "die"), Outcome::Crashed { .. }));
-    assert_eq!(please(other.as_mut(), "accept"), Outcome::Accepted);
+    assert_eq!(please(other.as_mut(), "accept"), Outcome::ACCEPTED);
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_request_that_nobody_reads_runs_out_of_time() {
     };
     let engine = unruly(limits);
     let mut session = engine.session().unwrap();
-    assert_eq!(please(session.as_mut(), "stop reading"), Outcome::Accepted);
+    assert_eq!(please(session.as_mut(), "stop reading"), Outcome::ACCEPTED);
     // More than any pipe holds.
     let outcome = session.check(DialectName::Matiec, &"x".repeat(4 << 20));
     assert_eq!(outcome, Outcome::TimedOut { after_ms: 300 });
@@ -198,12 +198,12 @@ fn a_process_that_holds_too_much_memory_has_crashed() {
 fn an_answer_too_many_is_not_taken_for_the_answer_to_the_next_request() {
     let engine = unruly(LIMITS);
     let mut session = engine.session().unwrap();
-    assert_eq!(please(session.as_mut(), "repeat"), Outcome::Accepted);
+    assert_eq!(please(session.as_mut(), "repeat"), Outcome::ACCEPTED);
     let Outcome::Error { message } = please(session.as_mut(), "exit") else {
         panic!("no error")
     };
     assert!(message.contains("out of turn"), "{message}");
-    assert_eq!(please(session.as_mut(), "accept"), Outcome::Accepted);
+    assert_eq!(please(session.as_mut(), "accept"), Outcome::ACCEPTED);
 }
 
 #[test]
@@ -216,7 +216,7 @@ fn an_answer_to_another_question_is_an_error() {
     assert!(message.contains("`render` by `accepted`"), "{message}");
     // An engine that can only check answers `run` so.
     let request = RunRequest::once(DialectName::Matiec, "accept", &[]);
-    assert_eq!(session.run(&request), Outcome::Accepted);
+    assert_eq!(session.run(&request), Outcome::ACCEPTED);
 }
 
 #[test]
@@ -247,7 +247,7 @@ fn a_death_is_seen_although_a_child_holds_the_output() {
 
 #[test]
 fn a_stderr_that_nobody_reads_blocks_nothing() {
-    assert_eq!(outcome_of("complain", LIMITS), Outcome::Accepted);
+    assert_eq!(outcome_of("complain", LIMITS), Outcome::ACCEPTED);
 }
 
 #[test]

@@ -160,7 +160,7 @@ fn a_configuration_of_the_program_is_used() {
             scans: 2,
             ..RunRequest::once(dialect(compiler), source, &observe)
         };
-        let Outcome::Executed { values } = engine.session().unwrap().run(&request) else {
+        let Outcome::Executed { values, .. } = engine.session().unwrap().run(&request) else {
             panic!("{} does not execute it", compiler.name())
         };
         let values: Vec<String> = values

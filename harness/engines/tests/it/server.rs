@@ -49,8 +49,9 @@ impl Session for Perch {
                 fault: Fault::SubscriptRange,
                 line: None,
                 values,
+                warnings: Vec::new(),
             },
-            _ => Outcome::Executed { values },
+            _ => Outcome::executed(values),
         }
     }
 

@@ -7,7 +7,7 @@ use stickler_types::definition::{Definition, Flag, Stated};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
-const FILES: [&str; 13] = [
+const FILES: [&str; 14] = [
     "integer",
     "integer-to-real",
     "real",
@@ -21,6 +21,7 @@ const FILES: [&str; 13] = [
     "matiec",
     "strucpp",
     "rusty",
+    "codesys",
 ];
 
 type Cell = (ElementaryType, ElementaryType, DialectName);

@@ -7,7 +7,9 @@ fn what_the_reference_computes_is_judged_as_it_must_be_in_every_dialect_and_form
     let cases = cases(&FILES);
     for dialect in DialectName::ALL {
         let exported = ExportFolder::of(&plan(dialect), &cases);
-        assert!(exported.cases > 40, "{dialect}: {}", exported.cases);
+        // Of TwinCAT, what it accepts was recorded, and no values.
+        let least = if dialect == DialectName::Twincat { 5 } else { 40 };
+        assert!(exported.cases > least, "{dialect}: {}", exported.cases);
         for form in [list, watch_list, table, numbers] {
             let text: String = exported.arrays.iter().map(|array| form(array)).collect();
             let (imported, events, whole) = exported.import(&text);

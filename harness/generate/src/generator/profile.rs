@@ -5,8 +5,8 @@ use super::literals;
 use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_third_edition};
 use std::sync::OnceLock;
-use stickler_exact::{Signature, expected, functions, implicit, signatures};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
+use stickler_exact::{Signature, expected, functions, implicit, implicit_result, signatures};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord, Value};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -124,8 +124,14 @@ impl DialectProfile {
     fn build(dialect: DialectName) -> DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
-            let becomes =
-                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == MatrixWord::Yes;
+            // Of an integer and a bit string that convert both ways, no document says which type an operation on them has; of some
+            // pairs that convert, none says the value.
+            let becomes = |from: &ElementaryType| {
+                let both_ways = from.is_bit_string() != into.is_bit_string()
+                    && implicit(into, *from, dialect) == MatrixWord::Yes;
+                let has_value = implicit_result(&Value::plain(*from, 0), into).is_some();
+                *from != into && implicit(*from, into, dialect) == MatrixWord::Yes && has_value && !both_ways
+            };
             types.iter().copied().filter(becomes).collect()
         });
         DialectProfile {

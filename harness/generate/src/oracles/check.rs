@@ -87,7 +87,7 @@ pub fn judge(sound: &Program, planted: &Planted, style: &Style) -> Result<InputO
 /// # Errors
 /// The text is rejected.
 pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFailure> {
-    match stickler_reference::check(text, dialect).first() {
+    match stickler_reference::errors(text, dialect).first() {
         None => Ok(()),
         Some(said) => {
             let symptom = format!("rejected:{}", code_of(said));
@@ -103,7 +103,7 @@ pub fn judge_sound_text(dialect: DialectName, text: &str) -> Result<(), OracleFa
 /// The error is not the only diagnostic, or its suggestion does not help.
 pub fn judge_planted_text(planted: &Planted, text: &str, line: u32) -> Result<(), OracleFailure> {
     let dialect = planted.program.dialect;
-    let said = stickler_reference::check(text, dialect);
+    let said = stickler_reference::errors(text, dialect);
     let verdict =
         one_error(planted, line, &said).and_then(|said| suggestion_helps(planted, said, text, dialect));
     verdict.map_err(|(symptom, message)| {
@@ -160,7 +160,7 @@ fn suggestion_helps(
         let symptom = format!("span:{code}");
         return Err((symptom, format!("the span is not in the text: {said}")));
     };
-    match stickler_reference::check(&apply_suggestion, dialect).first() {
+    match stickler_reference::errors(&apply_suggestion, dialect).first() {
         None => Ok(()),
         Some(still) => {
             let symptom = format!("suggestion:{code}:{}", code_of(still));
@@ -282,7 +282,7 @@ mod tests {
     fn a_suggestion_that_does_not_help_is_told() {
         let (_, planted) = planted(UNKNOWN);
         let text = "PROGRAM main\r\n    missing := 1;\r\nEND_PROGRAM\r\n";
-        let said = stickler_reference::check(text, DialectName::Matiec).remove(0);
+        let said = stickler_reference::errors(text, DialectName::Matiec).remove(0);
         let with = |suggestion: &str| {
             let said = Diagnostic {
                 suggestion: Some(suggestion.to_owned()),

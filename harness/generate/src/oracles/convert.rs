@@ -93,7 +93,7 @@ fn hold(
         format!("{}({}) in {dialect}", signature.function, operands.join(", "))
     };
     let got = match answer {
-        Ok(Outcome::Executed { values }) => values.into_iter().map(|(_, value)| value).next(),
+        Ok(Outcome::Executed { values, .. }) => values.into_iter().map(|(_, value)| value).next(),
         Ok(Outcome::Rejected { diagnostics: said }) => {
             let first = said
                 .first()

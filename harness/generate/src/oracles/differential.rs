@@ -114,9 +114,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
     if let Outcome::Unsupported { .. } = given {
         return Ok(InputOutcome::Skipped("the engine does not support the program"));
     }
-    let expected = Outcome::Executed {
-        values: evaluation.values,
-    };
+    let expected = Outcome::executed(evaluation.values);
     match OutcomeSymptom::first(&expected, &given) {
         None => Ok(InputOutcome::Checked),
         Some(symptom) => {
@@ -133,7 +131,7 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
 /// Describes an outcome; of its values only those that differ from the other outcome.
 fn describe(outcome: &Outcome, other: &Outcome) -> String {
     match (outcome, other) {
-        (Outcome::Executed { values }, Outcome::Executed { values: others }) => {
+        (Outcome::Executed { values, .. }, Outcome::Executed { values: others, .. }) => {
             let differing = values.iter().filter(|value| !others.contains(value));
             let named: Vec<String> = differing
                 .map(|(name, value)| format!("{name} = {value}"))
@@ -181,7 +179,7 @@ mod tests {
     #[test]
     fn an_engine_that_gives_the_documented_values_is_right() {
         let values = evaluate(&everything(), 1).unwrap().values;
-        assert_eq!(judged(Outcome::Executed { values }), Ok(InputOutcome::Checked));
+        assert_eq!(judged(Outcome::executed(values)), Ok(InputOutcome::Checked));
         let reference = Reference::default();
         let mut session = reference.session().unwrap();
         assert_eq!(
@@ -194,7 +192,7 @@ mod tests {
     fn whatever_else_it_does_is_told_by_its_kind() {
         let mut values = evaluate(&everything(), 1).unwrap().values;
         values[1].1 = Value::parse("INT#-1").unwrap();
-        assert_eq!(judged(Outcome::Executed { values }), Err("value:INT".to_owned()));
+        assert_eq!(judged(Outcome::executed(values)), Err("value:INT".to_owned()));
         let reason = "segmentation fault".to_owned();
         assert_eq!(judged(Outcome::Crashed { reason }), Err("crash".to_owned()));
         assert_eq!(judged(Outcome::TimedOut { after_ms: 9 }), Err("hang".to_owned()));
@@ -211,7 +209,7 @@ mod tests {
         let mut program = everything();
         // Without its assignment behind the loop, the loop's variable is open.
         program.main.body.truncate(1);
-        let judged = judge_on(&mut Stubborn(Outcome::Accepted), &program);
+        let judged = judge_on(&mut Stubborn(Outcome::ACCEPTED), &program);
         assert_eq!(
             judged,
             Ok(InputOutcome::Skipped("poisoned by what documents leave open"))

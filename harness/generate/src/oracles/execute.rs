@@ -125,7 +125,7 @@ fn judge_variant(
 fn values_of(program: &Program, text: &str) -> Result<Vec<(String, Value)>, OracleFailure> {
     let observed = program.observed();
     match reference(program.dialect, text, &observed) {
-        Ok(Outcome::Executed { values }) => Ok(values),
+        Ok(Outcome::Executed { values, .. }) => Ok(values),
         Ok(Outcome::Rejected { diagnostics }) => Err(rejected(&diagnostics)),
         Ok(Outcome::Faulted { fault, line, .. }) => {
             let line = line.unwrap_or_default();

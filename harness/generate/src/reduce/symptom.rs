@@ -64,7 +64,7 @@ impl OutcomeSymptom {
             }
             (_, Outcome::Faulted { fault, .. }) => OutcomeSymptom::Fault(*fault),
             (Outcome::Faulted { fault, .. }, Outcome::Executed { .. }) => OutcomeSymptom::NotFaulted(*fault),
-            (Outcome::Executed { values: expected }, Outcome::Executed { values: got }) => {
+            (Outcome::Executed { values: expected, .. }, Outcome::Executed { values: got, .. }) => {
                 return values(expected, got);
             }
             _ => return Vec::new(),
@@ -265,12 +265,8 @@ mod tests {
     fn a_rejection_is_named_by_its_code_or_by_what_it_says() {
         let diagnostic = |code: Option<&str>, message: &str| Diagnostic {
             code: code.map(str::to_owned),
-            line: None,
-            column: None,
-            end_line: None,
-            end_column: None,
             message: message.to_owned(),
-            suggestion: None,
+            ..Diagnostic::default()
         };
         let rejected = Outcome::Rejected {
             diagnostics: vec![
@@ -279,7 +275,7 @@ mod tests {
                 diagnostic(None, "invalid operand"),
             ],
         };
-        let all: Vec<String> = OutcomeSymptom::all(&Outcome::Accepted, &rejected)
+        let all: Vec<String> = OutcomeSymptom::all(&Outcome::ACCEPTED, &rejected)
             .iter()
             .map(ToString::to_string)
             .collect();
@@ -299,7 +295,7 @@ mod tests {
         ] {
             assert_eq!(first.is_meant_by(&wanted.parse().unwrap()), meant, "{wanted}");
         }
-        let must = OutcomeSymptom::all(&rejected, &Outcome::Accepted);
+        let must = OutcomeSymptom::all(&rejected, &Outcome::ACCEPTED);
         assert_eq!(must[0].to_string(), "not-rejected:P0002");
     }
 }

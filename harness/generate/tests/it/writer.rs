@@ -85,7 +85,7 @@ fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
         stickler_reference::Limits::default(),
     );
     match outcome {
-        Ok(stickler_types::Outcome::Executed { values }) => Ok(values),
+        Ok(stickler_types::Outcome::Executed { values, .. }) => Ok(values),
         other => Err(format!("{other:?}\n{text}")),
     }
 }

@@ -22,15 +22,21 @@ fn wrong(case: &Case<'_>) -> Option<String> {
         Err(error) => return Some(error),
     };
     let expectation = &case.expectation;
+    let warnings = answer.warnings();
     let told = match &answer {
         Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics),
-        Outcome::Faulted { fault, line, values } => {
+        Outcome::Faulted {
+            fault, line, values, ..
+        } => {
             let found = (line.unwrap_or_default(), fault.as_str());
             faulted(expectation, found).or_else(|| values_differ(expectation, values))
         }
-        Outcome::Executed { values } => executed(expectation).or_else(|| values_differ(expectation, values)),
+        Outcome::Executed { values, .. } => {
+            executed(expectation).or_else(|| values_differ(expectation, values))
+        }
         other => Some(other.to_string()),
     };
+    let told = told.or_else(|| warnings_differ(expectation, warnings?));
     told.or_else(|| {
         let wanted = expectation.rendered.as_ref()?;
         rendering(case, wanted, &answer)
@@ -69,7 +75,8 @@ fn observation(name: &str, after: u32) -> Observation {
     }
 }
 
-fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
+/// Returns the lines and codes of diagnostics, sorted, and whether one names a clean line.
+fn told<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) -> (Vec<(u32, &'d str)>, bool) {
     let mut found: Vec<(u32, &str)> = diagnostics
         .iter()
         .filter_map(|found| Some((found.line?, found.code.as_deref()?)))
@@ -78,6 +85,18 @@ fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option
     let on_clean_line = found
         .iter()
         .any(|(line, _)| expectation.clean_lines.contains(line));
+    (found, on_clean_line)
+}
+
+/// Returns what is wrong with the warnings of a program that was accepted: one is missing, or names a clean line.
+fn warnings_differ(expectation: &Expectation<'_>, warnings: &[Diagnostic]) -> Option<String> {
+    let (found, on_clean_line) = told(expectation, warnings);
+    let all_given = expectation.warnings.iter().all(|wanted| found.contains(wanted));
+    (!all_given || on_clean_line).then(|| format!("warnings: {found:?}"))
+}
+
+fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
+    let (found, on_clean_line) = told(expectation, diagnostics);
     let right = match expectation.acceptance {
         Acceptance::Required => false,
         Acceptance::Observed => true,

@@ -34,6 +34,8 @@ pub struct Expectation<'a> {
     pub acceptance: Acceptance,
     /// The line and code of each diagnostic that must be there.
     pub diagnostics: Vec<(u32, &'a str)>,
+    /// The line and code of each warning that must be there.
+    pub warnings: Vec<(u32, &'a str)>,
     /// Lines that no diagnostic may name.
     pub clean_lines: Vec<u32>,
     /// The key (`q`, or `q@3` after the third scan) and the typed literal of each value that must be there.
@@ -147,6 +149,7 @@ impl Writer {
             Acceptance::Observed => 2,
         });
         self.list(&expectation.diagnostics, Writer::line_and_text);
+        self.list(&expectation.warnings, Writer::line_and_text);
         self.list(&expectation.clean_lines, |writer, line| writer.number(*line));
         self.list(&expectation.values, |writer, (key, value)| {
             writer.text(key);
@@ -214,6 +217,7 @@ impl<'a> Reader<'a> {
                 _ => return None,
             },
             diagnostics: self.list(Reader::line_and_text)?,
+            warnings: self.list(Reader::line_and_text)?,
             clean_lines: self.list(Reader::number)?,
             values: self.list(|reader| Some((reader.text()?, reader.text()?)))?,
             fault: self.list(Reader::line_and_text)?.pop(),
@@ -237,6 +241,7 @@ mod tests {
             expectation: Expectation {
                 acceptance: Acceptance::Observed,
                 diagnostics: vec![(4, "P4035")],
+                warnings: vec![(5, "C0195")],
                 clean_lines: vec![1, 2],
                 values: vec![("q@2", "INT#5")],
                 fault: Some((7, "division-by-zero")),

@@ -46,6 +46,12 @@ impl<'s> Analysis<'s> {
         }
     }
 
+    /// Returns whether the text is rejected.
+    pub fn is_rejected(&self) -> bool {
+        let mut codes = self.diagnostics.iter().map(|diagnostic| diagnostic.code);
+        codes.any(|code| code.severity().is_error())
+    }
+
     /// Returns an expression of the tree.
     pub fn expression(&self, id: ExpressionId) -> &Expression<'s> {
         &self.unit.expressions[id.0 as usize]

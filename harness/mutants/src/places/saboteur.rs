@@ -7,7 +7,7 @@ use super::site::{Site, sites};
 use std::fmt;
 use stickler_engines::{Engine, EngineError, Identity, NamedValue, Outcome, Reference, RunRequest, Session};
 use stickler_reference::{self as reference, Dialect, Limits};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{Diagnostic, DialectName, ElementaryType};
 
 /// A rule that is broken in one place and kept everywhere else.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -130,11 +130,14 @@ impl Session for SabotagedSession {
         let dialect = Dialect::of(request.dialect);
         let outcome = match self.sabotaged(request.source, &dialect, false) {
             None => reference::run(request, Limits::default()),
-            Some(analysis) if !analysis.diagnostics.is_empty() => Ok(rejected(analysis)),
-            Some(analysis) => match &analysis.program {
-                Some(program) => reference::execute(program, request, Limits::default()),
-                None => Ok(Outcome::Accepted),
-            },
+            Some(analysis) if analysis.is_rejected() => Ok(Outcome::rejected(located(analysis))),
+            Some(analysis) => {
+                let outcome = match &analysis.program {
+                    Some(program) => reference::execute(program, request, Limits::default()),
+                    None => Ok(Outcome::ACCEPTED),
+                };
+                outcome.map(|outcome| outcome.with_warnings(located(analysis)))
+            }
         };
         outcome.unwrap_or_else(|error| Outcome::Error {
             message: error.to_string(),
@@ -145,14 +148,14 @@ impl Session for SabotagedSession {
         let no_values: &[NamedValue] = &[];
         let request = RunRequest::once(dialect, source, &[]);
         match self.run(&request) {
-            Outcome::Executed { values } if values == no_values => Outcome::Accepted,
+            Outcome::Executed { values, .. } if values == no_values => Outcome::ACCEPTED,
             outcome => outcome,
         }
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
         let rendered = match self.sabotaged(source, &Dialect::of(dialect), true) {
-            Some(analysis) if analysis.diagnostics.is_empty() => {
+            Some(analysis) if !analysis.is_rejected() => {
                 Ok(reference::syntax::render(&analysis.unit, source))
             }
             _ => reference::render(source, dialect),
@@ -164,7 +167,6 @@ impl Session for SabotagedSession {
     }
 }
 
-fn rejected(analysis: Analysis<'_>) -> Outcome {
-    let diagnostics = reference::locate(analysis.diagnostics, analysis.source, &analysis.lines);
-    Outcome::Rejected { diagnostics }
+fn located(analysis: Analysis<'_>) -> Vec<Diagnostic> {
+    reference::locate(analysis.diagnostics, analysis.source, &analysis.lines)
 }

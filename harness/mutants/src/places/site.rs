@@ -247,7 +247,7 @@ impl SiteFinder<'_, '_> {
 
     /// Admits bits and forms that are refused.
     fn refused_bits(&mut self) {
-        if self.analysis.diagnostics.is_empty() {
+        if !self.analysis.is_rejected() {
             return;
         }
         for (id, expression) in (0..).map(ExpressionId).zip(&self.analysis.unit.expressions) {

@@ -61,7 +61,7 @@ fn told(rule: &str, place: BrokenPlace) -> String {
     let request = RunRequest::once(DialectName::IronplcEd3, PROGRAM, &observe);
     let mut session = EngineSession::open(&engine).expect("it opens");
     match session.run(&request).expect("it answers") {
-        Outcome::Executed { values } => {
+        Outcome::Executed { values, .. } => {
             let values = values.iter().map(|(_, value)| value.to_string());
             values.collect::<Vec<_>>().join(" ")
         }

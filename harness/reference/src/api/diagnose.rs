@@ -2,7 +2,7 @@
 
 use super::located::locate;
 use crate::decoding::decode;
-use crate::diagnostic::SpannedDiagnostic;
+use crate::diagnostic::{SpannedDiagnostic, has_errors};
 use crate::dialect::Dialect;
 use crate::semantics::{self, CheckedProgram};
 use crate::source::LineIndex;
@@ -13,7 +13,7 @@ use stickler_types::{Code, Diagnostic, DialectName};
 pub(super) struct Checked {
     /// The program that can be run; `None` where the text has an error or no PROGRAM.
     pub program: Option<CheckedProgram>,
-    /// The errors of the text.
+    /// The errors and warnings of the text.
     pub diagnostics: Vec<SpannedDiagnostic>,
     /// Lines and columns of the text.
     pub lines: LineIndex,
@@ -31,14 +31,27 @@ impl Checked {
             lines,
         }
     }
+
+    /// Returns whether the text is rejected.
+    pub fn is_rejected(&self) -> bool {
+        has_errors(&self.diagnostics)
+    }
 }
 
-/// Checks a source text: gives everything that is wrong with it, sorted by line, column and code; nothing
-/// where the dialect accepts it. A text without a PROGRAM is acceptable.
+/// Checks a source text: gives all its errors and warnings, sorted by line, column and code; no error where the dialect accepts
+/// it. A text without a PROGRAM is acceptable.
 #[must_use]
 pub fn check(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
     let checked = Checked::new(source, &Dialect::of(dialect));
     locate(checked.diagnostics, source, &checked.lines)
+}
+
+/// Checks a source text, as [`check`] does, and gives its errors alone: nothing where the dialect accepts it.
+#[must_use]
+pub fn errors(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
+    let mut diagnostics = check(source, dialect);
+    diagnostics.retain(Diagnostic::is_error);
+    diagnostics
 }
 
 /// Checks a source text that may be no text: gives it as it was read (see [`decode`]), which is
@@ -57,9 +70,10 @@ pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnosti
 #[must_use]
 pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String> {
     let checked = Checked::new(source, &Dialect::of(dialect));
+    let rejected = checked.is_rejected();
     checked
         .program
-        .filter(|_| checked.diagnostics.is_empty())
+        .filter(|_| !rejected)
         .map_or_else(Vec::new, |program| program.variables(most))
 }
 

@@ -48,6 +48,7 @@ fn at_position(diagnostic: SpannedDiagnostic, text: &str, lines: &LineIndex) -> 
     let start = lines.position(text, diagnostic.span.start);
     let end = lines.position(text, diagnostic.span.end.max(diagnostic.span.start));
     Diagnostic {
+        severity: diagnostic.code.severity(),
         code: Some(diagnostic.code.as_str().to_owned()),
         line: Some(start.line),
         column: Some(start.column),

@@ -22,15 +22,16 @@ use stickler_types::{Outcome, RunRequest};
 pub fn run(request: &RunRequest<'_>, limits: Limits) -> Result<Outcome, RequestError> {
     let dialect = Dialect::of(request.dialect);
     let mut checked = Checked::new(request.source, &dialect);
-    if checked.diagnostics.is_empty() {
+    if !checked.is_rejected() {
         if let Some(program) = &checked.program {
-            return execute(program, request, limits);
+            let outcome = execute(program, request, limits)?;
+            let warnings = locate(checked.diagnostics, request.source, &checked.lines);
+            return Ok(outcome.with_warnings(warnings));
         }
         checked.diagnostics.push(nothing_to_run(request.source, &dialect));
     }
-    Ok(Outcome::Rejected {
-        diagnostics: locate(checked.diagnostics, request.source, &checked.lines),
-    })
+    let diagnostics = locate(checked.diagnostics, request.source, &checked.lines);
+    Ok(Outcome::rejected(diagnostics))
 }
 
 /// Runs a program that has been checked, for `request.scans` scans; of the request, the text and the dialect are not looked at.
@@ -46,15 +47,14 @@ pub fn execute(
     let mut settings = Settings::new(program, request.set, request.scans)?;
     let mut machine = Machine::new(&program.program, limits.steps);
     match scan_all(&mut machine, &mut observer, &mut settings, request.scans) {
-        Ok(()) => Ok(Outcome::Executed {
-            values: observer.finish(&machine),
-        }),
+        Ok(()) => Ok(Outcome::executed(observer.finish(&machine))),
         Err(Stop::Fault(fault)) => {
             let values = observer.finish(&machine);
             Ok(Outcome::Faulted {
                 fault: fault.kind,
                 line: Some(fault.line),
                 values,
+                warnings: Vec::new(),
             })
         }
         Err(Stop::Inconsistent(inconsistency)) => {

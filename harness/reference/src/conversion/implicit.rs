@@ -2,7 +2,7 @@
 
 use super::{Conversion, ConversionRule};
 use crate::dialect::{Dialect, Widening};
-use stickler_types::{ElementaryType, Family, MatrixWord};
+use stickler_types::{Code, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
 /// one place that decides. Takes the two types and the dialect; gives the conversion to perform, the identity
@@ -34,6 +34,39 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
         rule => rule?,
     };
     Some(Conversion { from, to, rule })
+}
+
+/// Returns the warning with which a dialect accepts an implicit conversion; `None` where it has none, or where the types do not
+/// convert.
+///
+/// Basis: codesys-implicit: classifyElementary, and the pages of the codes.
+#[must_use]
+pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
+    let is_warned = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
+        Some(cell) => cell.value == MatrixWord::Warn,
+        None => {
+            dialect.warns_of_lost_values
+                && from != to
+                && implicit(from, to, dialect).is_some()
+                && may_lose(from, to)
+        }
+    };
+    let is_signed = |ty: ElementaryType| ty.is_integer() && ty.is_signed();
+    is_warned.then(|| match (is_signed(from), is_signed(to)) {
+        _ if to.is_real() || from.is_real() => Code::LossOfInformation,
+        (true, false) => Code::SignedToUnsigned,
+        (false, true) => Code::UnsignedToSigned,
+        _ => Code::LossOfInformation,
+    })
+}
+
+/// Returns whether a number or bit string of the one type may be none of the other.
+fn may_lose(from: ElementaryType, to: ElementaryType) -> bool {
+    match (from.integer_range(), to.integer_range()) {
+        (Some((low, high)), None) => to.is_real() && !range_fits_real(low, high, to),
+        (Some((from_low, from_high)), Some((to_low, to_high))) => from_low < to_low || from_high > to_high,
+        (None, _) => from.is_real() && !real_fits_real(from, to),
+    }
 }
 
 /// The general rule of IronPLC, "the source type's full value range is exactly representable in the target
@@ -143,15 +176,20 @@ const fn integer_fits_integer(from: ElementaryType, to: ElementaryType) -> bool 
 /// Every value of the integer type is exact in the real type: it lies within plus or minus 2^p, p being the
 /// significand's bits with the hidden one.
 const fn integer_fits_real(from: ElementaryType, to: ElementaryType) -> bool {
+    match from.integer_range() {
+        Some((low, high)) => from.is_integer() && range_fits_real(low, high, to),
+        None => false,
+    }
+}
+
+/// Every number from `low` to `high` is exact in the real type.
+const fn range_fits_real(low: i128, high: i128, to: ElementaryType) -> bool {
     let limit: i128 = match to {
         ElementaryType::Real => 1 << f32::MANTISSA_DIGITS,
         ElementaryType::Lreal => 1 << f64::MANTISSA_DIGITS,
         _ => return false,
     };
-    match from.integer_range() {
-        Some((low, high)) => from.is_integer() && -limit <= low && high <= limit,
-        None => false,
-    }
+    -limit <= low && high <= limit
 }
 
 /// REAL into LREAL.

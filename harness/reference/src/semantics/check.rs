@@ -65,7 +65,7 @@ fn lower(
 }
 
 fn finish(model: Model<'_>, program: MachineProgram, reporter: &Reporter) -> Option<CheckedProgram> {
-    if !reporter.is_empty() || model.instances.is_empty() {
+    if reporter.has_errors() || model.instances.is_empty() {
         return None;
     }
     Some(CheckedProgram {

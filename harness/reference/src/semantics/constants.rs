@@ -125,10 +125,10 @@ impl<'m> Lowering<'m> {
     fn fold(&mut self, parts: &[ExpressionId], lower: impl FnOnce(&mut Self) -> LoweredValue) -> Constant {
         self.inferred
             .resize(self.model.source.unit.expressions.len(), Inferred::Pending);
-        let (start, reported) = (self.emitter.position(), self.reporter.reported());
+        let (start, errors) = (self.emitter.position(), self.reporter.errors());
         let value = lower(self);
         let constant = match value.ty.elementary() {
-            _ if self.reporter.reported() > reported => Constant::Silent,
+            _ if self.reporter.errors() > errors => Constant::Silent,
             None => Constant::Silent,
             Some(ty) => self.pushed(ty, start).map_or(Constant::Computed, Constant::Known),
         };

@@ -11,7 +11,7 @@ use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
-use crate::conversion::implicit;
+use crate::conversion::{implicit, implicit_warning};
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::{Code, ElementaryType};
@@ -44,9 +44,21 @@ impl<'m> Lowering<'m> {
             self.record_expected(id, flexible, to, false);
             return LoweredValue::ERROR;
         }
+        self.warn_of_lost_value(id, value.ty, to);
         let value = self.adapt(value, to);
         self.record_expected(id, flexible, to, fits == Fit::Yes);
         self.check_limits(id, value, target)
+    }
+
+    /// Warns of a value whose implicit conversion may lose something, where the dialect does.
+    fn warn_of_lost_value(&mut self, id: ExpressionId, from: TypeId, to: TypeId) {
+        let Some((from, to)) = from.elementary().zip(to.elementary()) else {
+            return;
+        };
+        if let Some(code) = implicit_warning(from, to, self.model.source.dialect) {
+            let message = format!("{from} converts implicitly to {to}, which may change the value");
+            self.report(code, self.span(id), message);
+        }
     }
 
     /// Records that a value stands where an elementary type is expected.

@@ -9,7 +9,8 @@ use stickler_types::Code;
 pub(super) struct Reporter {
     diagnostics: Diagnostics,
     muted: bool,
-    reported: usize,
+    /// The number of errors so far, the muted ones included.
+    errors: usize,
 }
 
 impl Reporter {
@@ -20,7 +21,7 @@ impl Reporter {
 
     /// Reports a diagnostic that is already made, with its suggestion.
     pub(super) fn push(&mut self, diagnostic: SpannedDiagnostic) {
-        self.reported += 1;
+        self.errors += usize::from(diagnostic.code.severity().is_error());
         if !self.muted {
             self.diagnostics.push(diagnostic);
         }
@@ -31,14 +32,14 @@ impl Reporter {
         std::mem::replace(&mut self.muted, muted)
     }
 
-    /// Returns how many diagnostics have been reported so far, the muted ones included.
-    pub(super) fn reported(&self) -> usize {
-        self.reported
+    /// Returns how many errors have been reported so far, the muted ones included.
+    pub(super) fn errors(&self) -> usize {
+        self.errors
     }
 
-    /// Returns whether nothing has been reported yet.
-    pub(super) fn is_empty(&self) -> bool {
-        self.diagnostics.is_empty()
+    /// Returns whether an error has been reported that was not muted.
+    pub(super) fn has_errors(&self) -> bool {
+        self.diagnostics.has_errors()
     }
 
     /// Returns all diagnostics in the order of the text.

@@ -94,5 +94,5 @@ pub(super) fn gives_in(dialect: DialectName, text: &str, scans: u32, expected: &
         ..RunRequest::once(dialect, text, &observe)
     };
     let outcome = run(&request, Limits::default());
-    assert_eq!(outcome, Ok(Outcome::Executed { values: expected }), "{text}");
+    assert_eq!(outcome, Ok(Outcome::executed(expected)), "{text}");
 }

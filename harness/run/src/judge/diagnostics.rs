@@ -3,8 +3,8 @@
 use super::findings::Findings;
 use crate::{Fact, Grade};
 use std::cmp::Ordering;
-use stickler_engines::Diagnostic;
-use stickler_suite::ExpectedDiagnostic;
+use stickler_engines::{Diagnostic, Severity};
+use stickler_suite::{Expectation, ExpectedDiagnostic};
 
 /// The maximum number of unexpected diagnostics that are listed one by one; further ones are counted.
 const MAX_UNEXPECTED: usize = 50;
@@ -32,11 +32,19 @@ pub(super) fn expected(diagnostics: &[ExpectedDiagnostic]) -> Vec<Fact> {
 }
 
 fn expected_fact(expected: ExpectedDiagnostic) -> Fact {
-    Fact::Diagnostic(Diagnostic {
+    fact(Diagnostic {
         line: Some(expected.line),
+        severity: expected.code.severity(),
         code: Some(expected.code.as_str().to_owned()),
         ..Diagnostic::default()
     })
+}
+
+fn fact(diagnostic: Diagnostic) -> Fact {
+    match diagnostic.severity {
+        Severity::Error => Fact::Diagnostic(diagnostic),
+        Severity::Warning => Fact::Warning(diagnostic),
+    }
 }
 
 /// Matches two lists of diagnostics. Each expected diagnostic matches at most one actual one, and the other way round.
@@ -111,12 +119,41 @@ pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> 
 
 /// Returns whether a diagnostic names one of these lines, given in ascending order.
 pub(super) fn any_on(lines: &[u32], diagnostics: &[Diagnostic]) -> bool {
-    let on = |diagnostic: &Diagnostic| {
-        diagnostic
-            .line
-            .is_some_and(|line| lines.binary_search(&line).is_ok())
+    diagnostics.iter().any(|diagnostic| names(lines, diagnostic))
+}
+
+fn names(lines: &[u32], diagnostic: &Diagnostic) -> bool {
+    let line = diagnostic.line;
+    line.is_some_and(|line| lines.binary_search(&line).is_ok())
+}
+
+/// Compares the warnings of an engine that accepted the program: each expected one must have come, to the grade that is asked of
+/// diagnostics, and none may name a clean line. Others say nothing about the case.
+pub(super) fn warnings(
+    expectation: &Expectation,
+    given: &[Diagnostic],
+    strict: Grade,
+    findings: &mut Findings,
+) {
+    let meets = |expected: &ExpectedDiagnostic, told: &Diagnostic| match strict {
+        Grade::Code => place(told) == (Some(expected.line), Some(expected.code.as_str())),
+        Grade::Line => told.line == Some(expected.line),
+        Grade::Rejected => true,
     };
-    !lines.is_empty() && diagnostics.iter().any(on)
+    let (met, missing): (Vec<_>, Vec<_>) = sorted(&expectation.warnings)
+        .into_iter()
+        .partition(|expected| given.iter().any(|told| meets(expected, told)));
+    for expected in met {
+        findings.add(expected_fact(expected));
+    }
+    findings.require(missing.is_empty());
+    for told in given {
+        let on_clean_line = names(&expectation.clean_lines, told);
+        findings.require(!on_clean_line);
+        if on_clean_line || !missing.is_empty() {
+            findings.add(fact(told.clone()));
+        }
+    }
 }
 
 impl DiagnosticMatching<'_> {

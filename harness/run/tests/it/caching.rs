@@ -213,7 +213,7 @@ fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
         ..plain.clone()
     });
     let book = Book::default();
-    let engine = Puppet::new("puppet", |_| Outcome::Accepted);
+    let engine = Puppet::new("puppet", |_| Outcome::ACCEPTED);
     go(&suite(different), &engine, Some(&book), 1);
     assert_eq!(book.now.into_inner().unwrap().len(), number);
 }

@@ -117,9 +117,7 @@ pub fn named(values: &[&str]) -> Vec<NamedValue> {
 
 /// Returns the outcome of an execution that ends with these values.
 pub fn executed(values: &[&str]) -> Outcome {
-    Outcome::Executed {
-        values: named(values),
-    }
+    Outcome::executed(named(values))
 }
 
 /// Returns the outcome of a rejection with diagnostics at these places: `6 P4035`, `6 -` without a code, `- P4035` without a
@@ -202,7 +200,7 @@ impl Session for Strings<'_> {
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
-        Outcome::Accepted
+        Outcome::ACCEPTED
     }
 
     fn render(&mut self, _: DialectName, source: &str) -> Outcome {

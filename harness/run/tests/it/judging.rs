@@ -4,8 +4,8 @@ use crate::fixtures::{Puppet, executed, expecting, fault, named, rejected, rejec
 use std::sync::Arc;
 use stickler_engines::{Engine, Identity, Outcome};
 use stickler_run::{Answers, Fact, Grade, Judgement, Observed, Plan, Verdict, judge};
-use stickler_suite::{Acceptance, Case, Expectation};
-use stickler_types::{Code, Fault, Observation};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic};
+use stickler_types::{Code, Diagnostic, Fault, Observation, Severity};
 
 fn judged(expectation: Expectation, run: Outcome) -> Judgement {
     judge(&expecting(expectation), &Answers::of_run(run), Grade::Code)
@@ -22,6 +22,7 @@ fn faulted(fault: Fault, line: Option<u32>, values: &[&str]) -> Outcome {
         fault,
         line,
         values: named(values),
+        warnings: Vec::new(),
     }
 }
 
@@ -36,7 +37,7 @@ fn open() -> Expectation {
 fn a_pass_says_the_same_in_expected_and_got() {
     for (expectation, run) in [
         (Expectation::default(), executed(&[])),
-        (Expectation::default(), Outcome::Accepted),
+        (Expectation::default(), Outcome::ACCEPTED),
         (
             values(&["x = INT#1", "a = REAL#0.5"]),
             executed(&["x = INT#1", "a = REAL#0.5"]),
@@ -71,7 +72,7 @@ fn an_accepted_program_that_is_rejected_fails_and_shows_why() {
 
 #[test]
 fn a_rejected_program_that_is_accepted_fails() {
-    for run in [Outcome::Accepted, executed(&[])] {
+    for run in [Outcome::ACCEPTED, executed(&[])] {
         assert_eq!(
             verdict(rejection(&["6 P4035"]), run),
             (Verdict::Fail, "accepted".to_owned())
@@ -168,7 +169,7 @@ fn a_worse_grade_passes_only_where_it_is_asked_for() {
 fn a_code_that_the_engine_does_not_have_is_not_asked_for_and_its_line_is() {
     let engine = |lacks: &[Code]| Identity {
         lacks: lacks.to_vec(),
-        ..Puppet::new("ironplc", |_| Outcome::Accepted).identity().clone()
+        ..Puppet::new("ironplc", |_| Outcome::ACCEPTED).identity().clone()
     };
     let case = expecting(rejection(&["6 P4049", "7 P4035"]));
     let verdict = |lacks: &[Code], places: &[&str]| {
@@ -199,6 +200,64 @@ fn a_diagnostic_on_a_clean_line_fails_at_every_grade() {
     );
 }
 
+fn warned(lines: &[(u32, &str)]) -> Outcome {
+    let warning = |&(line, code): &(u32, &str)| Diagnostic {
+        severity: Severity::Warning,
+        code: Some(code.to_owned()),
+        line: Some(line),
+        message: "told".to_owned(),
+        ..Diagnostic::default()
+    };
+    executed(&[]).with_warnings(lines.iter().map(warning).collect())
+}
+
+fn warning(line: u32) -> Expectation {
+    let code = Code::SignedToUnsigned;
+    Expectation {
+        warnings: vec![ExpectedDiagnostic { line, code }],
+        ..Expectation::default()
+    }
+}
+
+#[test]
+fn an_expected_warning_must_come_and_others_may() {
+    let judgement = judged(warning(6), warned(&[(6, "C0195"), (9, "C0197")]));
+    assert_eq!(judgement.verdict, Verdict::Pass);
+    assert_eq!(judgement.expected, judgement.got);
+    assert_eq!(Fact::text(&judgement.got), "accepted\nline 6: warning C0195");
+    for (given, told) in [
+        (&[][..], "accepted"),
+        (&[(7, "C0195")], "accepted\nline 7: warning C0195: told"),
+        (&[(6, "C0196")], "accepted\nline 6: warning C0196: told"),
+    ] {
+        assert_eq!(
+            verdict(warning(6), warned(given)),
+            (Verdict::Fail, told.to_owned())
+        );
+    }
+    let by_line = |given| {
+        let answers = Answers::of_run(warned(given));
+        judge(&expecting(warning(6)), &answers, Grade::Line).verdict
+    };
+    assert_eq!(by_line(&[(6, "E067")]), Verdict::Pass);
+    assert_eq!(by_line(&[(7, "C0195")]), Verdict::Fail);
+}
+
+#[test]
+fn a_warning_fails_a_case_only_on_a_clean_line() {
+    let clean = || Expectation {
+        clean_lines: vec![6],
+        ..Expectation::default()
+    };
+    assert_eq!(verdict(clean(), warned(&[(7, "C0195")])).0, Verdict::Pass);
+    let told = "accepted\nline 6: warning C0195: told".to_owned();
+    assert_eq!(verdict(clean(), warned(&[(6, "C0195")])), (Verdict::Fail, told));
+    assert_eq!(
+        verdict(Expectation::default(), warned(&[(6, "C0195")])).0,
+        Verdict::Pass
+    );
+}
+
 #[test]
 fn open_acceptance_is_recorded_and_never_failed() {
     let recorded = |run: Outcome| {
@@ -214,7 +273,7 @@ fn open_acceptance_is_recorded_and_never_failed() {
             .collect::<Vec<_>>()
     };
     assert_eq!(recorded(executed(&[])), ["acceptance=accepted"]);
-    assert_eq!(recorded(Outcome::Accepted), ["acceptance=accepted"]);
+    assert_eq!(recorded(Outcome::ACCEPTED), ["acceptance=accepted"]);
     assert_eq!(recorded(rejected(&["6 P4035"])), ["acceptance=rejected"]);
     let fault = recorded(faulted(Fault::Subrange, None, &[]));
     assert_eq!(fault, ["acceptance=accepted", "fault=subrange"]);
@@ -259,13 +318,13 @@ fn what_is_observed_and_not_asserted_is_recorded() {
 
 #[test]
 fn an_engine_that_only_checks_is_unsupported_where_values_are_asserted() {
-    let (checked, got) = verdict(values(&["x = INT#1"]), Outcome::Accepted);
+    let (checked, got) = verdict(values(&["x = INT#1"]), Outcome::ACCEPTED);
     assert_eq!(
         (checked, got.as_str()),
         (Verdict::Unsupported, "accepted, and not executed")
     );
     assert_eq!(
-        verdict(fault("9 subrange"), Outcome::Accepted).0,
+        verdict(fault("9 subrange"), Outcome::ACCEPTED).0,
         Verdict::Unsupported
     );
 }

@@ -125,7 +125,7 @@ fn an_engine_that_refuses_to_render_fails_or_is_unsupported() {
         (Verdict::Fail, "rendering was rejected: told")
     );
     assert_eq!(
-        Fact::text(&refused(Outcome::Accepted).got),
+        Fact::text(&refused(Outcome::ACCEPTED).got),
         "rendering gave no text"
     );
     assert_eq!(

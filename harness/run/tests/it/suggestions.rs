@@ -17,10 +17,10 @@ fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
         return Some("the reference has no session".to_owned());
     };
     let given = match session.run(&request) {
-        Outcome::Executed { values } if values.iter().any(|(_, value)| *value == suggestion.value) => {
+        Outcome::Executed { values, .. } if values.iter().any(|(_, value)| *value == suggestion.value) => {
             return None;
         }
-        Outcome::Executed { values } => {
+        Outcome::Executed { values, .. } => {
             let values = values.iter().map(|(_, value)| value.to_string());
             values.collect::<Vec<String>>().join(", ")
         }

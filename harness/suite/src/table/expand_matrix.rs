@@ -313,6 +313,15 @@ impl MatrixExpander<'_, '_> {
                 self.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }
+            if word == MatrixWord::Warn && stated.is_none() && !probe.program.warns(&active) {
+                let message = format!(
+                    "{} to {} says warn, but no `warning` mark applies",
+                    row.name, column.name
+                );
+                let hint = format!("in the probe `{}`, add `(*! warning CODE if warn *)`", probe.name);
+                self.wrong(Mistake::new(row.line, message).hint(hint));
+                continue;
+            }
             let case = CaseGroup {
                 probe,
                 cell: &cell,

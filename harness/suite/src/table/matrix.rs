@@ -89,7 +89,7 @@ fn read_word(word: &str) -> Result<Option<MatrixWord>, String> {
     }
     MatrixWord::from_word(word)
         .map(Some)
-        .ok_or_else(|| format!("`{word}` is no word of a cell; there are yes, no, open, = and -"))
+        .ok_or_else(|| format!("`{word}` is no word of a cell; there are yes, warn, no, open, = and -"))
 }
 
 /// Returns a name that occurs twice, if there is one.

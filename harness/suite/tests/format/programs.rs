@@ -276,7 +276,11 @@ fn a_wrong_setting_in_the_header_is_said() {
 #[test]
 fn a_wrong_mark_is_said_with_its_line() {
     for (body, line, said) in [
-        ("(*! eror P4035 *)", 6, "no mark `eror`; there are error, ok"),
+        (
+            "(*! eror P4035 *)",
+            6,
+            "no mark `eror`; there are error, warning, ok",
+        ),
         ("\n(*!*)", 7, "the mark is empty"),
         ("(*! error *)", 6, "`error` needs a code"),
         ("(*! error P9876 *)", 6, "P9876"),
@@ -302,6 +306,17 @@ fn a_wrong_mark_is_said_with_its_line() {
         ("(*! ok after 1 *)", 6, "`after` has no meaning in `ok`"),
         ("(*! ok if no *)", 6, "`no` is no condition"),
         ("(*! ok in nowhere *)", 6, "no dialect or group `nowhere`"),
+        ("(*! warning *)", 6, "`warning` needs a code: `warning C0195`"),
+        (
+            "(*! warning P4035 *)",
+            6,
+            "P4035 is the code of errors; write `error P4035`",
+        ),
+        (
+            "(*! error C0195 *)",
+            6,
+            "C0195 is the code of warnings; write `warning C0195`",
+        ),
         ("(*! ok in *)", 6, "`in` needs a dialect"),
         ("x; (*! ok", 6, "the mark is not closed"),
     ] {

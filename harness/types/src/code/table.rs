@@ -39,6 +39,9 @@ pub(super) struct CodeEntry {
 }
 
 codes! {
+    C0195 SignedToUnsigned,
+    C0196 UnsignedToSigned,
+    C0197 LossOfInformation,
     P0001 OpenComment,
     P0002 SyntaxError,
     P0003 UnexpectedToken,

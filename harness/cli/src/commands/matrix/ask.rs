@@ -14,6 +14,8 @@ pub type TypePair = (ElementaryType, ElementaryType);
 pub enum MatrixAnswer {
     /// The engine accepts the program.
     Accepts,
+    /// The engine accepts the program with a warning.
+    Warns,
     /// The engine rejects the program.
     Rejects,
     /// The engine does not support the request, which contradicts no document.
@@ -58,7 +60,8 @@ fn ask(
 
 fn answer(outcome: &Outcome) -> MatrixAnswer {
     match outcome {
-        Outcome::Accepted => MatrixAnswer::Accepts,
+        Outcome::Accepted { warnings } if warnings.is_empty() => MatrixAnswer::Accepts,
+        Outcome::Accepted { .. } => MatrixAnswer::Warns,
         Outcome::Rejected { .. } => MatrixAnswer::Rejects,
         Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => MatrixAnswer::Unsupported,
         Outcome::Executed { .. } | Outcome::Faulted { .. } | Outcome::Rendered { .. } => MatrixAnswer::Fails,
@@ -79,7 +82,7 @@ mod tests {
     #[test]
     fn a_crash_is_no_rejection() {
         let reason = String::new;
-        assert_eq!(answer(&Outcome::Accepted), MatrixAnswer::Accepts);
+        assert_eq!(answer(&Outcome::ACCEPTED), MatrixAnswer::Accepts);
         let diagnostics = Vec::new();
         assert_eq!(answer(&Outcome::Rejected { diagnostics }), MatrixAnswer::Rejects);
         let unsupported = Outcome::Unsupported { reason: reason() };

@@ -52,7 +52,11 @@ impl EngineAnswers {
     fn differs(&self, documents: &Documents, pair: TypePair) -> bool {
         match (documents.get(&pair), self.answer(pair)) {
             (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
-            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => answer != MatrixAnswer::Accepts,
+            // Nobody promises that there is no warning.
+            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => {
+                !matches!(answer, MatrixAnswer::Accepts | MatrixAnswer::Warns)
+            }
+            (Some(MatrixWord::Warn), answer) => answer != MatrixAnswer::Warns,
             (Some(MatrixWord::No), answer) => answer != MatrixAnswer::Rejects,
         }
     }
@@ -146,6 +150,7 @@ impl DialectMatrix {
         let said = match self.documents.get(&pair) {
             Some(MatrixWord::Yes) => 'y',
             Some(MatrixWord::Same) => '=',
+            Some(MatrixWord::Warn) => 'w',
             Some(MatrixWord::No) => 'n',
             Some(MatrixWord::Open) => '?',
             None => ' ',
@@ -163,7 +168,7 @@ impl DialectMatrix {
             let answer = engine.answer(pair);
             let style = match (differs(engine), answer) {
                 (true, _) | (_, MatrixAnswer::Fails) => BAD,
-                (false, MatrixAnswer::Accepts) => YES,
+                (false, MatrixAnswer::Accepts | MatrixAnswer::Warns) => YES,
                 (false, MatrixAnswer::Rejects | MatrixAnswer::Unsupported) => DIM,
             };
             write!(out, "{style}{}{style:#}", sign(answer))?;
@@ -175,6 +180,7 @@ impl DialectMatrix {
 fn sign(answer: MatrixAnswer) -> char {
     match answer {
         MatrixAnswer::Accepts => '+',
+        MatrixAnswer::Warns => 'w',
         MatrixAnswer::Rejects => '-',
         MatrixAnswer::Unsupported => '?',
         MatrixAnswer::Fails => 'x',
@@ -185,36 +191,41 @@ fn sign(answer: MatrixAnswer) -> char {
 mod tests {
     use super::{DialectMatrix, Documents, EngineAnswers};
     use crate::commands::matrix::ask::MatrixAnswer;
-    use std::collections::BTreeMap;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
     const WIDENING: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Int);
+    const SIGN: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Uint);
     const NARROWING: (ElementaryType, ElementaryType) = (ElementaryType::Int, ElementaryType::Sint);
 
     fn documents() -> Documents {
-        Documents::from([(WIDENING, MatrixWord::Yes), (NARROWING, MatrixWord::No)])
+        Documents::from([
+            (WIDENING, MatrixWord::Yes),
+            (SIGN, MatrixWord::Warn),
+            (NARROWING, MatrixWord::No),
+        ])
     }
 
     fn always(engine: &str, answer: MatrixAnswer) -> EngineAnswers {
         EngineAnswers {
             engine: engine.to_owned(),
-            answers: BTreeMap::from([(WIDENING, answer), (NARROWING, answer)]),
+            answers: [WIDENING, SIGN, NARROWING].map(|pair| (pair, answer)).into(),
         }
     }
 
     #[test]
     fn what_is_unsupported_contradicts_nothing_and_a_crash_both_answers() {
-        for (answer, widening, narrowing) in [
-            (MatrixAnswer::Accepts, false, true),
-            (MatrixAnswer::Rejects, true, false),
-            (MatrixAnswer::Unsupported, false, false),
-            (MatrixAnswer::Fails, true, true),
+        for (answer, widening, sign, narrowing) in [
+            (MatrixAnswer::Accepts, false, true, true),
+            (MatrixAnswer::Warns, false, false, true),
+            (MatrixAnswer::Rejects, true, true, false),
+            (MatrixAnswer::Unsupported, false, false, false),
+            (MatrixAnswer::Fails, true, true, true),
         ] {
             let column = always("e", answer);
             let differs = |pair| column.differs(&documents(), pair);
             assert_eq!(
-                (differs(WIDENING), differs(NARROWING)),
-                (widening, narrowing),
+                (differs(WIDENING), differs(SIGN), differs(NARROWING)),
+                (widening, sign, narrowing),
                 "{answer:?}"
             );
         }
@@ -238,7 +249,7 @@ mod tests {
         assert_eq!(
             String::from_utf8(shown).unwrap(),
             "\
-matiec  the documents speak of 2 pairs: 1 differ on a, 1 differ on b, 0 differ on c
+matiec  the documents speak of 3 pairs: 2 differ on a, 2 differ on b, 0 differ on c
           SINT   INT
 SINT       ??? !y+-?
 INT      !n+-?   ???

@@ -44,7 +44,7 @@ impl<'e> ReductionEngine<'e> {
     pub fn symptoms(&mut self, dialect: DialectName, source: &str) -> anyhow::Result<Vec<OutcomeSymptom>> {
         let expected = self.expected(dialect, source)?;
         if self.alone {
-            let to_its_end = Outcome::Executed { values: Vec::new() };
+            let to_its_end = Outcome::executed(Vec::new());
             return Ok(OutcomeSymptom::all(&to_its_end, &expected));
         }
         // Without a result of the reference, there is nothing to compare the engine with.
@@ -84,9 +84,9 @@ impl<'e> ReductionEngine<'e> {
         let mut session = EngineSession::new(&self.reference);
         let outcome = session.run(&RunRequest::once(dialect, source, &observe))?;
         Ok(match outcome {
-            Outcome::Executed { mut values } => {
+            Outcome::Executed { mut values, .. } => {
                 values.retain(|(_, value)| !matches!(value, Value::Enumerated { .. }));
-                Outcome::Executed { values }
+                Outcome::executed(values)
             }
             other => other,
         })
@@ -100,7 +100,7 @@ impl<'e> ReductionEngine<'e> {
         expected: &Outcome,
     ) -> Result<Outcome, EngineError> {
         let values: &[NamedValue] = match expected {
-            Outcome::Executed { values } => values,
+            Outcome::Executed { values, .. } => values,
             _ => &[],
         };
         let observe: Vec<Observation> = values

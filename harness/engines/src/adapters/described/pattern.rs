@@ -1,10 +1,11 @@
 //! Regular expressions with named groups: how a compiler writes diagnostics and values.
 
-use crate::Diagnostic;
+use crate::{Diagnostic, Severity};
 use regex_lite::{Captures, Regex, RegexBuilder};
 use std::str::FromStr;
 
-/// The pattern of a compiler's diagnostics. Groups: `code`, `line`, `column`, `end_line`, `end_column`, `message` and `file`.
+/// The pattern of a compiler's diagnostics. Groups: `severity`, `code`, `line`, `column`, `end_line`,
+/// `end_column`, `message` and `file`.
 #[derive(Clone, Debug)]
 pub struct DiagnosticPattern(Regex);
 
@@ -18,6 +19,7 @@ impl FromStr for DiagnosticPattern {
     /// Compiles a regular expression in which `^` and `$` match at line ends of any kind.
     fn from_str(text: &str) -> Result<DiagnosticPattern, String> {
         let known = [
+            "severity",
             "code",
             "line",
             "column",
@@ -98,6 +100,7 @@ fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
     };
     let whole = captures.get(0).map_or("", |whole| whole.as_str()).trim();
     Diagnostic {
+        severity: group("severity").map_or(Severity::Error, severity),
         code: group("code").map(str::to_owned),
         line: number("line"),
         column: number("column"),
@@ -105,6 +108,16 @@ fn diagnostic(captures: &Captures<'_>, here: bool) -> Diagnostic {
         end_column: number("end_column"),
         message: group("message").unwrap_or(whole).to_owned(),
         suggestion: None,
+    }
+}
+
+/// Returns the weight of a diagnostic by the compiler's word for it: an error where the word begins with `err` or `fatal`, in any
+/// case; whatever is less than an error (`warning`, `note`, `info`) is a warning.
+fn severity(word: &str) -> Severity {
+    let word = word.to_ascii_lowercase();
+    match word.starts_with("err") || word.starts_with("fatal") {
+        true => Severity::Error,
+        false => Severity::Warning,
     }
 }
 
@@ -144,6 +157,14 @@ mod tests {
     }
 
     #[test]
+    fn the_group_severity_tells_warnings_from_errors() {
+        let pattern = pattern(r"^(?<severity>\w+): (?<message>.*)$");
+        let found = pattern.diagnostics("Error: a\nWARNING: b\nfatal: c\nnote: d\n", "program.st");
+        let errors: Vec<bool> = found.iter().map(Diagnostic::is_error).collect();
+        assert_eq!(errors, [true, false, true, false]);
+    }
+
+    #[test]
     fn what_is_not_told_is_left_out() {
         let found = pattern(r"^error.*? line (?<line>\d+)").diagnostics("error in line 0\n", "program.st");
         assert_eq!(
@@ -156,7 +177,7 @@ mod tests {
     fn a_group_that_means_nothing_is_told() {
         let error = "(?<lines>.)".parse::<DiagnosticPattern>().unwrap_err();
         assert!(
-            error.contains("`lines` means nothing; there are `code`"),
+            error.contains("`lines` means nothing; there are `severity`"),
             "{error}"
         );
         assert!("(".parse::<DiagnosticPattern>().is_err());

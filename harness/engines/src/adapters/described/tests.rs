@@ -59,7 +59,7 @@ fn the_checking_half_of_ironplc_needs_no_code() {
             "{what}"
         );
     }
-    assert_eq!(please(&described, "accept"), Outcome::Accepted);
+    assert_eq!(please(&described, "accept"), Outcome::ACCEPTED);
     let Outcome::Rejected { diagnostics } = please(&described, "say what was recorded") else {
         panic!("not rejected")
     };
@@ -126,7 +126,7 @@ fn a_table_can_say_how_programs_are_compiled_and_run() {
     assert_eq!(engine.identity().version, "1.2.3-beta");
     let abilities = [Ability::Check, Ability::Execute, Ability::Scans, Ability::Render];
     assert_eq!(engine.identity().abilities, abilities);
-    let Outcome::Executed { values } = ask(
+    let Outcome::Executed { values, .. } = ask(
         &engine,
         "run",
         &[("x", "INT", None), ("x", "INT", Some(2)), ("a[1]", "DINT", None)],
@@ -206,7 +206,7 @@ fn what_only_runs_programs_checks_by_running_and_rejects_by_its_exit_code() {
         "run = \"{here}/st {file}\"\nvalue = '^(?<name>.) (?<value>.)$'\n[dialects]\nironplc-ed2 = \"\"\n";
     let script = "#!/bin/sh\ncase $(cat $1) in *reject*) echo wrong >&2; exit 1 ;; esac\necho 'x 5'\n";
     let (engine, _folder) = scripted(table, script);
-    assert_eq!(please(&engine, "accept"), Outcome::Accepted);
+    assert_eq!(please(&engine, "accept"), Outcome::ACCEPTED);
     let Outcome::Rejected { diagnostics } = ask(&engine, "reject", &[], 1) else {
         panic!("not rejected")
     };

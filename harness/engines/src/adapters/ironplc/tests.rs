@@ -87,7 +87,7 @@ fn values_come_from_the_dump_and_from_copies() {
         ("x".to_owned(), stickler_types::Value::parse("INT#5").unwrap()),
         ("a[1]".to_owned(), stickler_types::Value::parse("DINT#7").unwrap()),
     ];
-    assert_eq!(executed, Outcome::Executed { values });
+    assert_eq!(executed, Outcome::executed(values));
 }
 
 #[test]
@@ -120,7 +120,8 @@ fn a_trap_is_a_fault_with_the_values_that_need_no_copy() {
         Outcome::Faulted {
             fault: Fault::DivisionByZero,
             line: None,
-            values
+            values,
+            warnings: Vec::new()
         }
     );
 }

@@ -61,7 +61,7 @@ fn tried(session: &IronplcSession<'_>, dialect: DialectName, ty: ElementaryType)
         .unwrap_or_else(|outcome| outcome);
     let expected = Value::text(ty, TRIED.encode_utf16().collect());
     match &outcome {
-        Outcome::Executed { values } if values.iter().all(|(_, value)| *value == expected) => None,
+        Outcome::Executed { values, .. } if values.iter().all(|(_, value)| *value == expected) => None,
         _ => Some(format!(
             "values of {ty} are not shown, and LEN, MID and FIND do not read `{TRIED}` back: {outcome}"
         )),

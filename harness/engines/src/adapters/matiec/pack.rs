@@ -279,7 +279,7 @@ mod tests {
         let mut session = reference.session().unwrap();
         let mut check = |source: &str| match session.check(DialectName::Matiec, source) {
             Outcome::Rejected { diagnostics } => diagnostics,
-            Outcome::Accepted => Vec::new(),
+            Outcome::Accepted { .. } => Vec::new(),
             other => panic!("{other:?}"),
         };
         let joined = Joined::of(&members(&PROGRAMS, &[]));

@@ -116,7 +116,7 @@ fn asked(engine: &Rusty, what: &str, scans: u32) -> Outcome {
 
 /// Returns the values of an outcome, one a line.
 fn values(outcome: &Outcome) -> Vec<String> {
-    let Outcome::Executed { values } = outcome else {
+    let Outcome::Executed { values, .. } = outcome else {
         panic!("not executed: {outcome:?}")
     };
     let line = |(name, value): &(String, _)| format!("{name} = {value}");
@@ -176,7 +176,7 @@ fn rejections_crashes_and_faults_are_told_apart() {
         "the functions that show its values are not accepted: Could not resolve reference to x"
     );
     let mut session = engine.session().unwrap();
-    assert_eq!(session.check(DialectName::Rusty, ""), Outcome::Accepted);
+    assert_eq!(session.check(DialectName::Rusty, ""), Outcome::ACCEPTED);
     assert!(matches!(
         session.check(DialectName::Matiec, ""),
         Outcome::Unsupported { .. }

@@ -25,7 +25,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
                 members.push((place, accepted));
             }
             Ok(Some(_)) => {}
-            Ok(None) => answers[place] = Packed::Answered(Outcome::Accepted),
+            Ok(None) => answers[place] = Packed::Answered(Outcome::ACCEPTED),
             Err(outcome) => answers[place] = Packed::Answered(outcome),
         }
     }

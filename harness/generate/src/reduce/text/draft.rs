@@ -159,7 +159,7 @@ impl TextDraft {
 
 impl Allowed {
     fn by(text: &str, dialect: DialectName) -> Allowed {
-        let found = stickler_reference::check(text, dialect);
+        let found = stickler_reference::errors(text, dialect);
         let (unit, diagnostics) = syntax::parse(text, &Dialect::of(dialect));
         Allowed {
             codes: found.iter().filter_map(Diagnostic::registered_code).collect(),

@@ -85,7 +85,7 @@ fn reduce(start: &str, words: &[&str]) -> Reduction<String> {
 }
 
 fn accepted(text: &str) {
-    let diagnostics = stickler_reference::check(text, DialectName::IronplcEd3);
+    let diagnostics = stickler_reference::errors(text, DialectName::IronplcEd3);
     assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
 }
 
@@ -133,7 +133,7 @@ fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
 fn a_rejected_text_gets_no_new_faults() {
     let start = MACHINE.replace("total : DINT;", "total : INT;");
     let codes = |text: &str| {
-        let diagnostics = stickler_reference::check(text, DialectName::IronplcEd3);
+        let diagnostics = stickler_reference::errors(text, DialectName::IronplcEd3);
         let codes: Vec<String> = diagnostics.iter().filter_map(|one| one.code.clone()).collect();
         codes
     };

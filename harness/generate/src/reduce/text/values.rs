@@ -51,7 +51,7 @@ fn values(draft: &TextDraft, scans: u32) -> HashMap<String, String> {
         ..RunRequest::once(draft.dialect, &draft.text, &observe)
     };
     let values = match run(&request, Limits { steps: 100_000 }) {
-        Ok(Outcome::Executed { values } | Outcome::Faulted { values, .. }) => values,
+        Ok(Outcome::Executed { values, .. } | Outcome::Faulted { values, .. }) => values,
         _ => Vec::new(),
     };
     values

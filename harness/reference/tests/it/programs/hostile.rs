@@ -205,6 +205,6 @@ fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
             (name.to_owned(), value)
         });
         let values = values.to_vec();
-        assert!(outcome == Ok(Outcome::Executed { values }), "{dialect}");
+        assert!(outcome == Ok(Outcome::executed(values)), "{dialect}");
     }
 }

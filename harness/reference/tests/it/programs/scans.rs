@@ -16,7 +16,7 @@ END_PROGRAM";
 fn executed(scans: u32, observe: &[(&str, Option<u32>)], set: &[(u32, &str, &str)]) -> Vec<String> {
     let source = SOURCE.replace("d := 100 / (d - 1);", "");
     match attempt_scans(DIALECT, &source, scans, observe, set) {
-        Ok(Outcome::Executed { values }) => spelled(&values),
+        Ok(Outcome::Executed { values, .. }) => spelled(&values),
         other => panic!("not executed: {other:#?}"),
     }
 }
@@ -64,7 +64,9 @@ fn a_fault_keeps_what_was_observed_before_it() {
     // d becomes 100, 1, and then the divisor is 0.
     let observe = [("n", None), ("n", Some(1)), ("n", Some(3)), ("d", Some(2))];
     match attempt_scans(DIALECT, SOURCE, 4, &observe, &[]) {
-        Ok(Outcome::Faulted { fault, line, values }) => {
+        Ok(Outcome::Faulted {
+            fault, line, values, ..
+        }) => {
             assert_eq!((fault, line), (Fault::DivisionByZero, Some(7)));
             assert_eq!(spelled(&values), ["n = INT#13", "n@1 = INT#11", "d@2 = DINT#1"]);
         }

@@ -2,7 +2,7 @@
 //! conversion function exists, the suggestion names it and repairs the program.
 
 use stickler_reference::conversion::{conversion_function_name, implicit};
-use stickler_reference::{Dialect, check};
+use stickler_reference::{Dialect, errors};
 use stickler_types::{Diagnostic, DialectName, ElementaryType};
 
 /// Programs in which a value of type `FROM` named `a` stands on a line of its own where `INTO` is expected.
@@ -76,7 +76,7 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
             for (context, code, template) in CONTEXTS {
                 let about = format!("{}, {context}: {} to {}", name.as_str(), from.name(), to.name());
                 let source = written(template, from, to);
-                let found = check(&source, name);
+                let found = errors(&source, name);
                 if implicit(from, to, &dialect).is_some() {
                     assert_eq!(found, [], "{about}");
                     continue;
@@ -91,7 +91,7 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
                     Some(function) => {
                         assert_eq!(only.suggestion, Some(format!("{function}(a)")), "{about}");
                         let repaired = repaired(&source, only).expect("a place");
-                        assert_eq!(check(&repaired, name), [], "{about}: {repaired}");
+                        assert_eq!(errors(&repaired, name), [], "{about}: {repaired}");
                         suggested += 1;
                     }
                     None => assert_eq!(only.suggestion, None, "{about}"),
@@ -110,7 +110,7 @@ fn the_result_of_a_call_is_told_apart() {
             let template = "FUNCTION F : FROM ; END_FUNCTION
 PROGRAM main VAR b : INTO; END_VAR b :=\nF()\n; END_PROGRAM";
             let source = written(template, from, to);
-            let codes: Vec<_> = check(&source, name)
+            let codes: Vec<_> = errors(&source, name)
                 .into_iter()
                 .filter_map(|found| found.code)
                 .collect();

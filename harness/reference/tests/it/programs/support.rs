@@ -66,7 +66,7 @@ pub fn assert_values_in(dialect: DialectName, source: &str, expected: &[&str]) {
         .map(|line| line.split_once(" = ").expect("name = value").0)
         .collect();
     match attempt(dialect, source, &names) {
-        Ok(Outcome::Executed { values }) => assert_eq!(spelled(&values), expected),
+        Ok(Outcome::Executed { values, .. }) => assert_eq!(spelled(&values), expected),
         other => panic!("not executed: {other:#?}"),
     }
 }
@@ -96,7 +96,9 @@ pub fn assert_fault(source: &str, expected: (Fault, u32), values_so_far: &[&str]
         .map(|line| line.split_once(" = ").expect("name = value").0)
         .collect();
     match attempt(DIALECT, source, &names) {
-        Ok(Outcome::Faulted { fault, line, values }) => {
+        Ok(Outcome::Faulted {
+            fault, line, values, ..
+        }) => {
             assert_eq!((fault, line), (expected.0, Some(expected.1)));
             assert_eq!(spelled(&values), values_so_far);
         }
