@@ -1,5 +1,6 @@
 //! The suite that ships with Stickler is sound.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use stickler_suite::{Acceptance, Suite};
@@ -21,6 +22,11 @@ const KEYWORDS: [&str; 12] = [
     "STEP",
     "TRANSITION",
 ];
+
+/// The standard functions whose names a program could also give to something of its own.
+/// Basis: iec-61131-3: third edition, Tables 28 to 36.
+const STANDARD_FUNCTIONS: &str = "ABS ACOS ADD ADD_DT_TIME ADD_TIME ADD_TOD_TIME ASIN ATAN ATAN2 CONCAT COS DELETE DIV EQ EXP EXPT FIND \
+    GE GT INSERT LE LEFT LEN LIMIT LN LOG LT MAX MID MIN MOVE MUL MUX NE REPLACE RIGHT ROL ROR SEL SHL SHR SIN SQRT SUB TAN TRUNC";
 
 fn shipped() -> Suite {
     Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases"))
@@ -73,6 +79,26 @@ fn no_program_that_must_be_accepted_has_a_keyword_for_a_name() {
     files.sort();
     files.dedup();
     assert!(files.is_empty(), "{}", files.join("\n"));
+}
+
+#[test]
+fn no_program_gives_the_name_of_a_standard_function_to_something_else() {
+    // A compiler may take the name for the function's, and no document says that it must not.
+    let suite = shipped();
+    let mut found = BTreeSet::new();
+    for case in &suite.cases {
+        for word in words(&case.source) {
+            let behind = &case.source[word.as_ptr().addr() - case.source.as_ptr().addr() + word.len()..];
+            // `LT#` begins a duration.
+            let is_call_or_literal = behind.trim_start().starts_with(['(', '#']);
+            let is_function = |name: &str| name.eq_ignore_ascii_case(word);
+            if !is_call_or_literal && STANDARD_FUNCTIONS.split_whitespace().any(is_function) {
+                found.insert(format!("{}: {word}", case.file));
+            }
+        }
+    }
+    let found: Vec<String> = found.into_iter().collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
 }
 
 #[test]
