@@ -25,6 +25,15 @@ pub enum ExportError {
     /// A file or folder cannot be written.
     #[error("cannot write {}", .0.display())]
     Write(PathBuf, #[source] io::Error),
+    /// A page has a character that XML cannot hold; holds its place.
+    #[error(
+        "{}: the character U+{:04X} fits into no XML 1.0, and so into no project; leave its case out with --without CASE, or paste \
+         the pages", .0, u32::from(*.1)
+    )]
+    Character(String, char),
+    /// A page cannot be read in the dialect of the export, and so not be divided for a project; holds its place and the mistake.
+    #[error("{}: {}; a project needs pages without such errors: leave the case out with --without CASE", .0, .1)]
+    Syntax(String, String),
     /// The manifest cannot be understood.
     #[error("{}: {}; export again", .0.display(), .1)]
     Manifest(PathBuf, String),

@@ -7,6 +7,7 @@ use crate::answers::{self, ANSWERS, TEMPLATE};
 use crate::manifest::{MANIFEST, Manifest, PageRecord};
 use crate::page::{PageText, elements_of};
 use crate::page_case::{ExtraCases, PageCase, PageKind};
+use crate::plcopen::{Project, ProjectPlan};
 use crate::{ExportError, Reason};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -35,6 +36,8 @@ pub struct ExportPlan {
     pub sample: Option<usize>,
     /// Whether the declarations and the statements of each page are also written as files of their own.
     pub panes: bool,
+    /// The project file that holds all pages that run; `None` writes none.
+    pub project: Option<ProjectPlan>,
 }
 
 /// The result of an export.
@@ -57,7 +60,8 @@ pub struct Exported {
 /// its page can run; pages without such a case do not change, and arrays that were copied from them stay valid.
 ///
 /// # Errors
-/// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`].
+/// [`ExportError::NotEmpty`] before anything is written; [`ExportError::Write`]; [`ExportError::Character`] and
+/// [`ExportError::Syntax`] where a page does not fit into the project.
 pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Exported, ExportError> {
     prepare(folder)?;
     let answers = answers::read(folder, plan.dialect)?;
@@ -95,6 +99,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         env!("CARGO_PKG_VERSION")
     );
     let mut taken = BTreeSet::new();
+    let mut project = plan.project.as_ref().map(|to| (to, Project::new(plan.dialect)));
     for (number, chunk) in chunks.iter().enumerate() {
         let page = PageText::write((number + 1, chunks.len()), chunk, &told, &mut taken);
         let stem = format!("page-{:03}", page.number);
@@ -102,9 +107,15 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         if plan.panes {
             write_panes(&page, folder, &stem)?;
         }
+        if let Some((_, project)) = &mut project {
+            project.add(&page, &format!("{stem}.st"))?;
+        }
         exported.compiled_only += usize::from(page.kind.is_rejected());
         exported.cases += chunk.len();
         manifest.pages.push(PageRecord::of(&page, format!("{stem}.st")));
+    }
+    if let Some((to, project)) = project {
+        project.write(to, &told)?;
     }
     exported.pages = chunks.len();
     exported.left_out = left_out;

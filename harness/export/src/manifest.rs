@@ -202,11 +202,7 @@ impl PageRecord {
                 .filter(|case| page.cases[*case].answered)
                 .collect(),
             lines: LinesRecord {
-                units: if page.units.is_empty() {
-                    0
-                } else {
-                    page.units.matches('\n').count() + 2
-                },
+                units: page.lines_of_units(),
                 declarations: page.declarations.matches('\n').count(),
                 cases: page.lines.clone(),
             },

@@ -131,6 +131,27 @@ impl<'c, 'r> PageText<'c, 'r> {
         format!("{units}{}{}END_PROGRAM\n", self.declarations, self.statements)
     }
 
+    /// Returns the number of lines of POUs and types before the program.
+    pub(crate) fn lines_of_units(&self) -> usize {
+        if self.units.is_empty() {
+            0
+        } else {
+            self.units.matches('\n').count() + 2
+        }
+    }
+
+    /// Returns the id of the case to which a line of the whole text belongs.
+    pub(crate) fn case_at(&self, line: usize) -> Option<&str> {
+        let line = line.checked_sub(self.lines_of_units())?;
+        let holds = |ranges: &Vec<(usize, usize)>| {
+            ranges
+                .iter()
+                .any(|(first, last)| (*first..=*last).contains(&line))
+        };
+        let case = self.lines.iter().position(holds)?;
+        Some(&*self.cases.get(case)?.case.id)
+    }
+
     fn head(&self, pages: usize, export: &str) -> String {
         let PageText { number, cases, .. } = self;
         let last = self.elements - 1;
@@ -160,7 +181,8 @@ impl<'c, 'r> PageText<'c, 'r> {
             }
             let next = known.len() + 1;
             let unit = *known.entry(key).or_insert(next);
-            let suffix = format!("_u{unit}");
+            // Names differ from page to page, so that several pages fit into one project of an editor.
+            let suffix = format!("_p{}u{unit}", self.number);
             if unit == next && !parts.units.is_empty() {
                 let renaming = Renaming {
                     units: (&parts.unit_names, suffix.clone()),

@@ -4,6 +4,7 @@
 mod arrays;
 mod compiled;
 mod folders;
+mod project;
 
 use crate::manifest::Manifest;
 use crate::{CopiedText, Export, ExportPlan, ExtraCases, Imported, Reason, export};
@@ -63,6 +64,7 @@ fn plan(dialect: DialectName) -> ExportPlan {
         without: BTreeSet::new(),
         sample: Some(64),
         panes: false,
+        project: None,
     }
 }
 

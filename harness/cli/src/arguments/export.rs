@@ -38,6 +38,9 @@ pub struct ExportArguments {
     /// Write the declarations and the statements of each page as files of their own too, for editors with a pane for each
     #[arg(long)]
     pub panes: bool,
+    /// Also write all pages that run as one PLCopen XML project (TC6, 2.01), which editors import at once
+    #[arg(long, value_name = "FILE")]
+    pub plcopen: Option<PathBuf>,
 }
 
 /// `stickler import`.
@@ -85,6 +88,7 @@ pub const EXPORT_EXAMPLES: &str = "\
 Examples:
   stickler export --dialect ironplc-ed3 --sample 256 pages
   stickler export --dialect plcnext --filter widening/ --panes pages
+  stickler export --dialect plcnext --plcopen pages.xml pages
   stickler export --dialect matiec --filter conversion/ --with open pages
   stickler export --dialect matiec --sample 500 --with rejected pages
 

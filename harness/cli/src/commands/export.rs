@@ -4,9 +4,11 @@ use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::{output, shell};
+use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::io::Write;
-use stickler_export::{ANSWERS, ExportPlan, Exported, export};
+use std::path::PathBuf;
+use stickler_export::{ANSWERS, ExportPlan, Exported, ProjectPlan, export};
 use stickler_run::select;
 use stickler_suite::Case;
 use stickler_types::counted;
@@ -40,6 +42,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
             .sample
             .map(|sample| usize::try_from(sample).unwrap_or(usize::MAX)),
         panes: arguments.panes,
+        project: arguments.plcopen.clone().map(project),
     };
     let exported = export(&plan, &selected, &arguments.folder)?;
     show(&exported, arguments, out)?;
@@ -49,6 +52,13 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
         Exit::AsExpected
     };
     Ok(empty.worst(case_folder::exit_of(&suite)))
+}
+
+/// Returns the plan of a project file that is created now.
+fn project(file: PathBuf) -> ProjectPlan {
+    let now = Timestamp::now();
+    let created = now.round(Unit::Second).unwrap_or(now).to_string();
+    ProjectPlan { file, created }
 }
 
 /// Reads the ids of the cases to be left out, which may have `@dialect` at their end, as `stickler list` and reports write them.
@@ -95,10 +105,18 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
     }
     if exported.cases > 0 {
         let folder = shell::quote(&arguments.folder.to_string_lossy()).into_owned();
-        writeln!(
-            out,
-            "Next: paste each page, let it run, copy its array `results` into a file, and"
-        )?;
+        if let Some(project) = &arguments.plcopen {
+            let apart = match exported.compiled_only {
+                0 => "all pages",
+                _ => "all pages but those that are only compiled",
+            };
+            writeln!(out, "{}: {apart}, as one PLCopen XML project", project.display())?;
+        }
+        let start = match arguments.plcopen {
+            Some(_) => "import the project, let it run, copy the array `results` of each program",
+            None => "paste each page, let it run, copy its array `results`",
+        };
+        writeln!(out, "Next: {start} into a file, and")?;
         writeln!(
             out,
             "  {} import FILE --export {folder} --engine-name NAME{}",

@@ -1,0 +1,278 @@
+//! Writes the pages of an export as one project in PLCopen's XML format, which editors import at once.
+//!
+//! Basis: PLCopen TC6, XML formats for IEC 61131-3, version 2.01 (`http://www.plcopen.org/xml/tc6_0201`).
+//!
+//! The units of a page are read with the parser of the reference; declarations become elements of the format, and statements stay
+//! the text that they are.
+
+mod declarations;
+mod xml;
+
+use crate::ExportError;
+use crate::page::PageText;
+use quick_xml::Writer;
+use quick_xml::events::{BytesDecl, Event};
+use std::io;
+use std::path::PathBuf;
+use stickler_reference::Dialect;
+use stickler_reference::source::{LineIndex, Span};
+use stickler_reference::syntax::parse;
+use stickler_reference::syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
+use stickler_types::DialectName;
+use xml::{Xml, attribute, fits, formatted};
+
+/// The namespace of the format.
+const NAMESPACE: &str = "http://www.plcopen.org/xml/tc6_0201";
+
+/// The choice of a project file beside the pages of an export.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ProjectPlan {
+    /// The file to write.
+    pub file: PathBuf,
+    /// The date and time for the head of the project, as XML Schema writes them: `2026-11-23T20:00:00Z`.
+    pub created: String,
+}
+
+/// A project that is filled page by page.
+pub(crate) struct Project {
+    dialect: Dialect,
+    data_types: Xml,
+    pous: Xml,
+    /// The names of the programs that run.
+    programs: Vec<String>,
+}
+
+impl Project {
+    pub(crate) fn new(dialect: DialectName) -> Project {
+        Project {
+            dialect: Dialect::of(dialect),
+            data_types: Writer::new_with_indent(Vec::new(), b' ', 1),
+            pous: Writer::new_with_indent(Vec::new(), b' ', 1),
+            programs: Vec::new(),
+        }
+    }
+
+    /// Adds a page. One that is only compiled is wrong on purpose, would keep the whole project from running, and is left out.
+    ///
+    /// # Errors
+    /// [`ExportError::Character`] and [`ExportError::Syntax`] with the place in `file`, the file of the page.
+    pub(crate) fn add(&mut self, page: &PageText<'_, '_>, file: &str) -> Result<(), ExportError> {
+        if page.kind.is_rejected() {
+            return Ok(());
+        }
+        let text = page.text();
+        let lines = LineIndex::new(&text);
+        let place = |byte: usize| {
+            let byte = u32::try_from(byte).unwrap_or(u32::MAX);
+            let line = lines.line(byte) as usize;
+            let case = page
+                .case_at(line)
+                .map_or(String::new(), |id| format!(" (in {id})"));
+            format!("{file}:{line}{case}")
+        };
+        if let Some((at, character)) = text.char_indices().find(|(_, character)| !fits(*character)) {
+            return Err(ExportError::Character(place(at), character));
+        }
+        let (unit, diagnostics) = parse(&text, &self.dialect);
+        if let Some(first) = diagnostics.first() {
+            return Err(ExportError::Syntax(
+                place(first.span.start as usize),
+                first.message.clone(),
+            ));
+        }
+        let source = PageSource {
+            text: &text,
+            unit: &unit,
+        };
+        self.add_units(&source)
+            .map_err(|error| ExportError::Write(PathBuf::from(file), error))
+    }
+
+    fn add_units(&mut self, source: &PageSource<'_>) -> io::Result<()> {
+        let mut before = 0;
+        for declaration in &source.unit.declarations {
+            match declaration {
+                Declaration::Pou(pou) => {
+                    source.write_pou(&mut self.pous, pou, before)?;
+                    before = pou.span.end;
+                    if pou.kind == PouKind::Program {
+                        self.programs.push(pou.name.text.to_owned());
+                    }
+                }
+                Declaration::Types(types) => {
+                    for declared in types {
+                        source.write_data_type(&mut self.data_types, declared)?;
+                    }
+                }
+                // No case with one of these is on a page.
+                Declaration::Globals(_) | Declaration::Configuration(_) => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the project to the file of a plan. `name` describes the export.
+    ///
+    /// # Errors
+    /// [`ExportError::Write`].
+    pub(crate) fn write(self, plan: &ProjectPlan, name: &str) -> Result<(), ExportError> {
+        let failed = |error| ExportError::Write(plan.file.clone(), error);
+        let text = self.document(&plan.created, name).map_err(failed)?;
+        std::fs::write(&plan.file, text).map_err(failed)
+    }
+
+    fn document(self, created: &str, name: &str) -> io::Result<Vec<u8>> {
+        let mut xml: Xml = Writer::new_with_indent(Vec::new(), b' ', 1);
+        xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("utf-8"), None)))?;
+        let root = xml.create_element("project").with_attribute(("xmlns", NAMESPACE));
+        root.write_inner_content(|xml| {
+            write_headers(xml, created, name)?;
+            xml.create_element("types").write_inner_content(|xml| {
+                write_nested(xml, "dataTypes", self.data_types)?;
+                write_nested(xml, "pous", self.pous)
+            })?;
+            xml.create_element("instances").write_inner_content(|xml| {
+                let configurations = xml.create_element("configurations");
+                configurations.write_inner_content(|xml| write_configuration(xml, &self.programs))?;
+                Ok(())
+            })?;
+            Ok(())
+        })?;
+        Ok(xml.into_inner())
+    }
+}
+
+/// Writes an element around elements that were written before.
+fn write_nested(xml: &mut Xml, name: &str, inside: Xml) -> io::Result<()> {
+    let inside = inside.into_inner();
+    xml.create_element(name).write_inner_content(|xml| {
+        xml.get_mut().extend_from_slice(&inside);
+        Ok(())
+    })?;
+    Ok(())
+}
+
+fn write_headers(xml: &mut Xml, created: &str, name: &str) -> io::Result<()> {
+    let header = xml.create_element("fileHeader").with_attributes([
+        attribute("companyName", "Stickler"),
+        attribute("productName", "Stickler"),
+        attribute("productVersion", env!("CARGO_PKG_VERSION")),
+        attribute("creationDateTime", created),
+    ]);
+    header.write_empty()?;
+    let header = xml
+        .create_element("contentHeader")
+        .with_attribute(attribute("name", name));
+    header.write_inner_content(|xml| {
+        xml.create_element("coordinateInfo").write_inner_content(|xml| {
+            for language in ["fbd", "ld", "sfc"] {
+                xml.create_element(language).write_inner_content(|xml| {
+                    let scaling = xml.create_element("scaling");
+                    scaling.with_attributes([("x", "1"), ("y", "1")]).write_empty()?;
+                    Ok(())
+                })?;
+            }
+            Ok(())
+        })?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Writes one configuration, whose only task runs all programs.
+fn write_configuration(xml: &mut Xml, programs: &[String]) -> io::Result<()> {
+    let configuration = xml
+        .create_element("configuration")
+        .with_attribute(("name", "stickler"));
+    configuration.write_inner_content(|xml| {
+        let resource = xml
+            .create_element("resource")
+            .with_attribute(("name", "stickler_resource"));
+        resource.write_inner_content(|xml| {
+            let task = xml.create_element("task").with_attributes([
+                ("name", "stickler_task"),
+                ("interval", "T#20ms"),
+                ("priority", "1"),
+            ]);
+            task.write_inner_content(|xml| {
+                for program in programs {
+                    let instance = xml.create_element("pouInstance").with_attributes([
+                        attribute("name", &format!("run_{program}")),
+                        attribute("typeName", program),
+                    ]);
+                    instance.write_empty()?;
+                }
+                Ok(())
+            })?;
+            Ok(())
+        })?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// The text of a page and its tree.
+struct PageSource<'p> {
+    text: &'p str,
+    unit: &'p SourceUnit<'p>,
+}
+
+impl PageSource<'_> {
+    /// Writes a program organization unit; the comment between the byte `before` and its first keyword documents it.
+    fn write_pou(&self, xml: &mut Xml, pou: &Pou<'_>, before: u32) -> io::Result<()> {
+        let kind = match pou.kind {
+            PouKind::Program => "program",
+            PouKind::Function => "function",
+            PouKind::FunctionBlock => "functionBlock",
+        };
+        let element = xml.create_element("pou");
+        let element = element.with_attributes([attribute("name", pou.name.text), attribute("pouType", kind)]);
+        element.write_inner_content(|xml| {
+            self.write_interface(xml, pou)?;
+            xml.create_element("body")
+                .write_inner_content(|xml| formatted(xml, "ST", self.statements(pou)))?;
+            let comment = self.between(before, pou.span.start).trim();
+            let comment = comment
+                .strip_prefix("(*")
+                .and_then(|text| text.strip_suffix("*)"));
+            comment.map_or(Ok(()), |comment| formatted(xml, "documentation", comment.trim()))
+        })?;
+        Ok(())
+    }
+
+    fn write_interface(&self, xml: &mut Xml, pou: &Pou<'_>) -> io::Result<()> {
+        xml.create_element("interface").write_inner_content(|xml| {
+            if let Some(result) = &pou.result {
+                self.write_type(xml, "returnType", result)?;
+            }
+            pou.blocks
+                .iter()
+                .try_for_each(|block| self.write_block(xml, block))
+        })?;
+        Ok(())
+    }
+
+    /// Returns the statements of a unit, so that the first line is the first after its declarations, as in an editor's pane.
+    fn statements(&self, pou: &Pou<'_>) -> &str {
+        let result = pou.result.as_ref().map(|result| result.span);
+        let last = pou.blocks.last().map(|block| block.span);
+        let begins = last.or(result).unwrap_or(pou.name.span).end;
+        let text = self.between(begins, pou.end.start);
+        text.strip_prefix('\n').unwrap_or(text)
+    }
+
+    fn between(&self, start: u32, end: u32) -> &str {
+        Span { start, end }.text(self.text)
+    }
+
+    fn write_data_type(&self, xml: &mut Xml, declared: &TypeDeclaration<'_>) -> io::Result<()> {
+        let element = xml
+            .create_element("dataType")
+            .with_attribute(attribute("name", declared.name.text));
+        element.write_inner_content(|xml| {
+            self.write_type(xml, "baseType", &declared.specification)?;
+            self.write_initial_value(xml, declared.initializer.as_ref())
+        })?;
+        Ok(())
+    }
+}

@@ -1,0 +1,58 @@
+//! What the elements of a project have in common: attributes, and texts in XHTML.
+
+use quick_xml::Writer;
+use quick_xml::escape::escape;
+use quick_xml::events::BytesText;
+use quick_xml::events::attributes::Attribute;
+use quick_xml::name::QName;
+use std::borrow::Cow;
+use std::io;
+
+/// A writer of elements.
+pub(super) type Xml = Writer<Vec<u8>>;
+
+/// Returns an attribute whose value a reader gets back as it is: of line ends and tabs it would otherwise make spaces.
+pub(super) fn attribute<'a>(name: &'a str, value: &str) -> Attribute<'a> {
+    let value = escape(value)
+        .replace('\t', "&#9;")
+        .replace('\n', "&#10;")
+        .replace('\r', "&#13;");
+    Attribute {
+        key: QName(name.as_bytes()),
+        value: Cow::Owned(value.into_bytes()),
+    }
+}
+
+/// Writes an element that holds a text in XHTML, which a reader gets back as it is.
+pub(super) fn formatted(xml: &mut Xml, name: &str, text: &str) -> io::Result<()> {
+    let escaped = quick_xml::escape::partial_escape(text).replace('\r', "&#13;");
+    xml.create_element(name).write_inner_content(|xml| {
+        let element = xml.create_element("xhtml");
+        let element = element.with_attribute(("xmlns", "http://www.w3.org/1999/xhtml"));
+        element.write_text_content(BytesText::from_escaped(escaped))?;
+        Ok(())
+    })?;
+    Ok(())
+}
+
+/// Returns whether XML can hold a character, as itself or by its number.
+///
+/// Basis: XML 1.0 (fifth edition), 2.2, `Char`.
+pub(super) const fn fits(character: char) -> bool {
+    matches!(character, '\t' | '\n' | '\r' | ' '..='\u{D7FF}' | '\u{E000}'..='\u{FFFD}' | '\u{10000}'..)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn xml_holds_no_control_characters_and_no_noncharacters() {
+        for character in ['\0', '\u{8}', '\u{B}', '\u{1F}', '\u{FFFE}', '\u{FFFF}'] {
+            assert!(!fits(character), "{character:?}");
+        }
+        for character in ['\t', '\n', '\r', ' ', '\u{7F}', 'ä', '\u{FFFD}', '\u{10FFFF}'] {
+            assert!(fits(character), "{character:?}");
+        }
+    }
+}
