@@ -1,8 +1,8 @@
 //! The choices of each dialect in the points in which systems convert differently.
 
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, DialectName, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, DialectName, MomentText,
+    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// Returns the conversion choices of a dialect.
@@ -29,6 +29,7 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
         text_reading: TextReading::WholeText,
         real_text: RealText::Shortest,
         bit_string_text: BitStringText::FullWidth,
+        moment_text: MomentText::Literal,
         bits_as_real: BitsAsReal::Number,
         bit_string_as_bool: BitStringAsBool::AnyBit,
         moment_units: MomentUnits::Seconds,
@@ -55,6 +56,9 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             out_of_range: OutOfRange::Indefinite64,
             truncation_out_of_range: OutOfRange::Indefinite32,
             bit_string_text: BitStringText::Decimal,
+            text_reading: TextReading::LeadingDigits,
+            real_text: RealText::ByWidth,
+            moment_text: MomentText::Components,
             moment_units: MomentUnits::Counts,
             ..ironplc
         },

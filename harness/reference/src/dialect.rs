@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, Definition, DialectName,
-    ElementaryType, MatrixWord, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading,
+    ElementaryType, MatrixWord, MomentText, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading,
 };
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
@@ -64,6 +64,7 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     text_reading: TextReading::WholeText,
     real_text: RealText::Shortest,
     bit_string_text: BitStringText::FullWidth,
+    moment_text: MomentText::Literal,
     bits_as_real: BitsAsReal::Number,
     bit_string_as_bool: BitStringAsBool::AnyBit,
     moment_units: MomentUnits::Seconds,
@@ -329,6 +330,9 @@ impl Dialect {
                 out_of_range: OutOfRange::Indefinite64,
                 truncation_out_of_range: OutOfRange::Indefinite32,
                 bit_string_text: BitStringText::Decimal,
+                text_reading: TextReading::LeadingDigits,
+                real_text: RealText::ByWidth,
+                moment_text: MomentText::Components,
                 moment_units: MomentUnits::Counts,
                 ..COMMON_CHOICES
             },

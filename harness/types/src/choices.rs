@@ -74,12 +74,15 @@ words! {
 words! {
     /// The part of a text that must be a number, where an integer, a bit string or a real is read from it.
     ///
-    /// BOOL, durations and dates are always read from the whole text.
+    /// Durations and dates are always read from the whole text, and BOOL but for one choice.
     TextReading {
         /// The whole text, except blanks at either end; otherwise the result is 0.
         WholeText = "whole-text",
         /// The longest number at the beginning of the text, after any blanks: `12abc` gives 12; 0 if there is none.
         LeadingNumber = "leading-number",
+        /// The longest number in decimal digits at the beginning, after any blanks and tabs; a real may begin or end with its
+        /// point. BOOL is TRUE where the text begins with `TRUE` in upper case.
+        LeadingDigits = "leading-digits",
     }
 }
 
@@ -142,6 +145,21 @@ pub enum RealText {
     /// without trailing zeros, and with an exponent below 1E-4 and from 10^n on (`0.5`, `1e+20`). 0 counts as 1. A number
     /// that is not finite keeps the word that [`RealText::Shortest`] has for it, so that it reads back.
     SignificantDigits(u8),
+    /// `by-width`: seven significant digits of a REAL, or eight where its binary exponent promises a smaller decimal one, with an exponent of two
+    /// digits below 1E-4 and from 1E8 on (`0.1`, `1E08`); fifteen of an LREAL, with an exponent below 1 and from 1E14 on
+    /// (`1.0e-1`, `1.5`). The number is scaled in its own arithmetic, and a half is rounded away from zero. `#NaN`, `#Inf`, `-#Inf`.
+    ByWidth,
+}
+
+words! {
+    /// The form in which a duration, date or time of day is written as text.
+    MomentText {
+        /// The canonical literal with its shortest prefix: `T#1500ms`, `LDATE#2024-02-29`, `TOD#07:05:03.25`.
+        Literal = "literal",
+        /// A duration in its units, and a fraction in all three digits of a short type or nine of a long one: `T#1s500ms`,
+        /// `LD#2024-02-29`, `TOD#07:05:03.250`.
+        Components = "components",
+    }
 }
 
 /// The choices of a dialect on which a conversion depends besides its types and its operand.
@@ -159,6 +177,8 @@ pub struct ConversionChoices {
     pub real_text: RealText,
     /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
     pub bit_string_text: BitStringText,
+    /// The form in which durations, dates and times of day are written as text.
+    pub moment_text: MomentText,
     /// The meaning of the bits of a bit string as a real of the same width.
     pub bits_as_real: BitsAsReal,
     /// The bits of a bit string that decide whether it converts to TRUE.

@@ -106,6 +106,7 @@ impl Definition {
                 .map(|stated| format!("text-reading = {}", stated.value.as_str())),
             self.real_text.as_ref().map(|stated| match stated.value {
                 RealText::Shortest => "real-text = shortest".to_owned(),
+                RealText::ByWidth => "real-text = by-width".to_owned(),
                 RealText::SignificantDigits(digits) => format!("real-text = {digits}"),
             }),
             self.bit_string_text

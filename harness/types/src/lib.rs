@@ -36,8 +36,8 @@ mod wrap;
 mod written_value;
 
 pub use choices::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MatrixWord, MomentUnits, OutOfRange,
-    RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MatrixWord, MomentText, MomentUnits,
+    OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
 pub use definition::{Definition, Stated};

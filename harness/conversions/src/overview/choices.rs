@@ -152,6 +152,9 @@ fn modulo(_: &ConversionChoices, signature: &Signature) -> String {
 fn reading(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.text_reading {
         TextReading::WholeText => "the whole text, blanks around it aside, must be a number; otherwise 0",
+        TextReading::LeadingDigits => {
+            "the decimal digits at the beginning, behind blanks, tabs and a sign; 0 where there are none"
+        }
         TextReading::LeadingNumber => "the longest beginning that is a number; 0 where there is none",
     }
     .to_owned()
@@ -160,6 +163,7 @@ fn reading(choices: &ConversionChoices, _: &Signature) -> String {
 fn digits(choices: &ConversionChoices, _: &Signature) -> String {
     match choices.real_text {
         RealText::Shortest => "the fewest that read back to the same bits".to_owned(),
+        RealText::ByWidth => "about seven significant ones of a REAL, fifteen of an LREAL".to_owned(),
         RealText::SignificantDigits(number) => format!("up to {number} significant ones"),
     }
 }

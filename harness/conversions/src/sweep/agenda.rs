@@ -155,6 +155,9 @@ fn relevant(signature: &Signature, choices: ConversionChoices) -> ConversionChoi
         let is_moment = |ty: ElementaryType| {
             is_calendar(ty) || matches!(ty.family(), Family::Duration | Family::TimeOfDay)
         };
+        if to.is_text() && is_moment(from) {
+            kept.moment_text = choices.moment_text;
+        }
         if choices.moment_units == MomentUnits::Counts && (is_moment(from) || is_moment(to)) {
             kept.moment_units = choices.moment_units;
             if from.is_real() {

@@ -1,11 +1,12 @@
 //! Decimal digits of real numbers: the fewest that read back, or a given number of them, by exact integers.
 
 use crate::quotient;
+use crate::real::{self, Real, Whole};
 use num_bigint::BigUint;
 use num_integer::Integer;
 use num_traits::{ToPrimitive, Zero};
 use std::cmp::Ordering;
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Rounding};
 
 /// A positive number in decimal digits: `d.ddd * 10^exponent`.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -179,6 +180,31 @@ pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Rounded
     let scaled = number.scaled(places);
     let rounded = quotient::half_to_even(&scaled.numerator, &scaled.denominator);
     decimal(&rounded.to_string(), -places)
+}
+
+/// Returns the positive number `significand * 2^exponent` of a type as [`stickler_types::RealText::ByWidth`] scales and rounds it.
+pub(super) fn scaled(significand: u64, exponent: i32, ty: ElementaryType) -> RoundedDecimal {
+    let number = DecimalFraction::binary(significand, exponent);
+    let places = if ty == ElementaryType::Real {
+        let binary = exponent + significand.ilog2() as i32;
+        6 - (binary * 30_103).div_euclid(100_000)
+    } else {
+        14 - number.decimal_exponent()
+    };
+    let scaled = number.scaled(places);
+    let raw = quotient::nearest(false, &scaled.numerator, &scaled.denominator, ty);
+    let whole = match real::decode(raw, ty) {
+        Real::Finite {
+            significand,
+            exponent,
+            ..
+        } => real::to_whole(false, significand, exponent, Rounding::HalfAwayFromZero),
+        _ => Whole::Huge { negative: false },
+    };
+    match whole {
+        Whole::Number(number) => decimal(&number.to_string(), -places),
+        Whole::Huge { .. } => decimal("0", 0),
+    }
 }
 
 /// Returns the positive number with these decimal digits times 10^`exponent`.

@@ -123,6 +123,11 @@ impl<'t> Integer<'t> {
                 });
             }
         }
+        Integer::read_decimal(scanner)
+    }
+
+    /// Reads the longest decimal integer at the current position.
+    pub(super) fn read_decimal(scanner: &mut LiteralScanner<'t>) -> Option<Integer<'t>> {
         let mut behind = *scanner;
         let negative = behind.sign();
         let digits = behind.digits(10)?;
@@ -167,6 +172,27 @@ impl<'t> Decimal<'t> {
         Some(Decimal {
             negative,
             whole,
+            fraction,
+            exponent,
+        })
+    }
+
+    /// Reads the longest real number at the current position, of which either side of the point may be empty.
+    pub(super) fn read_with_loose_point(scanner: &mut LiteralScanner<'t>) -> Option<Decimal<'t>> {
+        const NONE: Digits<'_> = Digits { spelling: &[] };
+        let negative = scanner.sign();
+        let whole = scanner.digits(10);
+        let fraction = scanner.any_of(b".").and_then(|_| scanner.digits(10));
+        if whole.is_none() && fraction.is_none() {
+            return None;
+        }
+        let exponent = scanner.any_of(b"eE").and_then(|_| {
+            let negative = scanner.sign();
+            Some((negative, scanner.digits(10)?))
+        });
+        Some(Decimal {
+            negative,
+            whole: whole.unwrap_or(NONE),
             fraction,
             exponent,
         })

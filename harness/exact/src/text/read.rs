@@ -28,6 +28,11 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         .iter()
         .map(|&unit| u8::try_from(unit).unwrap_or(0xFF))
         .collect();
+    if choices.text_reading == TextReading::LeadingDigits
+        && let Some(value) = leading_digits(&bytes, to)
+    {
+        return value;
+    }
     let text = trimmed(&bytes);
     let mut scanner = LiteralScanner::new(text);
     let value = match to.family() {
@@ -47,6 +52,29 @@ pub(crate) fn read(units: &[u16], to: ElementaryType, choices: &ConversionChoice
         Family::Text | Family::Character => None,
     };
     value.unwrap_or(0)
+}
+
+/// Returns the BOOL or number that decimal digits at the beginning spell, behind blanks and tabs; 0 if there are none, and `None` for other
+/// types.
+fn leading_digits(bytes: &[u8], to: ElementaryType) -> Option<u64> {
+    let blanks = bytes
+        .iter()
+        .take_while(|byte| matches!(byte, b' ' | b'\t'))
+        .count();
+    let text = &bytes[blanks..];
+    let mut scanner = LiteralScanner::new(text);
+    match to.family() {
+        Family::Boolean => Some(u64::from(text.starts_with(b"TRUE"))),
+        Family::Signed | Family::Unsigned | Family::BitString => {
+            let integer = Integer::read_decimal(&mut scanner);
+            Some(integer.map_or(0, |integer| residue(integer, to)))
+        }
+        Family::Real => {
+            let decimal = Decimal::read_with_loose_point(&mut scanner);
+            Some(decimal.map_or(0, |decimal| rounded(decimal, to)))
+        }
+        _ => None,
+    }
 }
 
 /// Returns the text without the blanks at either end.
@@ -74,7 +102,7 @@ fn number<'t>(
 ) -> Option<u64> {
     match choices.text_reading {
         TextReading::WholeText => whole(scanner, read),
-        TextReading::LeadingNumber => read(scanner),
+        TextReading::LeadingNumber | TextReading::LeadingDigits => read(scanner),
     }
 }
 

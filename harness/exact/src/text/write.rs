@@ -4,7 +4,7 @@ use super::digits::{self, RoundedDecimal};
 use crate::calendar;
 use crate::integer;
 use crate::real::{self, Real};
-use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, RealText};
+use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, MomentText, RealText};
 
 /// Returns the text of a value that is neither a text nor a character, in ASCII characters.
 ///
@@ -20,6 +20,9 @@ use stickler_types::{BitStringText, ConversionChoices, ElementaryType, Family, R
 /// Basis: harness/engines/README.md (how values are written); for integers forgeiec-conversion-functions: The naming pattern.
 pub(crate) fn write(raw: u64, from: ElementaryType, choices: &ConversionChoices) -> String {
     let nanoseconds = i128::from(raw.cast_signed());
+    if choices.moment_text == MomentText::Components && (from.is_duration() || from.is_date_or_time()) {
+        return moment(raw, from);
+    }
     match from.family() {
         Family::Boolean => if raw == 0 { "FALSE" } else { "TRUE" }.to_owned(),
         Family::Signed | Family::Unsigned => integer::number(raw, from).to_string(),
@@ -92,6 +95,10 @@ fn fraction(number: u128, digits: usize) -> String {
 
 fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
     let (negative, significand, exponent) = match real::decode(raw, from) {
+        Real::NotANumber if form == RealText::ByWidth => return "#NaN".to_owned(),
+        Real::Infinite { negative } if form == RealText::ByWidth => {
+            return if negative { "-#Inf" } else { "#Inf" }.to_owned();
+        }
         Real::NotANumber => return "NaN".to_owned(),
         Real::Infinite { negative: false } => return "Infinity".to_owned(),
         Real::Infinite { negative: true } => return "-Infinity".to_owned(),
@@ -102,6 +109,8 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
         } => (negative, significand, exponent),
     };
     let magnitude = match form {
+        RealText::ByWidth if significand == 0 => return "0.0".to_owned(),
+        RealText::ByWidth => by_width(&digits::scaled(significand, exponent, from), from),
         RealText::Shortest if significand == 0 => "0.0".to_owned(),
         RealText::Shortest => {
             let lowest = real::is_lowest_of_binade(raw, from);
@@ -116,6 +125,74 @@ fn real(raw: u64, from: ElementaryType, form: RealText) -> String {
         format!("-{magnitude}")
     } else {
         magnitude
+    }
+}
+
+/// Formats a REAL with an exponent below 1E-4 and from 1E8, and an LREAL below 1 and from 1E14.
+fn by_width(decimal: &RoundedDecimal, ty: ElementaryType) -> String {
+    let (is_real, exponent) = (ty == ElementaryType::Real, decimal.exponent);
+    let fixed = if is_real { -4..8 } else { 0..14 };
+    if fixed.contains(&exponent) {
+        let plain = plain(decimal);
+        return if plain.contains('.') { plain } else { plain + ".0" };
+    }
+    let (first, rest) = (decimal.digits[0], written(&decimal.digits[1..]));
+    match (is_real, rest.as_str()) {
+        (true, "") if exponent < 0 => format!("{first}E-{:02}", -exponent),
+        (true, "") => format!("{first}E{exponent:02}"),
+        (true, rest) if exponent < 0 => format!("{first}.{rest}E-{:02}", -exponent),
+        (true, rest) => format!("{first}.{rest}E{exponent:02}"),
+        (false, "") => format!("{first}.0e{exponent}"),
+        (false, rest) => format!("{first}.{rest}e{exponent}"),
+    }
+}
+
+/// Formats a duration in its units, or a date or time of day with three or nine digits of a fraction that is not zero.
+fn moment(raw: u64, from: ElementaryType) -> String {
+    use ElementaryType::{Date, Dt, Ldate, Ldt, Ltime, Ltod, Time, Tod};
+    let nanoseconds = i128::from(raw.cast_signed());
+    let time = time_of_day(nanoseconds);
+    let (seconds, fraction) = time.split_once('.').unwrap_or((&time, ""));
+    let clock = |places: usize| match fraction {
+        "" => seconds.to_owned(),
+        fraction => format!("{seconds}.{}", &format!("{fraction:0<9}")[..places]),
+    };
+    match from {
+        Time => format!("T#{}", components((raw / 1_000_000).into(), "ms")),
+        Ltime => format!("LTIME#{}", components(raw.into(), "ns")),
+        Date => format!("D#{}", date(nanoseconds)),
+        Ldate => format!("LD#{}", date(nanoseconds)),
+        Tod => format!("TOD#{}", clock(3)),
+        Ltod => format!("LTOD#{}", clock(9)),
+        Dt => format!("DT#{}-{}", date(nanoseconds), clock(3)),
+        Ldt => format!("LDT#{}-{}", date(nanoseconds), clock(9)),
+        _ => String::new(),
+    }
+}
+
+/// Formats a number of milliseconds or nanoseconds by days, hours and so on down to its unit: `1d2h`, `0ms`.
+fn components(number: u128, unit: &str) -> String {
+    let mut below: Vec<(u128, &str)> = vec![(24, "h"), (60, "m"), (60, "s"), (1000, "ms")];
+    if unit == "ns" {
+        below.extend([(1000, "us"), (1000, "ns")]);
+    }
+    let mut rest = number;
+    let mut parts = Vec::new();
+    for (count, name) in below.into_iter().rev() {
+        parts.push((rest % count, name));
+        rest /= count;
+    }
+    parts.push((rest, "d"));
+    let written: String = parts
+        .into_iter()
+        .rev()
+        .filter(|(number, _)| *number > 0)
+        .map(|(number, name)| format!("{number}{name}"))
+        .collect();
+    if written.is_empty() {
+        format!("0{unit}")
+    } else {
+        written
     }
 }
 

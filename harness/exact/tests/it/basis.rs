@@ -228,8 +228,8 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     // Where no document of a dialect chooses, an asserted value must be the same whatever is chosen.
     use stickler_exact::{choices_of, value};
     use stickler_types::{
-        BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MomentUnits, OutOfRange, RealText,
-        Rounding, TextReading,
+        BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, MomentText, MomentUnits, OutOfRange,
+        RealText, Rounding, TextReading,
     };
     let texts = [
         "",
@@ -258,6 +258,7 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
         let other = ConversionChoices {
             text_reading: TextReading::LeadingNumber,
             real_text: RealText::SignificantDigits(3),
+            moment_text: MomentText::Components,
             bit_string_text: match own.bit_string_text {
                 BitStringText::FullWidth => BitStringText::Shortest,
                 BitStringText::Shortest | BitStringText::Decimal => BitStringText::FullWidth,

@@ -16,11 +16,14 @@ use stickler_types::{ElementaryType, Family, LiteralError, TextReading, Value, l
 pub fn read(units: &[u16], to: ElementaryType, reading: TextReading) -> u64 {
     let ascii = ascii_beginning(units);
     let whole = ascii.len() == units.len();
+    if reading == TextReading::LeadingDigits && to.integer_range().is_some() | to.is_real() {
+        return read_digits(ascii.trim_start_matches([' ', '\t']), to);
+    }
     let text = ascii.trim_matches(' ');
     let number = |beginning: fn(&str) -> &str| match reading {
         TextReading::WholeText if whole => text,
         TextReading::WholeText => "",
-        TextReading::LeadingNumber => beginning(text),
+        TextReading::LeadingNumber | TextReading::LeadingDigits => beginning(text),
     };
     match to.family() {
         Family::Signed | Family::Unsigned | Family::BitString => read_integer(number(leading_integer), to),
@@ -38,6 +41,44 @@ fn ascii_beginning(units: &[u16]) -> String {
         .iter()
         .map_while(|&unit| u8::try_from(unit).ok().filter(u8::is_ascii).map(char::from))
         .collect()
+}
+
+/// A number or BOOL as [`TextReading::LeadingDigits`] describes it.
+fn read_digits(text: &str, to: ElementaryType) -> u64 {
+    let sign = sign_length(text);
+    let whole = &text[sign..sign + digits_length(&text[sign..], 10)];
+    if to == ElementaryType::Bool {
+        return u64::from(text.starts_with("TRUE"));
+    }
+    if !to.is_real() {
+        return read_integer(&text[..sign + whole.len()], to);
+    }
+    let behind = &text[sign + whole.len()..];
+    let fraction = behind.strip_prefix('.').unwrap_or("");
+    let fraction = &fraction[..digits_length(fraction, 10)];
+    if whole.is_empty() && fraction.is_empty() {
+        return 0;
+    }
+    let point = usize::from(behind.starts_with('.'));
+    let exponent = behind[point + fraction.len()..]
+        .strip_prefix(['e', 'E'])
+        .unwrap_or("");
+    let power_sign = sign_length(exponent);
+    let power = match digits_length(&exponent[power_sign..], 10) {
+        0 => String::new(),
+        length => format!("E{}", &exponent[..power_sign + length]),
+    };
+    let filled = |digits: &str| {
+        if digits.is_empty() {
+            "0".to_owned()
+        } else {
+            digits.to_owned()
+        }
+    };
+    read_real(
+        &format!("{}{}.{}{power}", &text[..sign], filled(whole), filled(fraction)),
+        to,
+    )
 }
 
 /// The longest beginning that is an integer literal, perhaps with a sign; empty where there is none.
@@ -187,7 +228,7 @@ mod tests {
     use ElementaryType::{
         Bool, Byte, Date, Dt, Dword, Int, Lreal, Ltime, Lword, Real, Sint, Time, Tod, Udint, Word,
     };
-    use stickler_types::{BitStringText, RealText};
+    use stickler_types::{BitStringText, MomentText, RealText};
 
     fn units(text: &str) -> Vec<u16> {
         text.encode_utf16().collect()
@@ -202,7 +243,13 @@ mod tests {
     }
 
     fn read_back(raw: u64, ty: ElementaryType) -> u64 {
-        let text = write(raw, ty, RealText::Shortest, BitStringText::FullWidth);
+        let text = write(
+            raw,
+            ty,
+            RealText::Shortest,
+            BitStringText::FullWidth,
+            MomentText::Literal,
+        );
         read(&text, ty, TextReading::WholeText)
     }
 

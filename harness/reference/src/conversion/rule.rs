@@ -4,8 +4,8 @@
 use super::{moment, reading, real, text, writing};
 use crate::raw;
 use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, ElementaryType, Family, MomentText,
+    MomentUnits, OutOfRange, RealText, Rounding, TextReading,
 };
 
 /// A conversion from one elementary type to another.
@@ -76,9 +76,9 @@ pub enum ConversionRule {
     /// A text read as a literal of the target.
     /// Basis: forgeiec-conversion-functions: matiec conformance (0 where the text cannot be read).
     ReadText(TextReading),
-    /// A value written as text, a real number and a bit string as chosen.
+    /// A value written as text, a real number, a bit string and a duration or date as chosen.
     /// Basis: forgeiec-conversion-functions: The naming pattern; the form is open.
-    WriteText(RealText, BitStringText),
+    WriteText(RealText, BitStringText, MomentText),
     /// STRING to WSTRING and back, character by character.
     BetweenTexts,
     /// The first character of a text; the character with code 0 where the text is empty.
@@ -155,7 +155,9 @@ impl ConversionRule {
             (Text, Character) => ConversionRule::FirstCharacter,
             (Text, Text) => ConversionRule::BetweenTexts,
             (Text, _) => ConversionRule::ReadText(choices.text_reading),
-            (_, Text) => ConversionRule::WriteText(choices.real_text, choices.bit_string_text),
+            (_, Text) => {
+                ConversionRule::WriteText(choices.real_text, choices.bit_string_text, choices.moment_text)
+            }
             (Duration, Date | DateAndTime)
             | (Date, Duration | TimeOfDay)
             | (TimeOfDay, Date | DateAndTime)
@@ -295,7 +297,9 @@ impl Conversion {
     pub fn apply_to_text(self, value: u64) -> Vec<u16> {
         match self.rule {
             ConversionRule::CharacterToText => text::of_character(value, self.to),
-            ConversionRule::WriteText(reals, bits) => writing::write(value, self.from, reals, bits),
+            ConversionRule::WriteText(reals, bits, moments) => {
+                writing::write(value, self.from, reals, bits, moments)
+            }
             _ => Vec::new(),
         }
     }

@@ -8,14 +8,25 @@
 
 use super::real;
 use std::fmt;
-use stickler_types::{BitStringText, ElementaryType, Family, RealText, Value};
+use stickler_types::{BitStringText, ElementaryType, Family, MomentText, RealText, Value};
 
-/// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, and BYTE … LWORD,
-/// are written.
+/// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, BYTE … LWORD, and
+/// durations and dates are written.
 #[must_use]
-pub fn write(raw: u64, from: ElementaryType, reals: RealText, bits: BitStringText) -> Vec<u16> {
+pub fn write(
+    raw: u64,
+    from: ElementaryType,
+    reals: RealText,
+    bits: BitStringText,
+    moments: MomentText,
+) -> Vec<u16> {
     let mut text = Units(Vec::new());
     let written = match (from.family(), reals, bits) {
+        (Family::Real, RealText::ByWidth, _) => by_width(&mut text, raw, from),
+        (Family::Duration, ..) if moments == MomentText::Components => duration(&mut text, raw, from),
+        (Family::Date | Family::TimeOfDay | Family::DateAndTime, ..) if moments == MomentText::Components => {
+            date_or_time(&mut text, raw, from)
+        }
         (Family::Real, RealText::SignificantDigits(digits), _) if real::decode(raw, from).is_finite() => {
             rounded_digits(&mut text, real::decode(raw, from), digits)
         }
@@ -74,6 +85,122 @@ fn rounded_digits(out: &mut impl fmt::Write, value: f64, digits: u8) -> fmt::Res
     }
 }
 
+/// A real number as [`RealText::ByWidth`] describes it.
+fn by_width(out: &mut impl fmt::Write, raw: u64, from: ElementaryType) -> fmt::Result {
+    let value = real::decode(raw, from);
+    let sign = if value < 0.0 { "-" } else { "" };
+    if value.is_nan() {
+        return out.write_str("#NaN");
+    }
+    if value.is_infinite() {
+        return write!(out, "{sign}#Inf");
+    }
+    let single = from == ElementaryType::Real;
+    let (digits, exponent) = scaled_digits(value.abs(), single);
+    let fixed = if single { -4..8 } else { 0..14 };
+    if value == 0.0 || fixed.contains(&exponent) {
+        return write!(out, "{sign}{}", with_point(&digits, exponent));
+    }
+    let (first, rest) = digits.split_at(1);
+    match (single, rest) {
+        (true, "") => write!(out, "{sign}{first}E")?,
+        (true, rest) => write!(out, "{sign}{first}.{rest}E")?,
+        (false, "") => return write!(out, "{sign}{first}.0e{exponent}"),
+        (false, rest) => return write!(out, "{sign}{first}.{rest}e{exponent}"),
+    }
+    let minus = if exponent < 0 { "-" } else { "" };
+    write!(out, "{minus}{:02}", exponent.unsigned_abs())
+}
+
+/// The significant digits of a number, none of the last ones zero, and the power of ten of the first.
+fn scaled_digits(magnitude: f64, single: bool) -> (String, i32) {
+    // More digits than any of the two types has: the exact number.
+    let exact = format!("{magnitude:.800e}");
+    let (mantissa, power) = exact.split_once('e').unwrap_or((&exact, "0"));
+    let power: i32 = power.parse().unwrap_or(0);
+    let places = if single {
+        // The logarithm to base 2, whole, and 30103 / 100000, that of 2 to base 10.
+        let binary = (magnitude.to_bits() >> 52).cast_signed() as i32 - 1023;
+        6 - (binary * 30_103).div_euclid(100_000)
+    } else {
+        14 - power
+    };
+    let scaled = format!("{mantissa}e{}", power + places);
+    let rounded = if single {
+        f64::from(scaled.parse::<f32>().unwrap_or(0.0)).round()
+    } else {
+        scaled.parse::<f64>().unwrap_or(0.0).round()
+    };
+    let digits = format!("{rounded:.0}");
+    let exponent = i32::try_from(digits.len()).unwrap_or(0) - 1 - places;
+    match digits.trim_end_matches('0') {
+        "" => ("0".to_owned(), 0),
+        kept => (kept.to_owned(), exponent),
+    }
+}
+
+/// Digits with a point and at least one digit on either side of it.
+fn with_point(digits: &str, exponent: i32) -> String {
+    let zeros = |count: i32| "0".repeat(count.max(0).unsigned_abs() as usize);
+    let digits = zeros(-exponent) + digits;
+    let whole = exponent.max(0).unsigned_abs() as usize + 1;
+    let digits = format!("{digits:0<whole$}");
+    match digits.split_at(whole) {
+        (whole, "") => format!("{whole}.0"),
+        (whole, fraction) => format!("{whole}.{fraction}"),
+    }
+}
+
+/// A duration in its units, an LTIME without a sign: `T#1d2h`, `T#0ms`.
+fn duration(out: &mut impl fmt::Write, raw: u64, from: ElementaryType) -> fmt::Result {
+    const UNITS: [(&str, u64); 7] = [
+        ("d", 86_400_000_000_000),
+        ("h", 3_600_000_000_000),
+        ("m", 60_000_000_000),
+        ("s", 1_000_000_000),
+        ("ms", 1_000_000),
+        ("us", 1_000),
+        ("ns", 1),
+    ];
+    let units = if from == ElementaryType::Time {
+        &UNITS[..5]
+    } else {
+        &UNITS
+    };
+    out.write_str(prefix(from))?;
+    let mut rest = raw;
+    for (name, length) in units {
+        if rest >= *length {
+            write!(out, "{}{name}", rest / length)?;
+            rest %= length;
+        }
+    }
+    let (finest, length) = units[units.len() - 1];
+    if raw < length {
+        write!(out, "0{finest}")
+    } else {
+        Ok(())
+    }
+}
+
+/// A date or time of day, with all digits of a fraction that is not zero.
+fn date_or_time(out: &mut impl fmt::Write, raw: u64, from: ElementaryType) -> fmt::Result {
+    let literal = Value::plain(from, raw).to_string();
+    let (_, text) = literal.split_once('#').unwrap_or(("", &literal));
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    out.write_str(if from == ElementaryType::Ldate {
+        "LD#"
+    } else {
+        prefix(from)
+    })?;
+    out.write_str(whole)?;
+    match (fraction, from.is_third_edition()) {
+        ("", _) => Ok(()),
+        (fraction, true) => write!(out, ".{fraction:0<9}"),
+        (fraction, false) => write!(out, ".{fraction:0<3.3}"),
+    }
+}
+
 fn without_trailing_zeros(digits: &str) -> &str {
     if digits.contains('.') {
         digits.trim_end_matches('0').trim_end_matches('.')
@@ -98,12 +225,24 @@ mod tests {
     use ElementaryType::{Bool, Byte, Date, Int, Lreal, Ltime, Lword, Real, Time, Word};
 
     fn text(raw: u64, ty: ElementaryType) -> String {
-        String::from_utf16_lossy(&write(raw, ty, RealText::Shortest, BitStringText::FullWidth))
+        String::from_utf16_lossy(&write(
+            raw,
+            ty,
+            RealText::Shortest,
+            BitStringText::FullWidth,
+            MomentText::Literal,
+        ))
     }
 
     fn with_digits(value: f64, digits: u8) -> String {
         let form = RealText::SignificantDigits(digits);
-        String::from_utf16_lossy(&write(value.to_bits(), Lreal, form, BitStringText::FullWidth))
+        String::from_utf16_lossy(&write(
+            value.to_bits(),
+            Lreal,
+            form,
+            BitStringText::FullWidth,
+            MomentText::Literal,
+        ))
     }
 
     #[test]
@@ -119,8 +258,15 @@ mod tests {
 
     #[test]
     fn bit_strings_are_written_without_leading_zeros_where_that_is_chosen() {
-        let short =
-            |raw, ty| String::from_utf16_lossy(&write(raw, ty, RealText::Shortest, BitStringText::Shortest));
+        let short = |raw, ty| {
+            String::from_utf16_lossy(&write(
+                raw,
+                ty,
+                RealText::Shortest,
+                BitStringText::Shortest,
+                MomentText::Literal,
+            ))
+        };
         assert_eq!(
             [0, 0xAB, 0xFF].map(|raw| short(raw, Byte)),
             ["16#0", "16#ab", "16#ff"]

@@ -16,7 +16,7 @@ use Instruction::{
 use stickler_types::ElementaryType::{
     Bool, Byte, Dint, Dword, Int, Sint, String, Uint, Ulint, Word, Wstring,
 };
-use stickler_types::{BitStringText, RealText};
+use stickler_types::{BitStringText, MomentText, RealText};
 
 const STEPS: u64 = 10_000;
 
@@ -198,7 +198,7 @@ fn texts_are_stored_cut_and_converted() {
     let number = Conversion {
         from: Int,
         to: String,
-        rule: ConversionRule::WriteText(RealText::Shortest, BitStringText::FullWidth),
+        rule: ConversionRule::WriteText(RealText::Shortest, BitStringText::FullWidth, MomentText::Literal),
     };
     assert_eq!(text(&[Push(42), Convert(number), Address(9), StoreText], 9), "42");
     let length = Standard {

@@ -327,3 +327,28 @@ fn characters_and_texts_of_either_width() {
         ],
     );
 }
+
+#[test]
+fn what_was_recorded_of_texts_in_codesys() {
+    check(
+        DialectName::Codesys,
+        &[
+            ("REAL_TO_STRING", "REAL#123456792.0", "STRING#'1.2345679E08'"),
+            ("REAL_TO_STRING", "REAL#0.33333334", "STRING#'0.3333334'"),
+            ("REAL_TO_STRING", "REAL#1.0E-5", "STRING#'1E-05'"),
+            ("LREAL_TO_STRING", "LREAL#0.1", "STRING#'1.0e-1'"),
+            ("LREAL_TO_STRING", "LREAL#1.0E14", "STRING#'1.0e14'"),
+            ("TIME_TO_STRING", "TIME#0ms", "STRING#'T#0ms'"),
+            ("TOD_TO_STRING", "TOD#07:05:03.25", "STRING#'TOD#07:05:03.250'"),
+            (
+                "LTOD_TO_STRING",
+                "LTOD#01:02:03.5",
+                "STRING#'LTOD#01:02:03.500000000'",
+            ),
+            ("STRING_TO_INT", "STRING#'999999999999'", "INT#4095"),
+            ("STRING_TO_REAL", "STRING#'$T.5x'", "REAL#0.5"),
+            ("STRING_TO_BOOL", "STRING#'TRUEX'", "BOOL#TRUE"),
+            ("STRING_TO_BOOL", "STRING#'True'", "BOOL#FALSE"),
+        ],
+    );
+}

@@ -1,8 +1,8 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
 use super::support::{DIALECT, attempt, code, code_and_line, program};
-use stickler_reference::{Limits, check, check_bytes, render, run};
-use stickler_types::{Code, DialectName, Fault, Observation, Outcome, RunRequest, Value};
+use stickler_reference::{Dialect, Limits, check, check_bytes, render, run};
+use stickler_types::{Code, DialectName, Fault, Observation, Outcome, RunRequest, TextReading, Value};
 
 /// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
 fn codes(source: &str) -> Vec<Code> {
@@ -195,8 +195,9 @@ fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
         ("hit", "BOOL#TRUE"),
         ("a[12]", "INT#1"),
     ];
-    // STruC++ reads the number before the letter.
-    let reads_whole_texts = |dialect: &DialectName| *dialect != DialectName::Strucpp;
+    // Some read the number before the letter.
+    let reads_whole_texts =
+        |dialect: &DialectName| Dialect::of(*dialect).conversions.text_reading == TextReading::WholeText;
     for dialect in DialectName::ALL.into_iter().filter(reads_whole_texts) {
         let observe = expected.map(|(name, _)| Observation::last(name, ""));
         let outcome = run(&RunRequest::once(dialect, &source, &observe), Limits::default());
