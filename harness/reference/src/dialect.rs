@@ -18,10 +18,8 @@ pub struct Dialect {
     pub widening: Widening,
     /// The pairs of which a definition says something else.
     pub cells: Option<&'static Cells>,
-    /// An implicit conversion that may lose the sign or digits is accepted with a warning.
-    ///
-    /// Basis: codesys-implicit: classifyElementary.
-    pub warns_of_lost_values: bool,
+    /// The implicit conversions that are accepted with a warning.
+    pub implicit_warnings: ImplicitWarnings,
     /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
     pub cross_family_widening: bool,
     /// An untyped integer literal may stand for a REAL or LREAL.
@@ -88,6 +86,25 @@ pub enum Widening {
     NumbersAndMoments,
     /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
     NumbersUnlessNarrower,
+}
+
+/// The implicit conversions that are accepted with a warning.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ImplicitWarnings {
+    /// None of them.
+    None,
+    /// C0195 to C0197 where the target does not hold every number of the type.
+    ///
+    /// Basis: codesys-implicit: classifyElementary.
+    LostValues,
+    /// S0003 for fewer bits within a category, for a real to an integer, and between signed and unsigned of one size.
+    ///
+    /// Basis: strucpp-architecture: Type System; strucpp-tests: tests/semantic/type-utils.test.ts.
+    Narrowing,
+    /// E067 for every type with fewer bits; a duration, a date and a time of day have 64.
+    ///
+    /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs.
+    LargerTypes,
 }
 
 /// The treatment of `.%Xn` and its kin.
@@ -168,7 +185,7 @@ impl Dialect {
             name: DialectName::IronplcEd2,
             widening: Widening::Ironplc,
             cells: None,
-            warns_of_lost_values: false,
+            implicit_warnings: ImplicitWarnings::None,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: false,
@@ -228,7 +245,7 @@ impl Dialect {
             name: DialectName::Matiec,
             widening: Widening::None,
             cells: None,
-            warns_of_lost_values: false,
+            implicit_warnings: ImplicitWarnings::None,
             cross_family_widening: false,
             integer_literal_as_real: false,
             integer_literal_as_bit_string: true,
@@ -258,7 +275,7 @@ impl Dialect {
             name: DialectName::Plcnext,
             widening: Widening::Plcnext,
             cells: None,
-            warns_of_lost_values: false,
+            implicit_warnings: ImplicitWarnings::None,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -283,6 +300,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Strucpp,
             widening: Widening::Numbers,
+            implicit_warnings: ImplicitWarnings::Narrowing,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 text_reading: TextReading::LeadingNumber,
@@ -304,6 +322,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Rusty,
             widening: Widening::NumbersAndMoments,
+            implicit_warnings: ImplicitWarnings::LargerTypes,
             partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
@@ -324,7 +343,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Codesys,
             widening: Widening::NumbersUnlessNarrower,
-            warns_of_lost_values: true,
+            implicit_warnings: ImplicitWarnings::LostValues,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 out_of_range: OutOfRange::Indefinite64,

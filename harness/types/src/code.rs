@@ -38,7 +38,11 @@ impl Code {
     /// Returns the weight of a diagnostic with this code: a program with an error is rejected, one with warnings alone is accepted.
     pub const fn severity(self) -> Severity {
         match self {
-            Code::SignedToUnsigned | Code::UnsignedToSigned | Code::LossOfInformation => Severity::Warning,
+            Code::SignedToUnsigned
+            | Code::UnsignedToSigned
+            | Code::LossOfInformation
+            | Code::ImplicitDowncast
+            | Code::NarrowingConversion => Severity::Warning,
             _ => Severity::Error,
         }
     }

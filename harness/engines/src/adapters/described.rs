@@ -18,8 +18,8 @@ use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
 use crate::process::Folder;
 use crate::{
-    Ability, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction,
-    RunRequest, Session,
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome,
+    Reproduction, RunRequest, Session,
 };
 use call::{DescribedCall, Execution, unsupported};
 pub use description::Description;
@@ -214,7 +214,7 @@ impl Session for DescribedSession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match self.try_check(dialect, source) {
-            Ok(()) => Outcome::ACCEPTED,
+            Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
     }
@@ -225,7 +225,8 @@ impl Session for DescribedSession<'_> {
 }
 
 impl DescribedSession<'_> {
-    fn try_check(&self, dialect: DialectName, source: &str) -> Result<(), Outcome> {
+    /// Checks a program and returns its warnings.
+    fn try_check(&self, dialect: DialectName, source: &str) -> Result<Vec<Diagnostic>, Outcome> {
         let description = &self.engine.description;
         let call = self.call(dialect)?;
         call.write(source)?;
@@ -235,8 +236,8 @@ impl DescribedSession<'_> {
         ) {
             (Some(commands), _) => call.all(commands),
             // A compiler that only runs programs accepts a program by running it.
-            (None, Some(run)) => call.execute(&run.0, 1).map(|_| ()),
-            (None, None) => Ok(()),
+            (None, Some(run)) => call.execute(&run.0, 1).map(|_| Vec::new()),
+            (None, None) => Ok(Vec::new()),
         }
     }
 
@@ -257,22 +258,24 @@ impl DescribedSession<'_> {
         let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
             return self
                 .try_check(request.dialect, request.source)
-                .map(|()| Outcome::ACCEPTED);
+                .map(|warnings| Outcome::Accepted { warnings });
         };
         takes_scans(&run.0, request)?;
         let call = self.call(request.dialect)?;
         let probes = ProbeVariables::of(request);
-        let executions = translate_with(request, &main, probes.list(), |text| {
+        let (warnings, executions) = translate_with(request, &main, probes.list(), |text| {
             call.write(text)?;
-            if let Some(compile) = &description.compile {
-                call.all(compile)?;
-            }
-            scans(request)
+            let warnings = match &description.compile {
+                Some(compile) => call.all(compile)?,
+                None => Vec::new(),
+            };
+            let executions = scans(request)
                 .into_iter()
-                .map(|scan| Ok((scan, call.execute(&run.0, scan)?)))
-                .collect()
+                .map(|scan| Ok((scan, call.execute(&run.0, scan)?)));
+            Ok((warnings, executions.collect::<Result<_, Outcome>>()?))
         })?;
-        self.outcome(request, &probes, &executions)
+        let outcome = self.outcome(request, &probes, &executions)?;
+        Ok(outcome.with_warnings(warnings))
     }
 
     /// Returns the outcome of the executions, one for each scan after which a value is observed.

@@ -20,8 +20,8 @@ use super::rename::library_words;
 use super::source::{MainProgram, main_program, words};
 use crate::process::{Ended, Folder};
 use crate::{
-    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
-    Session,
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
+    RunRequest, Session,
 };
 use driver::{MatiecSubject, driver, without_locations};
 pub(super) use reproduction::reproduce;
@@ -175,7 +175,7 @@ impl Session for MatiecSession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match speaks(dialect).and_then(|()| self.translate(source)) {
-            Ok(()) => Outcome::ACCEPTED,
+            Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
     }
@@ -204,8 +204,8 @@ impl MatiecSession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(request.dialect)?;
         let Some(main) = main_program(request.source) else {
-            self.translate(request.source)?;
-            return Ok(Outcome::ACCEPTED);
+            let warnings = self.translate(request.source)?;
+            return Ok(Outcome::Accepted { warnings });
         };
         let probes = ProbeVariables::of(request);
         let subject = MatiecSubject {
@@ -215,17 +215,17 @@ impl MatiecSession<'_> {
         };
         let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
         let configuration = added_configuration(request.source, &main);
-        translate_with(request, &main, probes.list(), |text| {
+        let warnings = translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;
         without_locations(request.source).map_err(|reason| Outcome::Unsupported { reason })?;
         self.engine.builder.build(&driver.text, &self.folder)?;
-        driver.execute(&self.folder)
+        Ok(driver.execute(&self.folder)?.with_warnings(warnings))
     }
 
-    /// Translates a program to C.
-    fn translate(&self, source: &str) -> Result<(), Outcome> {
-        diagnostics::outcome(&self.compile(source)?)
+    /// Translates a program to C and returns the warnings.
+    fn translate(&self, source: &str) -> Result<Vec<Diagnostic>, Outcome> {
+        diagnostics::accepted(&self.compile(source)?)
     }
 
     /// Runs the compiler on a program, which reports its diagnostics and writes its C.

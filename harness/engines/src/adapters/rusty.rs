@@ -19,8 +19,8 @@ use super::locate::{self, failed};
 use super::rename::library_words;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{
-    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
-    Session,
+    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
+    RunRequest, Session,
 };
 use diagnostics::{ErrorPart, LocatedDiagnostic, OutputParser};
 use driver::{HEADER, driver, functions};
@@ -243,7 +243,7 @@ impl Session for RustySession<'_> {
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
         match speaks(dialect).and_then(|()| self.accepts(&["--check"], source)) {
-            Ok(()) => Outcome::ACCEPTED,
+            Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
     }
@@ -282,18 +282,19 @@ impl RustySession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(request.dialect)?;
         let Some(program) = PackedProgram::alone(request) else {
-            self.accepts(&OBJECT, request.source)?;
-            return Ok(Outcome::ACCEPTED);
+            let warnings = self.accepts(&OBJECT, request.source)?;
+            return Ok(Outcome::Accepted { warnings });
         };
         let subjects = [program.subject()];
         let driver = driver(&subjects, &PackedProgram::file_of(program.place))
             .map_err(|reason| Outcome::Unsupported { reason })?;
         let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
-        if !found.is_empty() {
+        if found.iter().any(|(_, told)| told.is_error()) {
             return Err(self.refused(&program, found));
         }
         self.engine.build(&driver.text, &self.folder)?;
-        driver.execute(&self.folder).map_err(diagnostics::steady)
+        let outcome = driver.execute(&self.folder).map_err(diagnostics::steady)?;
+        Ok(outcome.with_warnings(program.own(&found)))
     }
 
     /// Returns the outcome of the errors about the only program that was compiled.
@@ -309,7 +310,7 @@ impl RustySession<'_> {
         };
         // The program alone decides whether it is accepted.
         match self.accepts(&OBJECT, program.request.source) {
-            Ok(()) => Outcome::Unsupported {
+            Ok(_) => Outcome::Unsupported {
                 reason: format!(
                     "the functions that show its values are not accepted: {}",
                     diagnostic.message
@@ -319,21 +320,20 @@ impl RustySession<'_> {
         }
     }
 
-    /// Checks whether the compiler accepts a program as it is.
-    fn accepts(&self, options: &[&str], source: &str) -> Result<(), Outcome> {
+    /// Checks whether the compiler accepts a program as it is, and returns its warnings.
+    fn accepts(&self, options: &[&str], source: &str) -> Result<Vec<Diagnostic>, Outcome> {
         let file = PackedProgram::file_of(0);
         self.folder.write(&file, source).map_err(failed)?;
         let found = self.call(&[file], options)?;
-        match found.is_empty() {
-            true => Ok(()),
-            false => Err(diagnostics::rejected(
-                found.into_iter().map(|(_, diagnostic)| diagnostic),
-            )),
+        let found = diagnostics::sorted(found.into_iter().map(|(_, diagnostic)| diagnostic));
+        match found.iter().any(Diagnostic::is_error) {
+            true => Err(Outcome::rejected(found)),
+            false => Ok(found),
         }
     }
 
     /// Compiles programs and the functions that show their values to an object file, unless there are errors. Returns the
-    /// errors.
+    /// errors, or the warnings.
     fn compile(
         &self,
         programs: &[PackedProgram<'_>],
@@ -350,7 +350,7 @@ impl RustySession<'_> {
         self.call(&files, &OBJECT)
     }
 
-    /// Calls the compiler and returns its errors.
+    /// Calls the compiler and returns its errors, or the warnings where it accepts its input.
     fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let mut declarations = self.engine.declarations.clone();
         declarations.push("*.st");
@@ -369,7 +369,7 @@ impl RustySession<'_> {
                 start.env("RUST_BACKTRACE", "0");
             },
         )?;
-        self.engine.reader.errors(&ended)
+        self.engine.reader.diagnostics(&ended)
     }
 }
 

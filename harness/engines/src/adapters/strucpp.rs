@@ -19,7 +19,7 @@ use super::source::main_program;
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
-    RunRequest, Session,
+    RunRequest, Session, Severity,
 };
 use driver::{HEADER, StrucppSubject, driver};
 pub(super) use reproduction::reproduce;
@@ -232,7 +232,9 @@ impl Session for StrucppSession<'_> {
 
     fn check(&mut self, _: DialectName, source: &str) -> Outcome {
         match self.translate(source) {
-            Ok(_) => Outcome::ACCEPTED,
+            Ok(translated) => Outcome::Accepted {
+                warnings: translated.diagnostics(),
+            },
             Err(outcome) => outcome,
         }
     }
@@ -254,7 +256,7 @@ struct Translated {
     #[serde(default)]
     success: bool,
     #[serde(default)]
-    errors: Vec<TranslatorError>,
+    diagnostics: Vec<TranslatorDiagnostic>,
     #[serde(default)]
     program: String,
     #[serde(default)]
@@ -265,26 +267,42 @@ struct Translated {
 
 /// A diagnostic of the compiler. Line 0 stands for an unknown line.
 #[derive(Deserialize)]
-struct TranslatorError {
+struct TranslatorDiagnostic {
     message: String,
     line: u32,
     column: u32,
     severity: String,
 }
 
-impl TranslatorError {
+impl Translated {
+    /// Returns the diagnostics, sorted by line and column, each once.
+    fn diagnostics(&self) -> Vec<Diagnostic> {
+        let told = self.diagnostics.iter();
+        let mut diagnostics: Vec<Diagnostic> = told.map(TranslatorDiagnostic::diagnostic).collect();
+        diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
+        diagnostics.dedup();
+        diagnostics
+    }
+}
+
+impl TranslatorDiagnostic {
     /// Returns the diagnostic. The compiler has no codes; what it cannot read is Stickler's P0002.
     ///
     /// Basis: strucpp: `src/frontend/parser-error-message-provider.ts`, and the messages of its lexer; measured.
-    fn diagnostic(self) -> Diagnostic {
+    fn diagnostic(&self) -> Diagnostic {
         let is_unread = ["unexpected character: ", "Unexpected ", "Expected "]
             .iter()
             .any(|beginning| self.message.starts_with(beginning));
+        let severity = match self.severity.as_str() {
+            "error" => Severity::Error,
+            _ => Severity::Warning,
+        };
         Diagnostic {
+            severity,
             code: is_unread.then(|| Code::SyntaxError.as_str().to_owned()),
             line: Some(self.line).filter(|&line| line > 0),
             column: Some(self.column).filter(|&column| self.line > 0 && column > 0),
-            message: self.message,
+            message: self.message.clone(),
             ..Diagnostic::default()
         }
     }
@@ -298,20 +316,19 @@ struct AcceptedProgram<'r> {
 
 impl StrucppSession<'_> {
     fn try_run(&mut self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        match self.accepted(request)? {
-            Some(accepted) => self.build_and_run(&accepted),
-            None => Ok(Outcome::ACCEPTED),
-        }
+        let accepted = self.accepted(request)?;
+        let warnings = accepted.translated.diagnostics();
+        Ok(self.build_and_run(&accepted)?.with_warnings(warnings))
     }
 
-    /// Translates a program that is to be run; `None` where it has no main program and is accepted.
+    /// Translates a program that is to be run.
     ///
     /// # Errors
-    /// The outcome of a program that is not accepted.
-    fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<Option<AcceptedProgram<'r>>, Outcome> {
+    /// The outcome of a program that is not accepted, or that is and has no main program.
+    fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<AcceptedProgram<'r>, Outcome> {
         let Some(main) = main_program(request.source) else {
-            self.translate(request.source)?;
-            return Ok(None);
+            let warnings = self.translate(request.source)?.diagnostics();
+            return Err(Outcome::Accepted { warnings });
         };
         driver::kinds(request).map_err(|reason| Outcome::Unsupported { reason })?;
         let probes = ProbeVariables::of(request);
@@ -321,7 +338,7 @@ impl StrucppSession<'_> {
             probes,
             program: main.name,
         };
-        Ok(Some(AcceptedProgram { subject, translated }))
+        Ok(AcceptedProgram { subject, translated })
     }
 
     /// Builds and runs a program that was accepted.
@@ -341,7 +358,7 @@ impl StrucppSession<'_> {
             return Err(Outcome::Crashed { reason });
         }
         if !translated.success {
-            return Err(rejected(translated.errors));
+            return Err(rejected(translated.diagnostics()));
         }
         Ok(translated)
     }
@@ -376,18 +393,14 @@ impl StrucppSession<'_> {
     }
 }
 
-/// Returns the rejection for these errors; warnings reject nothing.
-fn rejected(errors: Vec<TranslatorError>) -> Outcome {
-    let errors = errors.into_iter().filter(|error| error.severity == "error");
-    let mut diagnostics: Vec<Diagnostic> = errors.map(TranslatorError::diagnostic).collect();
-    if diagnostics.is_empty() {
-        return Outcome::Crashed {
+/// Returns the rejection for these diagnostics; warnings reject nothing.
+fn rejected(diagnostics: Vec<Diagnostic>) -> Outcome {
+    match diagnostics.iter().any(Diagnostic::is_error) {
+        true => Outcome::rejected(diagnostics),
+        false => Outcome::Crashed {
             reason: "it fails without saying why".to_owned(),
-        };
+        },
     }
-    diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
-    diagnostics.dedup();
-    Outcome::Rejected { diagnostics }
 }
 
 #[cfg(test)]
@@ -396,12 +409,12 @@ mod tests {
 
     #[test]
     fn errors_reject_and_warnings_do_not() {
-        let answer = r#"{"success":false,"program":"","header":"","errors":[
+        let answer = r#"{"success":false,"program":"","header":"","diagnostics":[
             {"message":"Undeclared variable 'Q'","line":4,"column":2,"severity":"error"},
             {"message":"narrowing","line":3,"column":7,"severity":"warning"},
             {"message":"unexpected character: ->#<- at offset: 7, skipped 1 characters.","line":0,"column":0,"severity":"error"}]}"#;
         let translated: Translated = serde_json::from_str(answer).unwrap();
-        let Outcome::Rejected { diagnostics } = rejected(translated.errors) else {
+        let Outcome::Rejected { diagnostics } = rejected(translated.diagnostics()) else {
             panic!("not rejected")
         };
         let places: Vec<_> = diagnostics
@@ -410,6 +423,14 @@ mod tests {
             .collect();
         assert_eq!(places, [(None, None, Some("P0002")), (Some(4), Some(2), None)]);
         assert!(matches!(rejected(Vec::new()), Outcome::Crashed { .. }));
+        let accepted = r#"{"success":true,"diagnostics":[{"message":"narrowing","line":3,"column":7,"severity":"warning"}]}"#;
+        let accepted: Translated = serde_json::from_str(accepted).unwrap();
+        let warnings = accepted.diagnostics();
+        assert_eq!(warnings.len(), 1);
+        assert_eq!(
+            (warnings[0].severity, warnings[0].line),
+            (Severity::Warning, Some(3))
+        );
     }
 
     #[test]

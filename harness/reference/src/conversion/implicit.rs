@@ -1,7 +1,7 @@
 //! THE rule that says whether a value converts implicitly, and with what result.
 
 use super::{Conversion, ConversionRule};
-use crate::dialect::{Dialect, Widening};
+use crate::dialect::{Dialect, ImplicitWarnings, Widening};
 use stickler_types::{Code, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
@@ -37,27 +37,46 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
 }
 
 /// Returns the warning with which a dialect accepts an implicit conversion; `None` where it has none, or where the types do not
-/// convert.
+/// convert. A definition decides of a pair whether it is warned of, and its base with which code.
 ///
-/// Basis: codesys-implicit: classifyElementary, and the pages of the codes.
+/// Basis: that of each [`ImplicitWarnings`].
 #[must_use]
 pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
+    let (code, is_warned) = match dialect.implicit_warnings {
+        ImplicitWarnings::None | ImplicitWarnings::LostValues => (lost_value(from, to), may_lose(from, to)),
+        ImplicitWarnings::Narrowing => (Code::NarrowingConversion, narrows(from, to)),
+        ImplicitWarnings::LargerTypes => (Code::ImplicitDowncast, from.bits() > to.bits()),
+    };
     let is_warned = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
         Some(cell) => cell.value == MatrixWord::Warn,
-        None => {
-            dialect.warns_of_lost_values
-                && from != to
-                && implicit(from, to, dialect).is_some()
-                && may_lose(from, to)
-        }
+        None if dialect.implicit_warnings == ImplicitWarnings::None => false,
+        None => is_warned && from != to && implicit(from, to, dialect).is_some(),
     };
-    let is_signed = |ty: ElementaryType| ty.is_integer() && ty.is_signed();
-    is_warned.then(|| match (is_signed(from), is_signed(to)) {
+    is_warned.then_some(code)
+}
+
+/// Returns the code of CODESYS for a conversion that may lose the sign or digits.
+const fn lost_value(from: ElementaryType, to: ElementaryType) -> Code {
+    match (from.is_signed(), to.is_signed()) {
         _ if to.is_real() || from.is_real() => Code::LossOfInformation,
         (true, false) => Code::SignedToUnsigned,
         (false, true) => Code::UnsignedToSigned,
         _ => Code::LossOfInformation,
-    })
+    }
+}
+
+/// Fewer bits within a category, a real to an integer, and signed to unsigned of one size or back.
+fn narrows(from: ElementaryType, to: ElementaryType) -> bool {
+    let changes_sign = from.is_signed() != to.is_signed() && from.bits() == to.bits();
+    match (from.is_integer(), to.is_integer()) {
+        (true, true) => from.bits() > to.bits() || changes_sign,
+        (false, true) => from.is_real(),
+        _ => {
+            from.bits() > to.bits()
+                && from.is_real() == to.is_real()
+                && from.is_bit_string() == to.is_bit_string()
+        }
+    }
 }
 
 /// Returns whether a number or bit string of the one type may be none of the other.

@@ -42,6 +42,7 @@ codes! {
     C0195 SignedToUnsigned,
     C0196 UnsignedToSigned,
     C0197 LossOfInformation,
+    E067 ImplicitDowncast,
     P0001 OpenComment,
     P0002 SyntaxError,
     P0003 UnexpectedToken,
@@ -163,4 +164,5 @@ codes! {
     P9999 NotImplemented,
     S0001 AssignmentToConstant,
     S0002 LimitExceeded,
+    S0003 NarrowingConversion,
 }

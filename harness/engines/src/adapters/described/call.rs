@@ -55,13 +55,15 @@ impl DescribedCall<'_> {
         })
     }
 
-    /// Runs commands one after the other, until one does not accept the program.
-    pub(super) fn all(&self, commands: &Commands) -> Result<(), Outcome> {
+    /// Runs commands one after the other, until one does not accept the program. Returns the warnings of all.
+    pub(super) fn all(&self, commands: &Commands) -> Result<Vec<Diagnostic>, Outcome> {
+        let mut warnings = Vec::new();
         for template in &commands.0 {
             let ended = self.run(&template.0, 0)?;
             self.accepted(&ended)?;
+            warnings.extend(self.warnings(&ended));
         }
-        Ok(())
+        Ok(warnings)
     }
 
     /// Runs the program for `scans` scans.
@@ -126,9 +128,16 @@ impl DescribedCall<'_> {
                 reason: locate::first_error(ended),
             }),
             Meaning::Rejected => Err(self.rejected(ended)),
-            Meaning::Diagnosed if self.diagnostics(ended).is_empty() => Ok(()),
+            Meaning::Diagnosed if !self.diagnostics(ended).iter().any(Diagnostic::is_error) => Ok(()),
             Meaning::Diagnosed => Err(self.rejected(ended)),
         }
+    }
+
+    /// Returns the warnings in the output of a command that accepts the program.
+    fn warnings(&self, ended: &Ended) -> Vec<Diagnostic> {
+        let mut diagnostics = self.diagnostics(ended);
+        diagnostics.retain(|told| !told.is_error());
+        diagnostics
     }
 
     fn diagnostics(&self, ended: &Ended) -> Vec<Diagnostic> {
@@ -152,7 +161,8 @@ impl DescribedCall<'_> {
             }];
             return Outcome::Rejected { diagnostics };
         }
-        let diagnostics = self.diagnostics(ended);
+        let mut diagnostics = self.diagnostics(ended);
+        diagnostics.retain(Diagnostic::is_error);
         if diagnostics.is_empty() {
             return match ended.crashed() {
                 Outcome::Crashed { reason } => Outcome::Crashed {

@@ -1,6 +1,6 @@
 //! Parses the diagnostics that `ironplcc` writes to stderr, with colours whether or not a terminal reads them.
 //!
-//! Basis: ironplc: measured on version 0.239; each begins `error[P4035]: message`, and a later line `┌─ file:line:column` names
+//! Basis: ironplc: measured on version 0.239, which has errors alone and no warnings; each begins `error[P4035]: message`, and a later line `┌─ file:line:column` names
 //! the place. Where the compiler does not know the place, it shows 1:1 without a file, or marks nothing there.
 
 use crate::adapters::plain::without_colours;

@@ -5,25 +5,25 @@
 //! Stickler's P0002. Where the parser gives up at once, it says [`GAVE_UP`] and nothing else.
 
 use crate::process::Ended;
-use crate::{Diagnostic, Outcome};
+use crate::{Diagnostic, Outcome, Severity};
 use stickler_types::Code;
 
 /// What the compiler says of a program that it cannot read at all.
 const GAVE_UP: &str = "Parsing failed because of too many consecutive syntax errors. Bailing out!";
 
-/// Checks whether the program is accepted.
+/// Returns the warnings of a program that is accepted.
 ///
 /// # Errors
 /// [`Outcome::Rejected`]; [`Outcome::Crashed`] where the compiler reports an internal error, or does not say what is wrong.
-pub(super) fn outcome(ended: &Ended) -> Result<(), Outcome> {
+pub(super) fn accepted(ended: &Ended) -> Result<Vec<Diagnostic>, Outcome> {
     let code = ended.code()?;
     if ended.stderr.contains("Internal compiler error") || ended.stdout.contains("Internal compiler error") {
         return Err(ended.crashed());
     }
+    let (mut diagnostics, warnings) = diagnostics(&ended.stderr);
     if code == 0 {
-        return Ok(());
+        return Ok(warnings);
     }
-    let mut diagnostics = diagnostics(&ended.stderr);
     if diagnostics.is_empty() {
         diagnostics.extend(gave_up(&ended.stderr));
     }
@@ -43,9 +43,10 @@ fn gave_up(stderr: &str) -> Option<Diagnostic> {
     })
 }
 
-/// Returns the diagnostics in the output, in its order.
-pub(super) fn diagnostics(stderr: &str) -> Vec<Diagnostic> {
-    stderr.lines().filter_map(diagnostic).collect()
+/// Returns the errors and the warnings in the output, in its order.
+pub(super) fn diagnostics(stderr: &str) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
+    let told = stderr.lines().filter_map(diagnostic);
+    told.partition(Diagnostic::is_error)
 }
 
 /// Returns the rejection with these diagnostics.
@@ -64,13 +65,15 @@ pub(super) fn are_complete(diagnostics: &[Diagnostic], stderr: &str) -> bool {
 }
 
 fn diagnostic(line: &str) -> Option<Diagnostic> {
-    let (place, message) = line.split_once(": error: ")?;
+    let of = |severity: Severity| Some((severity, line.split_once(&format!(": {}: ", severity.as_str()))?));
+    let (severity, (place, message)) = of(Severity::Error).or_else(|| of(Severity::Warning))?;
     let (_, place) = place.rsplit_once(':')?;
     let message = message.trim().to_owned();
     if let Some((from, to)) = place.split_once("..") {
         let (line, column) = pair(from)?;
         let (end_line, end_column) = pair(to)?;
         return Some(Diagnostic {
+            severity,
             line: Some(line),
             column: Some(column),
             end_line: Some(end_line),
@@ -81,7 +84,8 @@ fn diagnostic(line: &str) -> Option<Diagnostic> {
     }
     // Only the parser names no column.
     Some(Diagnostic {
-        code: Some(Code::SyntaxError.as_str().to_owned()),
+        severity,
+        code: severity.is_error().then(|| Code::SyntaxError.as_str().to_owned()),
         line: Some(place.parse().ok()?),
         message,
         ..Diagnostic::default()
@@ -108,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn both_forms_of_a_diagnostic_are_read_and_warnings_are_passed_over() {
+    fn both_forms_of_a_diagnostic_are_read_and_warnings_apart() {
         let found =
             diagnostic("program.st:3-4..3-9: error: Incompatible data types for ':=' operation.").unwrap();
         assert_eq!(
@@ -121,15 +125,18 @@ mod tests {
             (found.code.as_deref(), found.line, found.column),
             (Some("P0002"), Some(3), None)
         );
-        let complete = |stderr: &str| are_complete(&diagnostics(stderr), stderr);
+        let complete = |stderr: &str| are_complete(&diagnostics(stderr).0, stderr);
         let meant = "a.st:3-4..3-9: error: one\na.st:7-4..7-9: error: two\n";
         assert!(complete(&format!("{meant}2 error(s) found. Bailing out!\n")));
         assert!(!complete(&format!("{meant}3 error(s) found. Bailing out!\n")));
         assert!(!complete(meant));
         let unread = "a.st:3: error: one\n\n1 error(s) found. Bailing out!\n";
         assert!(!complete(unread));
+        let warning = "program.st:3-4..3-9: warning: Lost precision";
+        let (errors, warnings) = diagnostics(&format!("{meant}{warning}\n"));
+        assert_eq!((errors.len(), warnings.len()), (2, 1));
+        assert_eq!(warnings[0].line, Some(3));
         for other in [
-            "program.st:3-4..3-9: warning: Lost precision",
             "1 error(s) found. Bailing out!",
             "",
             "program.st:x: error: nonsense",

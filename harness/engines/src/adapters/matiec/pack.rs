@@ -103,6 +103,18 @@ impl Joined {
         (line - before <= lines).then_some(number)
     }
 
+    /// Returns the outcomes of all members with the warnings about each.
+    fn with_warnings(&self, outcomes: Vec<Outcome>, warnings: Vec<Diagnostic>) -> Vec<Outcome> {
+        let mut own: Vec<Vec<Diagnostic>> = self.members.iter().map(|_| Vec::new()).collect();
+        for (number, warning) in warnings.into_iter().filter_map(|warning| self.original(warning)) {
+            own[number].push(warning);
+        }
+        let outcomes = outcomes.into_iter().zip(own);
+        outcomes
+            .map(|(outcome, own)| outcome.with_warnings(own))
+            .collect()
+    }
+
     /// Translates a diagnostic back to that of a program alone, with the number of the program; `None` where it is about none.
     fn original(&self, diagnostic: Diagnostic) -> Option<(usize, Diagnostic)> {
         let number = self.member(diagnostic.line?)?;
@@ -137,8 +149,11 @@ fn look(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
         Ok(ended) => ended,
         Err(outcome) => return Round::alone(suspects(&outcome, members.len())),
     };
-    match diagnostics::outcome(&ended) {
-        Ok(()) => build(session, members),
+    match diagnostics::accepted(&ended) {
+        Ok(warnings) => match build(session, members) {
+            Round::Ran(outcomes) => Round::Ran(joined.with_warnings(outcomes, warnings)),
+            other => other,
+        },
         Err(Outcome::Rejected { .. }) => refused(members, &joined, &ended.stderr),
         Err(_) => Round::nothing(),
     }
@@ -146,7 +161,7 @@ fn look(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
 
 /// Removes the programs that `iec2c` does not accept.
 fn refused(members: &[PackMember<'_>], joined: &Joined, stderr: &str) -> Round {
-    let diagnostics = diagnostics::diagnostics(stderr);
+    let (diagnostics, _) = diagnostics::diagnostics(stderr);
     let complete = diagnostics::are_complete(&diagnostics, stderr);
     let mut mistakes: Vec<Vec<Diagnostic>> = joined.members.iter().map(|_| Vec::new()).collect();
     for diagnostic in diagnostics {

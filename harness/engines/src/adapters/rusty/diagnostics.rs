@@ -9,8 +9,8 @@ use crate::{Diagnostic, Outcome};
 use std::path::Path;
 use stickler_types::Code;
 
-/// The pattern of an error in the list of diagnostics. Warnings and notes begin with other words.
-const LISTED: &str = r"^(?:(?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:)? )?error\[(?<code>\w+)\]: (?<message>.*)$";
+/// The pattern of an error or a warning in the list of diagnostics. Notes begin with other words.
+const LISTED: &str = r"^(?:(?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:)? )?(?<severity>error|warning)\[(?<code>\w+)\]: (?<message>.*)$";
 
 /// The pattern of the last line about an error that prevents the object file, with or without a place.
 const LAST: &str = r"\A(?<message>.+?)(?: at: (?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):?(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:?)?)?\s*\z";
@@ -47,17 +47,17 @@ impl OutputParser {
         })
     }
 
-    /// Parses the errors, at least one; none where the compiler accepts its input.
+    /// Parses the errors, at least one, or the warnings where the compiler accepts its input.
     ///
     /// # Errors
     /// [`Outcome::Crashed`] where the compiler neither accepts its input nor says why not.
-    pub(super) fn errors(&self, ended: &Ended) -> Result<Vec<LocatedDiagnostic>, Outcome> {
+    pub(super) fn diagnostics(&self, ended: &Ended) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let text = without_colours(&ended.stderr);
         match ended.status.code() {
-            Some(0) => Ok(Vec::new()),
+            Some(0) => Ok(self.listed(&text).filter(|(_, told)| !told.is_error()).collect()),
             Some(1) => {
                 let mut found: Vec<LocatedDiagnostic> =
-                    self.listed.by_file(&text).into_iter().map(located).collect();
+                    self.listed(&text).filter(|(_, told)| told.is_error()).collect();
                 if found.is_empty() {
                     let last = text.lines().rfind(|line| !line.is_empty() && !is_noise(line));
                     let read = self.last.by_file(last.unwrap_or_default()).into_iter();
@@ -72,6 +72,10 @@ impl OutputParser {
             }
             _ => Err(died(ended, &text)),
         }
+    }
+
+    fn listed(&self, text: &str) -> impl Iterator<Item = LocatedDiagnostic> {
+        self.listed.by_file(text).into_iter().map(located)
     }
 }
 
@@ -156,10 +160,15 @@ fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> LocatedDiagnostic 
 
 /// Returns a rejection with these diagnostics.
 pub(super) fn rejected(diagnostics: impl Iterator<Item = Diagnostic>) -> Outcome {
+    Outcome::rejected(sorted(diagnostics))
+}
+
+/// Returns the diagnostics with the registry's codes, sorted by line, column and code, each once.
+pub(super) fn sorted(diagnostics: impl Iterator<Item = Diagnostic>) -> Vec<Diagnostic> {
     let mut diagnostics: Vec<Diagnostic> = diagnostics.map(translated).collect();
     diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
     diagnostics.dedup();
-    Outcome::Rejected { diagnostics }
+    diagnostics
 }
 
 /// The compiler's codes that mean the same as one of the registry.

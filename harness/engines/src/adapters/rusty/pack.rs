@@ -37,15 +37,18 @@ fn look(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
         let cannot = |number: &usize| driver(&subjects[*number..=*number], &first_file).is_err();
         return Round::alone((0..subjects.len()).filter(cannot).collect());
     };
-    match session.compile(programs, &functions(&subjects, &driver.subjects)) {
-        Ok(found) if found.is_empty() => {}
-        Ok(found) => return refused(programs, found),
+    let warnings = match session.compile(programs, &functions(&subjects, &driver.subjects)) {
+        Ok(found) if found.iter().any(|(_, told)| told.is_error()) => return refused(programs, found),
+        Ok(warnings) => warnings,
         Err(outcome) => return broken_off(&outcome, programs),
-    }
+    };
     match session.engine.build(&driver.text, &session.folder) {
         Ok(()) => {
-            let known = driver.execute_all(&session.folder).into_iter();
-            Round::Ran(known.map(steady).collect())
+            let known = driver.execute_all(&session.folder).into_iter().zip(programs);
+            let outcome = |(outcome, program): (Outcome, &PackedProgram<'_>)| {
+                steady(outcome).with_warnings(program.own(&warnings))
+            };
+            Round::Ran(known.map(outcome).collect())
         }
         Err(outcome) => broken_off(&outcome, programs),
     }

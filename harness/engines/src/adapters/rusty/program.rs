@@ -1,5 +1,6 @@
 //! A program as it is compiled: renamed, so that its names clash neither with those of C nor with those of another program.
 
+use super::diagnostics::{ErrorPart, LocatedDiagnostic, sorted};
 use super::driver::RustySubject;
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix};
 use crate::adapters::source::{MainProgram, main_program};
@@ -117,5 +118,13 @@ impl<'r> PackedProgram<'r> {
     /// Translates a diagnostic of the renamed text back to the program itself.
     pub(super) fn original(&self, diagnostic: Diagnostic) -> Diagnostic {
         self.renamed.original(diagnostic)
+    }
+
+    /// Returns those of the located diagnostics that are about this program, as they are about the program itself.
+    pub(super) fn own(&self, found: &[LocatedDiagnostic]) -> Vec<Diagnostic> {
+        let own = found
+            .iter()
+            .filter(|(about, _)| *about == ErrorPart::Program(self.place));
+        sorted(own.map(|(_, diagnostic)| self.original(diagnostic.clone())))
     }
 }

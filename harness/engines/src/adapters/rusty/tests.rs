@@ -4,7 +4,7 @@ use super::*;
 use crate::adapters::dependencies::DependencyPaths;
 use crate::adapters::ironplc::tests::scripts;
 use crate::process::Ended;
-use crate::{Diagnostic, Observation};
+use crate::{Diagnostic, Observation, Severity};
 use std::io::Write;
 use std::os::unix::process::ExitStatusExt;
 use std::process::ExitStatus;
@@ -250,6 +250,29 @@ fn among_others_every_name_of_a_program_is_kept_apart_unless_the_language_has_it
 }
 
 #[test]
+fn warnings_are_told_of_what_is_accepted_and_passed_over_beside_errors() {
+    let reader = OutputParser::new().unwrap();
+    let warning = "program_7.st:2:3:{2:3-2:4}: warning[E067]: Implicit downcast from 'LREAL' to 'SINT'.\n";
+    let told = |code: i32, stderr: String| {
+        let ended = Ended {
+            status: ExitStatus::from_raw(code << 8),
+            stdout: String::new(),
+            stderr,
+        };
+        let found = reader.diagnostics(&ended).unwrap();
+        found
+            .into_iter()
+            .map(|(_, told)| (told.severity, told.code.unwrap_or_default(), told.line))
+            .collect::<Vec<_>>()
+    };
+    let expected = (Severity::Warning, "E067".to_owned(), Some(2));
+    assert_eq!(told(0, warning.to_owned()), [expected]);
+    let error = "program_7.st:3:3:{3:3-3:4}: error[E037]: no\n";
+    let expected = (Severity::Error, "E037".to_owned(), Some(3));
+    assert_eq!(told(1, format!("{warning}{error}")), [expected]);
+}
+
+#[test]
 fn what_stops_the_compiler_is_told_the_same_each_time() {
     let reader = OutputParser::new().unwrap();
     let ended = |code: i32, stderr: &str| Ended {
@@ -260,7 +283,7 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
     };
     let said = "program_7.st:2:3:{2:3-2:4}: warning[E067]: Implicit downcast from 'LREAL' to 'SINT'.\n\
                 LLVM ERROR: Cannot select: 0x563c1fd96888: i8 = bitcast 0x563c1fd96340\nIn function: main_in_pack_7\n";
-    let Err(Outcome::Crashed { reason }) = reader.errors(&ended(6, said)) else {
+    let Err(Outcome::Crashed { reason }) = reader.diagnostics(&ended(6, said)) else {
         panic!("no crash")
     };
     assert!(
@@ -269,7 +292,7 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
     );
     let said = "thread 'main' (23300) panicked at src/ast.rs:1295:18:\nnot implemented\n\
                 note: run with `RUST_BACKTRACE=1` environment variable to display a backtrace\n";
-    let Err(Outcome::Crashed { reason: panicked }) = reader.errors(&ended(101 << 8, said)) else {
+    let Err(Outcome::Crashed { reason: panicked }) = reader.diagnostics(&ended(101 << 8, said)) else {
         panic!("no crash")
     };
     assert!(
@@ -277,7 +300,7 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
         "{panicked}"
     );
     let said = "thread 'main' panicked at /home/x/.cargo/registry/src/index.example-1949cf8c/inkwell-0.2.0/src/enums.rs:294:13:\n";
-    let Err(Outcome::Crashed { reason: panicked }) = reader.errors(&ended(101 << 8, said)) else {
+    let Err(Outcome::Crashed { reason: panicked }) = reader.diagnostics(&ended(101 << 8, said)) else {
         panic!("no crash")
     };
     assert!(
@@ -287,14 +310,14 @@ fn what_stops_the_compiler_is_told_the_same_each_time() {
     assert_eq!(crate::adapters::rename::places_named(&reason), [7]);
     // It gives no more of a reason where it cannot write the initial values of a program.
     let found = reader
-        .errors(&ended(1 << 8, "Some initial values were not generated\n"))
+        .diagnostics(&ended(1 << 8, "Some initial values were not generated\n"))
         .unwrap();
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].0, ErrorPart::Elsewhere);
     assert_eq!(found[0].1.message, "Some initial values were not generated");
     // Here it counts lines and columns from 0. Basis: rusty: book, chapter on the parser, with another name of the file.
     let said = "Unexpected token: expected KeywordSemicolon but found 'text: STRING' at: program_3.st:3:8:{3:8-3:20}: \n";
-    let found = reader.errors(&ended(1 << 8, said)).unwrap();
+    let found = reader.diagnostics(&ended(1 << 8, said)).unwrap();
     let (about, diagnostic) = &found[0];
     assert_eq!(*about, ErrorPart::Program(3));
     assert_eq!(

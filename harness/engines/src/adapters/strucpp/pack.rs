@@ -8,7 +8,7 @@ use super::{AcceptedProgram, StrucppSession};
 use crate::adapters::locate::suspects;
 use crate::adapters::rename::declared;
 use crate::adapters::rounds::{self, Round};
-use crate::{Outcome, Packed, RunRequest};
+use crate::{Packed, RunRequest};
 use std::collections::BTreeSet;
 
 /// The number of rounds of a pack, fewer than [`rounds::MAX_ROUNDS`]: each round costs seconds of a C++ compiler, which names
@@ -21,11 +21,10 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
     let mut members = Vec::with_capacity(requests.len());
     for (place, request) in requests.iter().enumerate() {
         match session.accepted(request) {
-            Ok(Some(accepted)) if declared(request.source, session.engine.taken()).is_some() => {
+            Ok(accepted) if declared(request.source, session.engine.taken()).is_some() => {
                 members.push((place, accepted));
             }
-            Ok(Some(_)) => {}
-            Ok(None) => answers[place] = Packed::Answered(Outcome::ACCEPTED),
+            Ok(_) => {}
             Err(outcome) => answers[place] = Packed::Answered(outcome),
         }
     }
@@ -58,7 +57,10 @@ fn build_and_run(
         .try_build(&driver.text, &[], &session.folder);
     let ended = built.map_err(|outcome| suspects(&outcome, members.len()))?;
     if ended.status.success() {
-        return Ok(Round::Ran(driver.execute_all(&session.folder)));
+        let outcomes = driver.execute_all(&session.folder).into_iter().zip(members);
+        let with_warnings =
+            outcomes.map(|(outcome, (_, accepted))| outcome.with_warnings(accepted.translated.diagnostics()));
+        return Ok(Round::Ran(with_warnings.collect()));
     }
     let named = |(mark, end)| numbers(&ended.stderr, mark, end);
     let named: BTreeSet<usize> = [("program_", '.'), ("pack_", ':')]

@@ -16,13 +16,13 @@ function place(source, { message, line, column }) {
 
 function translated(source) {
     try {
-        const { success, errors, cppCode, headerCode } = compile(source, {});
-        const diagnostics = (errors ?? []).map((error) => ({
-            message: String(error.message),
-            ...place(source, error),
-            severity: String(error.severity),
+        const { success, errors, warnings, cppCode, headerCode } = compile(source, {});
+        const diagnostics = [...(errors ?? []), ...(warnings ?? [])].map((told) => ({
+            message: String(told.message),
+            ...place(source, told),
+            severity: String(told.severity),
         }));
-        return { success: success === true, errors: diagnostics, program: cppCode ?? "", header: headerCode ?? "" };
+        return { success: success === true, diagnostics, program: cppCode ?? "", header: headerCode ?? "" };
     } catch (error) {
         return { crash: String(error?.stack ?? error) };
     }
