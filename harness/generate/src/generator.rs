@@ -35,4 +35,5 @@ mod statements;
 mod type_context;
 
 pub use builder::program;
+pub use profile::DIALECTS;
 pub use settings::GeneratorSettings;

@@ -20,6 +20,16 @@ pub struct Dialect {
     pub cells: Option<&'static Cells>,
     /// The implicit conversions that are accepted with a warning.
     pub implicit_warnings: ImplicitWarnings,
+    /// The types in which two integers or bit strings meet.
+    pub operands: OperandTypes,
+    /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`).
+    pub literals_by_width: bool,
+    /// MOD by zero gives 0 where operands are promoted, and is no fault.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
+    pub modulo_by_zero_is_zero: bool,
     /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
     pub cross_family_widening: bool,
     /// An untyped integer literal may stand for a REAL or LREAL.
@@ -107,6 +117,20 @@ pub enum ImplicitWarnings {
     LargerTypes,
 }
 
+/// The types in which two integers or bit strings meet.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum OperandTypes {
+    /// That of one of them, to which the other converts.
+    ///
+    /// Basis: rule: mixed-operands.
+    OneOfTheirs,
+    /// An integer type as wide as the wider of them, with a sign if one of them has one; it is computed with 32 bits at least, so
+    /// that nothing is lost before the value is stored.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`, `arithedge_…`, `cmp_…`).
+    Promoted,
+}
+
 /// The treatment of `.%Xn` and its kin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PartialAccess {
@@ -186,6 +210,9 @@ impl Dialect {
             widening: Widening::Ironplc,
             cells: None,
             implicit_warnings: ImplicitWarnings::None,
+            operands: OperandTypes::OneOfTheirs,
+            literals_by_width: false,
+            modulo_by_zero_is_zero: false,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: false,
@@ -246,6 +273,9 @@ impl Dialect {
             widening: Widening::None,
             cells: None,
             implicit_warnings: ImplicitWarnings::None,
+            operands: OperandTypes::OneOfTheirs,
+            literals_by_width: false,
+            modulo_by_zero_is_zero: false,
             cross_family_widening: false,
             integer_literal_as_real: false,
             integer_literal_as_bit_string: true,
@@ -276,6 +306,9 @@ impl Dialect {
             widening: Widening::Plcnext,
             cells: None,
             implicit_warnings: ImplicitWarnings::None,
+            operands: OperandTypes::OneOfTheirs,
+            literals_by_width: false,
+            modulo_by_zero_is_zero: false,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -344,6 +377,10 @@ impl Dialect {
             name: DialectName::Codesys,
             widening: Widening::NumbersUnlessNarrower,
             implicit_warnings: ImplicitWarnings::LostValues,
+            operands: OperandTypes::Promoted,
+            literals_by_width: true,
+            modulo_by_zero_is_zero: true,
+            partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
                 out_of_range: OutOfRange::Indefinite64,

@@ -222,6 +222,8 @@ pub enum ArithmeticOperator {
     Divide,
     /// `MOD`: the remainder has the dividend's sign; zero as the divisor faults.
     Modulo,
+    /// MOD, of which a divisor of zero gives 0 and no fault.
+    ModuloOrZero,
 }
 
 /// Comparison of two values of one type. REAL and LREAL follow IEC 60559: NaN is unequal to everything.

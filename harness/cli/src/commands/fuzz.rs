@@ -25,6 +25,7 @@ use stickler_campaign::{
     EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
     Until,
 };
+use stickler_generate::generator::DIALECTS;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
@@ -220,9 +221,14 @@ fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
 /// A dialect of stickler.toml; an engine that speaks none of the dialects.
 fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
     let asked = match &arguments.dialect[..] {
-        [] => &DialectName::ALL[..],
+        [] => &DIALECTS[..],
         named => named,
     };
+    if let Some(recorded) = asked.iter().find(|dialect| dialect.base().is_recorded()) {
+        bail!(
+            "no programs are generated in {recorded}: its documents do not say in which types operations are computed"
+        );
+    }
     if let Some(defined) = asked.iter().find(|dialect| dialect.definition().is_some()) {
         bail!(
             "programs are made by the rules of documented systems alone, and {defined} overrides some; --dialect {} has those \

@@ -1,7 +1,7 @@
 //! The state of the generator: the program so far, the POU under construction, and the rest of the budget.
 
 use super::constructs::{Construct, ConstructSet, palette};
-use super::profile::DialectProfile;
+use super::profile::{DIALECTS, DialectProfile};
 use super::scope::{PouRole, PouScope};
 use super::settings::GeneratorSettings;
 use crate::model::{MainPou, Program, VariableId};
@@ -58,7 +58,7 @@ pub(super) const MAX_EXECUTED_STATEMENTS: u32 = 6000;
 impl<'r, 'u> ProgramBuilder<'r, 'u> {
     fn new(mut random: Random<'r, 'u>, settings: &GeneratorSettings) -> ProgramBuilder<'r, 'u> {
         let dialect = settings.dialect.unwrap_or_else(|| {
-            let chosen = random.pick(&DialectName::ALL).copied();
+            let chosen = random.pick(&DIALECTS[..]).copied();
             chosen.unwrap_or(DialectName::IronplcEd2)
         });
         let profile = DialectProfile::of(dialect);

@@ -4,9 +4,9 @@
 use super::literals;
 use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_third_edition};
-use std::sync::OnceLock;
-use stickler_exact::{Signature, expected, functions, implicit, implicit_result, signatures};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord, Value};
+use std::sync::{LazyLock, OnceLock};
+use stickler_exact::{Signature, expected, functions, implicit, signatures};
+use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -40,6 +40,13 @@ pub(super) struct DialectProfile {
     /// The conversion functions that give each type, indexed by [`ElementaryType`].
     offers: Vec<Vec<ConversionOffer>>,
 }
+
+/// The dialects in which programs are generated: those in whose documents an operation is computed in the type of its operands. What
+/// a recorded system computes with promoted operands is not evaluated.
+pub static DIALECTS: LazyLock<Vec<DialectName>> = LazyLock::new(|| {
+    let all = DialectName::ALL.into_iter();
+    all.filter(|dialect| !dialect.base().is_recorded()).collect()
+});
 
 static PROFILES: [OnceLock<DialectProfile>; DialectName::ALL.len()] =
     [const { OnceLock::new() }; DialectName::ALL.len()];
@@ -124,14 +131,8 @@ impl DialectProfile {
     fn build(dialect: DialectName) -> DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
-            // Of an integer and a bit string that convert both ways, no document says which type an operation on them has; of some
-            // pairs that convert, none says the value.
-            let becomes = |from: &ElementaryType| {
-                let both_ways = from.is_bit_string() != into.is_bit_string()
-                    && implicit(into, *from, dialect) == MatrixWord::Yes;
-                let has_value = implicit_result(&Value::plain(*from, 0), into).is_some();
-                *from != into && implicit(*from, into, dialect) == MatrixWord::Yes && has_value && !both_ways
-            };
+            let becomes =
+                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == MatrixWord::Yes;
             types.iter().copied().filter(becomes).collect()
         });
         DialectProfile {

@@ -3,6 +3,7 @@
 use super::example::example;
 use super::*;
 use crate::dialect::has_bits;
+use crate::generator::DIALECTS;
 use crate::oracles::judge_planted;
 use crate::writer::{Style, write};
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,7 +36,7 @@ fn every_kind_is_planted_in_the_example_and_found() {
     let mut wrong = Vec::new();
     for kind in kind_names() {
         let mut planted_anywhere = false;
-        for dialect in DialectName::ALL {
+        for &dialect in DIALECTS.iter() {
             let sound = example(dialect);
             for number in 0..12 {
                 let Some(planted) = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number))) else {
@@ -61,7 +62,7 @@ fn every_kind_is_planted_in_the_example_and_found() {
 
 #[test]
 fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         let sound = example(dialect);
         for number in 0..200 {
             let planted =
@@ -101,7 +102,7 @@ fn planted_lines(kind: &str, dialect: DialectName) -> BTreeSet<String> {
 
 #[test]
 fn a_selector_that_is_no_integer_may_convert_to_one_elsewhere() {
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         let lines = planted_lines("a selector that is no integer", dialect);
         for selector in ["t", "t + t", "w", "NOT w"] {
             let line = format!("CASE {selector} OF");
@@ -112,7 +113,7 @@ fn a_selector_that_is_no_integer_may_convert_to_one_elsewhere() {
 
 #[test]
 fn fields_elements_and_bits_of_constants_are_assigned() {
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         let lines = planted_lines("a part of a constant assigned", dialect);
         let assigned = |target: &str| lines.iter().any(|line| line.starts_with(target));
         for part in ["planted.x := ", "planted.y := ", "planted[1] := "] {

@@ -4,6 +4,7 @@
 use arbitrary::Unstructured;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::{FeatureDetail, features};
+use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
 use stickler_generate::model::{
@@ -165,7 +166,7 @@ fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
             features(&program, FeatureDetail::Measured).contains_key("call that leaves inputs out")
         })
     };
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         let settled = matches!(dialect, DialectName::Matiec | DialectName::Plcnext);
         assert_eq!(leaves_out(false, dialect), settled, "{dialect}");
         assert!(leaves_out(true, dialect), "{dialect}");

@@ -2,6 +2,7 @@
 //! recorded.
 
 use arbitrary::Unstructured;
+use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{
     AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind,
@@ -92,7 +93,7 @@ fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
 
 #[test]
 fn every_style_is_accepted_and_means_the_same() {
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         for seed in 0..12 {
             let program = made(dialect, seed * 19);
             let canonical = run(&program, &write(&program, &Style::default()).text);
@@ -185,7 +186,7 @@ fn the_lines_of_raw_text_are_remembered() {
 
 #[test]
 fn every_observed_path_can_be_observed() {
-    for dialect in DialectName::ALL {
+    for &dialect in DIALECTS.iter() {
         for seed in 0..12 {
             let program = made(dialect, seed * 21);
             let text = write(&program, &Style::default()).text;

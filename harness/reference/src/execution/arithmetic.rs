@@ -48,7 +48,8 @@ fn signed(operator: ArithmeticOperator, left: u64, right: u64) -> Result<u64, Fa
             return Err(FaultKind::DivisionByZero);
         }
         ArithmeticOperator::Divide => a.wrapping_div(b),
-        ArithmeticOperator::Modulo => a.wrapping_rem(b),
+        ArithmeticOperator::ModuloOrZero if b == 0 => 0,
+        ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a.wrapping_rem(b),
     };
     Ok(result.cast_unsigned())
 }
@@ -61,6 +62,7 @@ fn unsigned(operator: ArithmeticOperator, a: u64, b: u64) -> Result<u64, FaultKi
         ArithmeticOperator::Multiply => Ok(a.wrapping_mul(b)),
         ArithmeticOperator::Divide => a.checked_div(b).ok_or(FaultKind::DivisionByZero),
         ArithmeticOperator::Modulo => a.checked_rem(b).ok_or(FaultKind::DivisionByZero),
+        ArithmeticOperator::ModuloOrZero => Ok(a.checked_rem(b).unwrap_or(0)),
     }
 }
 
@@ -70,7 +72,7 @@ fn on_singles(operator: ArithmeticOperator, a: f32, b: f32) -> f32 {
         ArithmeticOperator::Subtract => a - b,
         ArithmeticOperator::Multiply => a * b,
         ArithmeticOperator::Divide => a / b,
-        ArithmeticOperator::Modulo => a % b,
+        ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a % b,
     }
 }
 
@@ -80,7 +82,7 @@ fn on_doubles(operator: ArithmeticOperator, a: f64, b: f64) -> f64 {
         ArithmeticOperator::Subtract => a - b,
         ArithmeticOperator::Multiply => a * b,
         ArithmeticOperator::Divide => a / b,
-        ArithmeticOperator::Modulo => a % b,
+        ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a % b,
     }
 }
 
@@ -110,7 +112,7 @@ pub fn absolute(ty: ElementaryType, value: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::instruction::ArithmeticOperator::{Add, Divide, Modulo, Multiply, Subtract};
+    use crate::instruction::ArithmeticOperator::{Add, Divide, Modulo, ModuloOrZero, Multiply, Subtract};
     use ElementaryType::{Dint, Int, Lint, Lreal, Real, Sint, Time, Tod, Udint, Uint, Ulint, Usint};
 
     /// Computes as the standard's arithmetic does, where nothing can overflow.
@@ -121,6 +123,7 @@ mod tests {
             Multiply => Some(a.wrapping_mul(b)),
             Divide => a.checked_div(b),
             Modulo => a.checked_rem(b),
+            ModuloOrZero => a.checked_rem(b).or(Some(0)),
         }
     }
 
@@ -131,7 +134,7 @@ mod tests {
             let values = [low, low + 1, -1, 0, 1, 2, 3, 7, high / 2, high - 1, high];
             let values = values.into_iter().filter(|value| (low..=high).contains(value));
             for (a, b) in values.clone().flat_map(|a| values.clone().map(move |b| (a, b))) {
-                for operator in [Add, Subtract, Multiply, Divide, Modulo] {
+                for operator in [Add, Subtract, Multiply, Divide, Modulo, ModuloOrZero] {
                     let expected = exact(operator, a, b).map(|value| ty.wrap(value));
                     let got = arithmetic(operator, ty, ty.wrap(a), ty.wrap(b));
                     assert_eq!(got.ok(), expected, "{a} {operator:?} {b} in {}", ty.name());

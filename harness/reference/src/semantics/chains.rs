@@ -4,10 +4,12 @@
 use super::common::settle;
 use super::constants::combine;
 use super::expressions::fitting;
+use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
 use super::types::TypeId;
+use crate::dialect::OperandTypes;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
 use stickler_types::{Code, ElementaryType};
@@ -65,6 +67,7 @@ impl Lowering<'_> {
         let operation = match rules.signature(operator, left, right) {
             OperatorSignature::Defined(operation) => Some(operation),
             OperatorSignature::Untyped(inferred) => {
+                let wanted = wanted.filter(|ty| !self.computes_whole(inferred, *ty));
                 settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty))
             }
             OperatorSignature::Undefined => None,
@@ -76,6 +79,13 @@ impl Lowering<'_> {
             self.report(Code::OperatorOperandTypeMismatch, self.span(node), message);
         }
         operation
+    }
+
+    /// Returns whether an operation on untyped integers is one on integers, though a real is wanted of it.
+    fn computes_whole(&self, inferred: Inferred, wanted: TypeId) -> bool {
+        self.model.source.dialect.operands == OperandTypes::Promoted
+            && matches!(inferred, Inferred::Integer(_))
+            && wanted.elementary().is_some_and(ElementaryType::is_real)
     }
 
     /// Lowers the right operand and the operator, the left operand being on the stack.
@@ -112,7 +122,7 @@ impl Lowering<'_> {
             self.act(link, operation.action);
         }
         LoweredValue {
-            ty: operation.result,
+            ty: operation.computed,
             constant: None,
         }
     }

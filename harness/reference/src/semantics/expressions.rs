@@ -9,9 +9,11 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
+use super::operators::{is_whole, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
-use crate::conversion::{implicit, implicit_warning};
+use crate::conversion::{Conversion, ConversionRule, implicit, implicit_warning};
+use crate::dialect::{Dialect, OperandTypes};
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::{Code, ElementaryType};
@@ -44,7 +46,11 @@ impl<'m> Lowering<'m> {
             self.record_expected(id, flexible, to, false);
             return LoweredValue::ERROR;
         }
-        self.warn_of_lost_value(id, value.ty, to);
+        let from = match inferred {
+            Inferred::Known(ty) => ty,
+            _ => value.ty,
+        };
+        self.warn_of_lost_value(id, from, to);
         let value = self.adapt(value, to);
         self.record_expected(id, flexible, to, fits == Fit::Yes);
         self.check_limits(id, value, target)
@@ -94,7 +100,9 @@ impl<'m> Lowering<'m> {
         }
         let dialect = self.model.source.dialect;
         let conversion = value.ty.elementary().zip(to.elementary());
-        let Some(conversion) = conversion.and_then(|(from, to)| implicit(from, to, dialect)) else {
+        let Some(conversion) = conversion
+            .and_then(|(from, to)| implicit(from, to, dialect).or_else(|| narrowed(from, to, dialect)))
+        else {
             return LoweredValue::ERROR;
         };
         self.emitter.convert(conversion);
@@ -103,6 +111,25 @@ impl<'m> Lowering<'m> {
             ty: to,
             constant: value.constant.filter(|_| exact),
         }
+    }
+
+    /// Converts the operand of a prefix operator, which is on the stack, to the type in which a dialect that promotes operands computes:
+    /// for NOT of an integer the bits of its width.
+    fn promoted_operand(
+        &mut self,
+        operator: UnaryOperator,
+        value: LoweredValue,
+        ty: ElementaryType,
+    ) -> (LoweredValue, ElementaryType) {
+        if self.model.source.dialect.operands != OperandTypes::Promoted || !is_whole(ty) {
+            return (value, ty);
+        }
+        let computed = match operator {
+            UnaryOperator::Plus => return (value, ty),
+            UnaryOperator::Negate => promoted(ty),
+            UnaryOperator::Not => bits_of(ty),
+        };
+        (self.adapt(value, TypeId::of(computed)), computed)
     }
 
     /// Lets no value outside a subrange through to a variable that has one.
@@ -277,6 +304,7 @@ impl<'m> Lowering<'m> {
             );
         }
         let inferred = self.infer(operand);
+        let dialect = self.model.source.dialect;
         let settled = settle(inferred, wanted).map(TypeId::of);
         let start = self.emitter.position();
         let value = self.value(operand, settled);
@@ -286,13 +314,14 @@ impl<'m> Lowering<'m> {
         let ty = value
             .ty
             .elementary()
-            .filter(|&ty| defined(operator, inferred) && defined_for(operator, ty));
+            .filter(|&ty| defined(operator, inferred, dialect) && defined_for(operator, ty, dialect));
         let Some(ty) = ty else {
             let name = self.model.types.name(value.ty);
             let message = format!("`{}` is not defined for {name}", symbol(operator));
             self.report(Code::OperatorOperandTypeMismatch, span, message);
             return LoweredValue::ERROR;
         };
+        let (value, ty) = self.promoted_operand(operator, value, ty);
         match operator {
             UnaryOperator::Plus => return value,
             UnaryOperator::Not => self.emit(Instruction::Not(ty)),
@@ -368,5 +397,22 @@ fn symbol(operator: UnaryOperator) -> &'static str {
         UnaryOperator::Negate => "-",
         UnaryOperator::Plus => "+",
         UnaryOperator::Not => "NOT",
+    }
+}
+
+/// Returns the conversion of a value that was computed with promoted operands to the narrower type that it has for the checker.
+fn narrowed(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> Option<Conversion> {
+    let is_promoted = dialect.operands == OperandTypes::Promoted && is_whole(from) && is_whole(to);
+    let rule = ConversionRule::between(from, to, &dialect.conversions).filter(|_| is_promoted)?;
+    Some(Conversion { from, to, rule })
+}
+
+/// Returns the bit string with the width of an integer or bit string.
+const fn bits_of(ty: ElementaryType) -> ElementaryType {
+    match ty.bits() {
+        ..=8 => ElementaryType::Byte,
+        9..=16 => ElementaryType::Word,
+        17..=32 => ElementaryType::Dword,
+        _ => ElementaryType::Lword,
     }
 }

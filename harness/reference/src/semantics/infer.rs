@@ -6,6 +6,7 @@ use super::lowering::Lowering;
 use super::model::{EnumeratedName, TopLevelName};
 use super::operators::OperatorSignature;
 use super::types::{TypeId, TypeKind};
+use crate::dialect::{Dialect, OperandTypes};
 use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::ElementaryType;
 
@@ -155,7 +156,7 @@ impl<'m> Lowering<'m> {
             }
         }
         let inferred = self.infer(operand);
-        if defined(operator, inferred) {
+        if defined(operator, inferred, self.model.source.dialect) {
             inferred
         } else {
             Inferred::Error
@@ -165,9 +166,11 @@ impl<'m> Lowering<'m> {
 
 /// Returns whether a prefix operator is defined for its operand. An untyped operand is looked at again once it has a
 /// type.
-pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
+pub(super) fn defined(operator: UnaryOperator, operand: Inferred, dialect: &Dialect) -> bool {
     match operand {
-        Inferred::Known(ty) => ty.elementary().is_some_and(|ty| defined_for(operator, ty)),
+        Inferred::Known(ty) => ty
+            .elementary()
+            .is_some_and(|ty| defined_for(operator, ty, dialect)),
         Inferred::Integer(_) => true,
         Inferred::Real => operator != UnaryOperator::Not,
         _ => false,
@@ -175,8 +178,9 @@ pub(super) fn defined(operator: UnaryOperator, operand: Inferred) -> bool {
 }
 
 /// Returns whether a prefix operator is defined for a type.
-pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType) -> bool {
+pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> bool {
     match operator {
+        UnaryOperator::Not if dialect.operands == OperandTypes::Promoted && ty.is_integer() => true,
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
     }

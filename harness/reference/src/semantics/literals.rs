@@ -42,7 +42,7 @@ impl<'m> Lowering<'m> {
         let source = self.model.source;
         let wanted = wanted.and_then(TypeId::elementary);
         let read = literal_type(signed, wanted, source.dialect)
-            .and_then(|ty| Ok((ty, read_literal(signed, ty, source.text)?)));
+            .and_then(|ty| Ok((ty, read_literal(signed, ty, source.text, source.dialect)?)));
         match read {
             Ok((ty, LiteralValue::Plain(raw))) => {
                 self.emit(Instruction::Push(raw));
@@ -129,9 +129,12 @@ pub(super) fn read_literal(
     signed: Signed<'_>,
     ty: ElementaryType,
     text: &str,
+    dialect: &Dialect,
 ) -> Result<LiteralValue, SpannedDiagnostic> {
     match ty.family() {
-        _ if counts(ty) => integer_literal(signed, ty, text).map(LiteralValue::Plain),
+        _ if counts(ty) => {
+            integer_literal(signed, ty, text, dialect.literals_by_width).map(LiteralValue::Plain)
+        }
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
         _ => read(signed, ty)
             .map(LiteralValue::Plain)
@@ -147,7 +150,18 @@ fn counts(ty: ElementaryType) -> bool {
     )
 }
 
-fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result<u64, SpannedDiagnostic> {
+/// Returns whether a number is one with the bits of an integer or bit string, whatever its sign.
+fn fits_width(value: i128, ty: ElementaryType) -> bool {
+    let (low, high) = (-(1_i128 << (ty.bits() - 1)), (1_i128 << ty.bits()) - 1);
+    ty != ElementaryType::Bool && (low..=high).contains(&value)
+}
+
+fn integer_literal(
+    signed: Signed<'_>,
+    ty: ElementaryType,
+    text: &str,
+    by_width: bool,
+) -> Result<u64, SpannedDiagnostic> {
     let literal = signed.literal;
     let value = match literal.kind {
         LiteralKind::Boolean => Ok(i128::from(literal.text().eq_ignore_ascii_case("TRUE"))),
@@ -160,7 +174,8 @@ fn integer_literal(signed: Signed<'_>, ty: ElementaryType, text: &str) -> Result
     };
     let value = value.map_err(|error| misread(signed, ty, text, error))?;
     let (low, high) = ty.integer_range().unwrap_or((0, 0));
-    if (low..=high).contains(&value) {
+    let has_its_bits = by_width && literal.prefix().is_none() && fits_width(value, ty);
+    if (low..=high).contains(&value) || has_its_bits {
         return Ok(ty.wrap(value));
     }
     let written = quoted(signed.span.text(text));

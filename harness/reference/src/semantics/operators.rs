@@ -7,6 +7,7 @@ use super::common::TypeRules;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
+use crate::dialect::OperandTypes;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
 use crate::syntax::tree::BinaryOperator;
 use stickler_types::{ElementaryType, Family};
@@ -17,6 +18,8 @@ pub(super) struct TypedOperation {
     pub(super) left: TypeId,
     pub(super) right: TypeId,
     pub(super) action: Action,
+    /// The type of the value that the machine has then; where operands are promoted, it is wider than the result.
+    pub(super) computed: TypeId,
     pub(super) result: TypeId,
 }
 
@@ -107,6 +110,10 @@ impl TypeRules<'_> {
         left: Inferred,
         right: Inferred,
     ) -> Option<TypedOperation> {
+        if let Some(promoted) = self.promoted(left, right) {
+            let action = Action::Compare(operator, promoted.computed);
+            return Some(promoted.operation(action, TypeId::BOOL, TypeId::BOOL));
+        }
         let common = self.common(left, right)?;
         let equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
         let action = match (common.elementary(), self.types.kind(common)) {
@@ -119,17 +126,25 @@ impl TypeRules<'_> {
             left: common,
             right: common,
             action,
+            computed: TypeId::BOOL,
             result: TypeId::BOOL,
         })
     }
 
     fn logic(self, operator: LogicOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {
+        if let Some(promoted) = self.promoted(left, right)
+            && promoted.result.is_integer()
+            && (is_integer(left) || is_integer(right))
+        {
+            return Some(promoted.of_numbers(Action::Logic(operator)));
+        }
         let common = self.common(left, right)?;
         let ty = common.elementary()?;
         (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(TypedOperation {
             left: common,
             right: common,
             action: Action::Logic(operator),
+            computed: common,
             result: common,
         })
     }
@@ -146,6 +161,15 @@ impl TypeRules<'_> {
         {
             return Some(operation);
         }
+        if let Some(promoted) = self.promoted(left, right) {
+            let operator = match operator {
+                ArithmeticOperator::Modulo if self.dialect.modulo_by_zero_is_zero => {
+                    ArithmeticOperator::ModuloOrZero
+                }
+                other => other,
+            };
+            return Some(promoted.of_numbers(Action::Arithmetic(operator, promoted.computed)));
+        }
         let common = self.common(left, right)?;
         let ty = common.elementary()?;
         let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
@@ -160,7 +184,29 @@ impl TypeRules<'_> {
             left: common,
             right: common,
             action,
+            computed: common,
             result: common,
+        })
+    }
+
+    /// Returns the types in which a dialect that promotes operands computes with two integers or bit strings, one of which may be an
+    /// untyped literal, which then takes the sign of the other.
+    fn promoted(self, left: Inferred, right: Inferred) -> Option<PromotedOperands> {
+        let whole = |value: Inferred| value.elementary().filter(|&ty| is_whole(ty));
+        let (ty, other) = match (whole(left), whole(right), left, right) {
+            (Some(left), Some(right), ..) => (left, right),
+            (Some(ty), None, _, Inferred::Integer(_)) | (None, Some(ty), Inferred::Integer(_), _) => (ty, ty),
+            _ => return None,
+        };
+        let literal = match (left, right) {
+            (Inferred::Integer(magnitude), _) | (_, Inferred::Integer(magnitude)) => magnitude.ty().bits(),
+            _ => 0,
+        };
+        let is_signed = ty.is_signed() || other.is_signed();
+        let bits = ty.bits().max(other.bits());
+        (self.dialect.operands == OperandTypes::Promoted).then(|| PromotedOperands {
+            result: integer_of(bits, is_signed),
+            computed: integer_of(bits.max(literal).max(32), is_signed),
         })
     }
 
@@ -196,6 +242,7 @@ impl TypeRules<'_> {
             left,
             right,
             action,
+            computed: duration,
             result: duration,
         })
     }
@@ -219,6 +266,7 @@ impl TypeRules<'_> {
                 left: common,
                 right: common,
                 action,
+                computed: TypeId::of(result),
                 result: TypeId::of(result),
             });
         }
@@ -234,6 +282,7 @@ impl TypeRules<'_> {
             left: TypeId::of(from),
             right: TypeId::of(duration),
             action: Action::Arithmetic(operator, from),
+            computed: TypeId::of(from),
             result: TypeId::of(from),
         })
     }
@@ -261,9 +310,62 @@ impl TypeRules<'_> {
             left: TypeId::of(base),
             right: TypeId::of(exponent),
             action: Action::Power { base, exponent },
+            computed: TypeId::of(base),
             result: TypeId::of(base),
         })
     }
+}
+
+/// The types of an operation on promoted operands.
+#[derive(Clone, Copy)]
+struct PromotedOperands {
+    /// The type that the operation has for the checker.
+    result: ElementaryType,
+    /// The type in which it is computed.
+    computed: ElementaryType,
+}
+
+impl PromotedOperands {
+    fn of_numbers(self, action: Action) -> TypedOperation {
+        self.operation(action, TypeId::of(self.computed), TypeId::of(self.result))
+    }
+
+    fn operation(self, action: Action, computed: TypeId, result: TypeId) -> TypedOperation {
+        let operand = TypeId::of(self.computed);
+        TypedOperation {
+            left: operand,
+            right: operand,
+            action,
+            computed,
+            result,
+        }
+    }
+}
+
+/// Returns the integer type with a sign or without.
+const fn integer_of(bits: u32, is_signed: bool) -> ElementaryType {
+    use ElementaryType::{Dint, Int, Lint, Sint, Udint, Uint, Ulint, Usint};
+    match (bits, is_signed) {
+        (..=8, true) => Sint,
+        (..=8, false) => Usint,
+        (9..=16, true) => Int,
+        (9..=16, false) => Uint,
+        (17..=32, true) => Dint,
+        (17..=32, false) => Udint,
+        (_, true) => Lint,
+        (_, false) => Ulint,
+    }
+}
+
+/// Returns the type in which a dialect that promotes operands computes with one integer or bit string.
+pub(super) const fn promoted(ty: ElementaryType) -> ElementaryType {
+    let bits = if ty.bits() < 32 { 32 } else { ty.bits() };
+    integer_of(bits, ty.is_signed())
+}
+
+/// Returns whether the values of a type are whole numbers, or bits that count as such.
+pub(super) const fn is_whole(ty: ElementaryType) -> bool {
+    ty.is_integer() || ty.is_bit_string()
 }
 
 fn is_integer(value: Inferred) -> bool {
