@@ -26,6 +26,8 @@ pub struct Dialect {
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`).
     pub literals_by_width: bool,
+    /// The bits of the count by which SHL and SHR shift.
+    pub shift_counts: ShiftCounts,
     /// MOD by zero gives 0 where operands are promoted, and is no fault.
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
@@ -131,6 +133,17 @@ pub enum OperandTypes {
     Promoted,
 }
 
+/// The bits of the count by which SHL and SHR shift.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ShiftCounts {
+    /// All of them: a count of the width or more leaves no bit.
+    All,
+    /// The lowest five, and for 64 bits the lowest six: a DWORD shifted by 32 stays as it is.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`bit_shl_…`, `shift_…`).
+    LowBits,
+}
+
 /// The treatment of `.%Xn` and its kin.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PartialAccess {
@@ -213,6 +226,7 @@ impl Dialect {
             operands: OperandTypes::OneOfTheirs,
             literals_by_width: false,
             modulo_by_zero_is_zero: false,
+            shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: false,
@@ -276,6 +290,7 @@ impl Dialect {
             operands: OperandTypes::OneOfTheirs,
             literals_by_width: false,
             modulo_by_zero_is_zero: false,
+            shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: false,
             integer_literal_as_bit_string: true,
@@ -309,6 +324,7 @@ impl Dialect {
             operands: OperandTypes::OneOfTheirs,
             literals_by_width: false,
             modulo_by_zero_is_zero: false,
+            shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -380,6 +396,7 @@ impl Dialect {
             operands: OperandTypes::Promoted,
             literals_by_width: true,
             modulo_by_zero_is_zero: true,
+            shift_counts: ShiftCounts::LowBits,
             partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,

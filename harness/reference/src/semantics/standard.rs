@@ -9,7 +9,8 @@ use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
 use super::parameters::ParameterList;
 use super::types::{TypeId, TypeKind};
-use crate::instruction::{Instruction, StandardFunction};
+use crate::dialect::ShiftCounts;
+use crate::instruction::{Instruction, LogicOperator, StandardFunction};
 use crate::source::Span;
 use crate::syntax::tree::{Argument, ExpressionId};
 use stickler_types::{Code, ElementaryType};
@@ -158,11 +159,23 @@ impl Lowering<'_> {
         }
         let Some(ty) = ty else { return LoweredValue::ERROR };
         let of = ty.elementary().unwrap_or(ElementaryType::Lint);
+        if matches!(function, StandardFunction::Shl | StandardFunction::Shr) {
+            self.mask_shift_count(of);
+        }
         let count = u16::try_from(common.len()).unwrap_or(u16::MAX);
         self.emit_at(call, Instruction::Standard { function, of, count });
         match function {
             StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
             _ => LoweredValue { ty, constant: None },
+        }
+    }
+
+    /// Keeps of the count of a shift, which is on the stack, the bits that a dialect looks at.
+    fn mask_shift_count(&mut self, of: ElementaryType) {
+        if self.model.source.dialect.shift_counts == ShiftCounts::LowBits {
+            let mask = if of.bits() > 32 { 63 } else { 31 };
+            self.emit(Instruction::Push(mask));
+            self.emit(Instruction::Logic(LogicOperator::And));
         }
     }
 
