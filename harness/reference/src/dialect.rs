@@ -1,5 +1,6 @@
 //! The one place where a dialect's name becomes behaviour.
 
+pub use crate::options::{ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, Widening};
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
@@ -82,90 +83,6 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
 
 /// The statements of a definition about pairs of types: of the value, and of the target.
 pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
-
-/// The pairs of elementary types that convert implicitly.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Widening {
-    /// IronPLC's three matrices and its general rule.
-    Ironplc,
-    /// No pair at all.
-    None,
-    /// The coloured table of PLCnext Engineer's SEM1189.
-    Plcnext,
-    /// Every pair of numbers and bit strings: what narrows is only warned of.
-    Numbers,
-    /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
-    NumbersAndMoments,
-    /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
-    NumbersUnlessNarrower,
-}
-
-/// The implicit conversions that are accepted with a warning.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ImplicitWarnings {
-    /// None of them.
-    None,
-    /// C0195 to C0197 where the target does not hold every number of the type.
-    ///
-    /// Basis: codesys-implicit: classifyElementary.
-    LostValues,
-    /// S0003 for fewer bits within a category, for a real to an integer, and between signed and unsigned of one size.
-    ///
-    /// Basis: strucpp-architecture: Type System; strucpp-tests: tests/semantic/type-utils.test.ts.
-    Narrowing,
-    /// E067 for every type with fewer bits; a duration, a date and a time of day have 64.
-    ///
-    /// Basis: rusty-tests: src/validation/tests/assignment_validation_tests.rs.
-    LargerTypes,
-}
-
-/// The types in which two integers or bit strings meet.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum OperandTypes {
-    /// That of one of them, to which the other converts.
-    ///
-    /// Basis: rule: mixed-operands.
-    OneOfTheirs,
-    /// An integer type as wide as the wider of them, with a sign if one of them has one; it is computed with 32 bits at least, so
-    /// that nothing is lost before the value is stored.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`, `arithedge_…`, `cmp_…`).
-    Promoted,
-}
-
-/// The bits of the count by which SHL and SHR shift.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ShiftCounts {
-    /// All of them: a count of the width or more leaves no bit.
-    All,
-    /// The lowest five, and for 64 bits the lowest six: a DWORD shifted by 32 stays as it is.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`bit_shl_…`, `shift_…`).
-    LowBits,
-}
-
-/// The treatment of `.%Xn` and its kin.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PartialAccess {
-    /// `.%Xn` selects a bit; the wider forms are P0003.
-    BitsOnly,
-    /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
-    UpToDoubleWords,
-    /// P4033 for every form.
-    Disabled,
-    /// P0002 for every form.
-    SyntaxError,
-}
-
-impl PartialAccess {
-    /// Returns the same where it enables a form, and otherwise access to bits.
-    const fn enabled(self) -> PartialAccess {
-        match self {
-            PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords => self,
-            PartialAccess::Disabled | PartialAccess::SyntaxError => PartialAccess::BitsOnly,
-        }
-    }
-}
 
 impl Dialect {
     /// The rules of the dialect of this name.

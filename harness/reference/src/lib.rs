@@ -37,6 +37,7 @@ pub mod diagnostic;
 pub mod dialect;
 pub mod execution;
 pub mod instruction;
+mod options;
 mod raw;
 pub mod semantics;
 pub mod source;
