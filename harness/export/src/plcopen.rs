@@ -19,7 +19,7 @@ use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::parse;
 use stickler_reference::syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
 use stickler_types::DialectName;
-use xml::{Xml, attribute, fits, formatted};
+use xml::{Xml, attribute, empty, fits, formatted, nested};
 
 /// The namespace of the format.
 const NAMESPACE: &str = "http://www.plcopen.org/xml/tc6_0201";
@@ -124,91 +124,70 @@ impl Project {
     fn document(self, created: &str, name: &str) -> io::Result<Vec<u8>> {
         let mut xml: Xml = Writer::new_with_indent(Vec::new(), b' ', 1);
         xml.write_event(Event::Decl(BytesDecl::new("1.0", Some("utf-8"), None)))?;
-        let root = xml.create_element("project").with_attribute(("xmlns", NAMESPACE));
-        root.write_inner_content(|xml| {
+        nested(&mut xml, "project", [attribute("xmlns", NAMESPACE)], |xml| {
             write_headers(xml, created, name)?;
-            xml.create_element("types").write_inner_content(|xml| {
-                write_nested(xml, "dataTypes", self.data_types)?;
-                write_nested(xml, "pous", self.pous)
+            nested(xml, "types", [], |xml| {
+                write_around(xml, "dataTypes", self.data_types)?;
+                write_around(xml, "pous", self.pous)
             })?;
-            xml.create_element("instances").write_inner_content(|xml| {
-                let configurations = xml.create_element("configurations");
-                configurations.write_inner_content(|xml| write_configuration(xml, &self.programs))?;
-                Ok(())
-            })?;
-            Ok(())
+            nested(xml, "instances", [], |xml| {
+                nested(xml, "configurations", [], |xml| {
+                    write_configuration(xml, &self.programs)
+                })
+            })
         })?;
         Ok(xml.into_inner())
     }
 }
 
 /// Writes an element around elements that were written before.
-fn write_nested(xml: &mut Xml, name: &str, inside: Xml) -> io::Result<()> {
+fn write_around(xml: &mut Xml, name: &str, inside: Xml) -> io::Result<()> {
     let inside = inside.into_inner();
-    xml.create_element(name).write_inner_content(|xml| {
+    nested(xml, name, [], |xml| {
         xml.get_mut().extend_from_slice(&inside);
         Ok(())
-    })?;
-    Ok(())
+    })
 }
 
 fn write_headers(xml: &mut Xml, created: &str, name: &str) -> io::Result<()> {
-    let header = xml.create_element("fileHeader").with_attributes([
+    let producer = [
         attribute("companyName", "Stickler"),
         attribute("productName", "Stickler"),
         attribute("productVersion", env!("CARGO_PKG_VERSION")),
         attribute("creationDateTime", created),
-    ]);
-    header.write_empty()?;
-    let header = xml
-        .create_element("contentHeader")
-        .with_attribute(attribute("name", name));
-    header.write_inner_content(|xml| {
-        xml.create_element("coordinateInfo").write_inner_content(|xml| {
-            for language in ["fbd", "ld", "sfc"] {
-                xml.create_element(language).write_inner_content(|xml| {
-                    let scaling = xml.create_element("scaling");
-                    scaling.with_attributes([("x", "1"), ("y", "1")]).write_empty()?;
-                    Ok(())
-                })?;
-            }
-            Ok(())
-        })?;
-        Ok(())
-    })?;
-    Ok(())
+    ];
+    empty(xml, "fileHeader", producer)?;
+    nested(xml, "contentHeader", [attribute("name", name)], |xml| {
+        nested(xml, "coordinateInfo", [], |xml| {
+            ["fbd", "ld", "sfc"].into_iter().try_for_each(|language| {
+                let scaling = [attribute("x", "1"), attribute("y", "1")];
+                nested(xml, language, [], |xml| empty(xml, "scaling", scaling))
+            })
+        })
+    })
 }
 
 /// Writes one configuration, whose only task runs all programs.
 fn write_configuration(xml: &mut Xml, programs: &[String]) -> io::Result<()> {
-    let configuration = xml
-        .create_element("configuration")
-        .with_attribute(("name", "stickler"));
-    configuration.write_inner_content(|xml| {
-        let resource = xml
-            .create_element("resource")
-            .with_attribute(("name", "stickler_resource"));
-        resource.write_inner_content(|xml| {
-            let task = xml.create_element("task").with_attributes([
-                ("name", "stickler_task"),
-                ("interval", "T#20ms"),
-                ("priority", "1"),
-            ]);
-            task.write_inner_content(|xml| {
-                for program in programs {
-                    let instance = xml.create_element("pouInstance").with_attributes([
-                        attribute("name", &format!("run_{program}")),
-                        attribute("typeName", program),
-                    ]);
-                    instance.write_empty()?;
-                }
-                Ok(())
-            })?;
-            Ok(())
-        })?;
-        Ok(())
-    })?;
-    Ok(())
+    let (configuration, resource) = (
+        attribute("name", "stickler"),
+        attribute("name", "stickler_resource"),
+    );
+    let task = [
+        attribute("name", "stickler_task"),
+        attribute("interval", "T#20ms"),
+        attribute("priority", "1"),
+    ];
+    nested(xml, "configuration", [configuration], |xml| {
+        nested(xml, "resource", [resource], |xml| {
+            nested(xml, "task", task, |xml| {
+                programs.iter().try_for_each(|program| {
+                    let name = attribute("name", &format!("run_{program}"));
+                    empty(xml, "pouInstance", [name, attribute("typeName", program)])
+                })
+            })
+        })
+    })
 }
 
 /// The text of a page and its tree.
@@ -225,31 +204,27 @@ impl PageSource<'_> {
             PouKind::Function => "function",
             PouKind::FunctionBlock => "functionBlock",
         };
-        let element = xml.create_element("pou");
-        let element = element.with_attributes([attribute("name", pou.name.text), attribute("pouType", kind)]);
-        element.write_inner_content(|xml| {
+        let attributes = [attribute("name", pou.name.text), attribute("pouType", kind)];
+        nested(xml, "pou", attributes, |xml| {
             self.write_interface(xml, pou)?;
-            xml.create_element("body")
-                .write_inner_content(|xml| formatted(xml, "ST", self.statements(pou)))?;
+            nested(xml, "body", [], |xml| formatted(xml, "ST", self.statements(pou)))?;
             let comment = self.between(before, pou.span.start).trim();
             let comment = comment
                 .strip_prefix("(*")
                 .and_then(|text| text.strip_suffix("*)"));
             comment.map_or(Ok(()), |comment| formatted(xml, "documentation", comment.trim()))
-        })?;
-        Ok(())
+        })
     }
 
     fn write_interface(&self, xml: &mut Xml, pou: &Pou<'_>) -> io::Result<()> {
-        xml.create_element("interface").write_inner_content(|xml| {
+        nested(xml, "interface", [], |xml| {
             if let Some(result) = &pou.result {
                 self.write_type(xml, "returnType", result)?;
             }
             pou.blocks
                 .iter()
                 .try_for_each(|block| self.write_block(xml, block))
-        })?;
-        Ok(())
+        })
     }
 
     /// Returns the statements of a unit, so that the first line is the first after its declarations, as in an editor's pane.
@@ -266,13 +241,9 @@ impl PageSource<'_> {
     }
 
     fn write_data_type(&self, xml: &mut Xml, declared: &TypeDeclaration<'_>) -> io::Result<()> {
-        let element = xml
-            .create_element("dataType")
-            .with_attribute(attribute("name", declared.name.text));
-        element.write_inner_content(|xml| {
+        nested(xml, "dataType", [attribute("name", declared.name.text)], |xml| {
             self.write_type(xml, "baseType", &declared.specification)?;
             self.write_initial_value(xml, declared.initializer.as_ref())
-        })?;
-        Ok(())
+        })
     }
 }

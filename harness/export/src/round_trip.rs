@@ -62,7 +62,7 @@ fn plan(dialect: DialectName) -> ExportPlan {
         cases_per_page: 16,
         with: BTreeSet::new(),
         without: BTreeSet::new(),
-        sample: Some(64),
+        sample: Some(192),
         panes: false,
         project: None,
     }

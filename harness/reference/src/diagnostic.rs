@@ -29,7 +29,8 @@ impl SpannedDiagnostic {
 }
 
 /// Returns whether a diagnostic is an error, for which the text is rejected.
-pub(crate) fn has_errors(diagnostics: &[SpannedDiagnostic]) -> bool {
+#[must_use]
+pub fn has_errors(diagnostics: &[SpannedDiagnostic]) -> bool {
     diagnostics
         .iter()
         .any(|diagnostic| diagnostic.code.severity().is_error())

@@ -29,7 +29,7 @@ pub struct Dialect {
     pub literals_by_width: bool,
     /// The bits of the count by which SHL and SHR shift.
     pub shift_counts: ShiftCounts,
-    /// MOD by zero gives 0 where operands are promoted, and is no fault.
+    /// MOD of integers by zero gives 0, and is no fault.
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
     pub modulo_by_zero_is_zero: bool,
@@ -202,12 +202,6 @@ impl Dialect {
         Dialect {
             name: DialectName::Matiec,
             widening: Widening::None,
-            cells: None,
-            implicit_warnings: ImplicitWarnings::None,
-            operands: OperandTypes::OneOfTheirs,
-            literals_by_width: false,
-            modulo_by_zero_is_zero: false,
-            shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: false,
             integer_literal_as_bit_string: true,
@@ -224,6 +218,7 @@ impl Dialect {
                 bit_string_text: BitStringText::Shortest,
                 ..COMMON_CHOICES
             },
+            ..Dialect::ironplc_ed2()
         }
     }
 
@@ -236,12 +231,6 @@ impl Dialect {
         Dialect {
             name: DialectName::Plcnext,
             widening: Widening::Plcnext,
-            cells: None,
-            implicit_warnings: ImplicitWarnings::None,
-            operands: OperandTypes::OneOfTheirs,
-            literals_by_width: false,
-            modulo_by_zero_is_zero: false,
-            shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -254,6 +243,7 @@ impl Dialect {
             mixed_locations: true,
             single_value_subranges: true,
             conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
+            ..Dialect::ironplc_ed2()
         }
     }
 

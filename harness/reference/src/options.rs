@@ -39,7 +39,7 @@ pub enum ImplicitWarnings {
 /// The types in which two integers or bit strings meet.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum OperandTypes {
-    /// That of one of them, to which the other converts.
+    /// The type of one operand, to which the other converts.
     ///
     /// Basis: rule: mixed-operands.
     OneOfTheirs,

@@ -169,7 +169,7 @@ pub struct ConversionChoices {
     pub rounding: Rounding,
     /// The result of a conversion function for a real number whose integer the target cannot hold.
     pub out_of_range: OutOfRange,
-    /// The same result of TRUNC and its variants.
+    /// The result of TRUNC and its variants for a real number whose integer the target cannot hold.
     pub truncation_out_of_range: OutOfRange,
     /// The part of a text that must be a number.
     pub text_reading: TextReading,

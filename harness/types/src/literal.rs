@@ -12,7 +12,7 @@ pub mod real;
 pub mod text;
 
 pub use date::{date, date_and_time, time_of_day, write_date, write_date_and_time, write_time_of_day};
-pub use duration::{duration, wide_duration, write_milliseconds, write_nanoseconds};
+pub use duration::{UNITS as DURATION_UNITS, duration, wide_duration, write_milliseconds, write_nanoseconds};
 pub use error::LiteralError;
 pub use number::{integer, unsigned_integer};
 pub use real::{real, write_real};

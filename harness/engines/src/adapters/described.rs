@@ -236,7 +236,7 @@ impl DescribedSession<'_> {
         ) {
             (Some(commands), _) => call.all(commands),
             // A compiler that only runs programs accepts a program by running it.
-            (None, Some(run)) => call.execute(&run.0, 1).map(|_| Vec::new()),
+            (None, Some(run)) => call.execute(&run.0, 1).map(|execution| execution.warnings),
             (None, None) => Ok(Vec::new()),
         }
     }
@@ -263,18 +263,22 @@ impl DescribedSession<'_> {
         takes_scans(&run.0, request)?;
         let call = self.call(request.dialect)?;
         let probes = ProbeVariables::of(request);
-        let (warnings, executions) = translate_with(request, &main, probes.list(), |text| {
-            call.write(text)?;
-            let warnings = match &description.compile {
-                Some(compile) => call.all(compile)?,
-                None => Vec::new(),
-            };
-            let executions = scans(request)
-                .into_iter()
-                .map(|scan| Ok((scan, call.execute(&run.0, scan)?)));
-            Ok((warnings, executions.collect::<Result<_, Outcome>>()?))
-        })?;
+        let (mut warnings, mut executions): (_, BTreeMap<u32, Execution>) =
+            translate_with(request, &main, probes.list(), |text| {
+                call.write(text)?;
+                let warnings = match &description.compile {
+                    Some(compile) => call.all(compile)?,
+                    None => Vec::new(),
+                };
+                let executions = scans(request)
+                    .into_iter()
+                    .map(|scan| Ok((scan, call.execute(&run.0, scan)?)));
+                Ok((warnings, executions.collect::<Result<_, Outcome>>()?))
+            })?;
         let outcome = self.outcome(request, &probes, &executions)?;
+        if let Some((_, last)) = executions.pop_last() {
+            warnings.extend(last.warnings);
+        }
         Ok(outcome.with_warnings(warnings))
     }
 

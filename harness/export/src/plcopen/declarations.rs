@@ -1,7 +1,7 @@
 //! Writes sections of variables, types and initial values.
 
 use super::PageSource;
-use super::xml::{Xml, attribute};
+use super::xml::{Xml, attribute, empty, nested};
 use std::io;
 use stickler_reference::syntax::tree::{
     ArrayElement, ExpressionId, Initializer, InitializerKind, TypeSpecification, TypeSpecificationKind,
@@ -22,16 +22,14 @@ impl PageSource<'_> {
         };
         let retention = block.retention.map(str::to_ascii_uppercase);
         let kept = match retention.as_deref() {
-            Some("RETAIN") => Some(("retain", "true")),
-            Some("NON_RETAIN") => Some(("nonretain", "true")),
+            Some("RETAIN") => Some("retain"),
+            Some("NON_RETAIN") => Some("nonretain"),
             _ => None,
         };
-        let constant = block.constant.then_some(("constant", "true"));
-        let element = xml
-            .create_element(name)
-            .with_attributes(constant.into_iter().chain(kept));
-        element.write_inner_content(|xml| self.write_groups(xml, &block.groups))?;
-        Ok(())
+        let constant = block.constant.then_some("constant");
+        let qualifiers = constant.into_iter().chain(kept);
+        let qualifiers = qualifiers.map(|name| attribute(name, "true"));
+        nested(xml, name, qualifiers, |xml| self.write_groups(xml, &block.groups))
     }
 
     fn write_groups(&self, xml: &mut Xml, groups: &[VariableGroup<'_>]) -> io::Result<()> {
@@ -39,8 +37,7 @@ impl PageSource<'_> {
             for name in &group.names {
                 let location = group.location.map(|location| attribute("address", location.text));
                 let attributes = [attribute("name", name.text)].into_iter().chain(location);
-                let element = xml.create_element("variable").with_attributes(attributes);
-                element.write_inner_content(|xml| {
+                nested(xml, "variable", attributes, |xml| {
                     self.write_type(xml, "type", &group.specification)?;
                     self.write_initial_value(xml, group.initializer.as_ref())
                 })?;
@@ -56,9 +53,7 @@ impl PageSource<'_> {
         element: &str,
         ty: &TypeSpecification<'_>,
     ) -> io::Result<()> {
-        xml.create_element(element)
-            .write_inner_content(|xml| self.write_specification(xml, ty))?;
-        Ok(())
+        nested(xml, element, [], |xml| self.write_specification(xml, ty))
     }
 
     fn write_specification(&self, xml: &mut Xml, ty: &TypeSpecification<'_>) -> io::Result<()> {
@@ -67,11 +62,8 @@ impl PageSource<'_> {
             // The parser has reported an error of which nothing is written.
             TypeSpecificationKind::Error => Ok(()),
             TypeSpecificationKind::Text { name, length } => {
-                let element = xml.create_element(name.text.to_ascii_lowercase());
-                element
-                    .with_attribute(attribute("length", self.expression(*length)))
-                    .write_empty()?;
-                Ok(())
+                let length = attribute("length", self.expression(*length));
+                empty(xml, &name.text.to_ascii_lowercase(), [length])
             }
             TypeSpecificationKind::Subrange { base, limits } => {
                 let signed = ElementaryType::from_name(base.text).is_none_or(ElementaryType::is_signed);
@@ -80,47 +72,31 @@ impl PageSource<'_> {
                 } else {
                     "subrangeUnsigned"
                 };
-                xml.create_element(name).write_inner_content(|xml| {
+                nested(xml, name, [], |xml| {
                     self.write_limits(xml, "range", *limits)?;
-                    xml.create_element("baseType")
-                        .write_inner_content(|xml| write_named(xml, base.text))?;
-                    Ok(())
-                })?;
-                Ok(())
+                    nested(xml, "baseType", [], |xml| write_named(xml, base.text))
+                })
             }
-            TypeSpecificationKind::Array { dimensions, element } => {
-                xml.create_element("array").write_inner_content(|xml| {
-                    for limits in dimensions {
-                        self.write_limits(xml, "dimension", *limits)?;
-                    }
-                    self.write_type(xml, "baseType", element)
+            TypeSpecificationKind::Array { dimensions, element } => nested(xml, "array", [], |xml| {
+                for limits in dimensions {
+                    self.write_limits(xml, "dimension", *limits)?;
+                }
+                self.write_type(xml, "baseType", element)
+            }),
+            TypeSpecificationKind::Enumeration { base, values } => nested(xml, "enum", [], |xml| {
+                nested(xml, "values", [], |xml| {
+                    values.iter().try_for_each(|(name, value)| {
+                        let value = value.map(|value| attribute("value", self.expression(value)));
+                        let attributes = [attribute("name", name.text)].into_iter().chain(value);
+                        empty(xml, "value", attributes)
+                    })
                 })?;
-                Ok(())
-            }
-            TypeSpecificationKind::Enumeration { base, values } => {
-                xml.create_element("enum").write_inner_content(|xml| {
-                    xml.create_element("values").write_inner_content(|xml| {
-                        for (name, value) in values {
-                            let value = value.map(|value| attribute("value", self.expression(value)));
-                            let attributes = [attribute("name", name.text)].into_iter().chain(value);
-                            xml.create_element("value")
-                                .with_attributes(attributes)
-                                .write_empty()?;
-                        }
-                        Ok(())
-                    })?;
-                    if let Some(base) = base {
-                        xml.create_element("baseType")
-                            .write_inner_content(|xml| write_named(xml, base.text))?;
-                    }
-                    Ok(())
-                })?;
-                Ok(())
-            }
+                base.as_ref().map_or(Ok(()), |base| {
+                    nested(xml, "baseType", [], |xml| write_named(xml, base.text))
+                })
+            }),
             TypeSpecificationKind::Structure(fields) => {
-                xml.create_element("struct")
-                    .write_inner_content(|xml| self.write_groups(xml, fields))?;
-                Ok(())
+                nested(xml, "struct", [], |xml| self.write_groups(xml, fields))
             }
         }
     }
@@ -131,14 +107,8 @@ impl PageSource<'_> {
         name: &str,
         limits: (ExpressionId, ExpressionId),
     ) -> io::Result<()> {
-        let attributes = [
-            attribute("lower", self.expression(limits.0)),
-            attribute("upper", self.expression(limits.1)),
-        ];
-        xml.create_element(name)
-            .with_attributes(attributes)
-            .write_empty()?;
-        Ok(())
+        let lower = attribute("lower", self.expression(limits.0));
+        empty(xml, name, [lower, attribute("upper", self.expression(limits.1))])
     }
 
     pub(super) fn write_initial_value(
@@ -146,52 +116,40 @@ impl PageSource<'_> {
         xml: &mut Xml,
         value: Option<&Initializer<'_>>,
     ) -> io::Result<()> {
-        if let Some(value) = value {
-            xml.create_element("initialValue")
-                .write_inner_content(|xml| self.write_value(xml, value))?;
-        }
-        Ok(())
+        value.map_or(Ok(()), |value| {
+            nested(xml, "initialValue", [], |xml| self.write_value(xml, value))
+        })
     }
 
     fn write_value(&self, xml: &mut Xml, value: &Initializer<'_>) -> io::Result<()> {
         match &value.kind {
-            InitializerKind::Expression(expression) => {
-                let value = attribute("value", self.expression(*expression));
-                xml.create_element("simpleValue")
-                    .with_attribute(value)
-                    .write_empty()?;
-            }
-            InitializerKind::Array(elements) => {
-                xml.create_element("arrayValue").write_inner_content(|xml| {
-                    elements
-                        .iter()
-                        .try_for_each(|element| self.write_element(xml, element))
-                })?;
-            }
-            InitializerKind::Structure(fields) => {
-                xml.create_element("structValue").write_inner_content(|xml| {
-                    for (name, value) in fields {
-                        let element = xml.create_element("value");
-                        let element = element.with_attribute(attribute("member", name.text));
-                        element.write_inner_content(|xml| self.write_value(xml, value))?;
-                    }
-                    Ok(())
-                })?;
-            }
+            InitializerKind::Expression(expression) => empty(
+                xml,
+                "simpleValue",
+                [attribute("value", self.expression(*expression))],
+            ),
+            InitializerKind::Array(elements) => nested(xml, "arrayValue", [], |xml| {
+                elements
+                    .iter()
+                    .try_for_each(|element| self.write_element(xml, element))
+            }),
+            InitializerKind::Structure(fields) => nested(xml, "structValue", [], |xml| {
+                fields.iter().try_for_each(|(name, value)| {
+                    let member = attribute("member", name.text);
+                    nested(xml, "value", [member], |xml| self.write_value(xml, value))
+                })
+            }),
         }
-        Ok(())
     }
 
     fn write_element(&self, xml: &mut Xml, element: &ArrayElement<'_>) -> io::Result<()> {
         let repetition = element
             .repetition
             .map(|times| attribute("repetitionValue", self.expression(times)));
-        let written = xml.create_element("value").with_attributes(repetition);
-        written.write_inner_content(|xml| match &element.value {
+        nested(xml, "value", repetition, |xml| match &element.value {
             Some(value) => self.write_value(xml, value),
-            None => xml.create_element("simpleValue").write_empty().map(drop),
-        })?;
-        Ok(())
+            None => empty(xml, "simpleValue", []),
+        })
     }
 
     fn expression(&self, expression: ExpressionId) -> &str {
@@ -202,13 +160,9 @@ impl PageSource<'_> {
 /// Writes a type by its name: elementary types that the format knows have elements of their own.
 fn write_named(xml: &mut Xml, name: &str) -> io::Result<()> {
     match ElementaryType::from_name(name).and_then(element_of) {
-        Some(element) => xml.create_element(element).write_empty()?,
-        None => xml
-            .create_element("derived")
-            .with_attribute(attribute("name", name))
-            .write_empty()?,
-    };
-    Ok(())
+        Some(element) => empty(xml, element, []),
+        None => empty(xml, "derived", [attribute("name", name)]),
+    }
 }
 
 /// Returns the element of an elementary type; `None` for types that are newer than the format.

@@ -1,4 +1,4 @@
-//! What the elements of a project have in common: attributes, and texts in XHTML.
+//! Writes elements, attributes and texts in XHTML so that a reader gets back what was written.
 
 use quick_xml::Writer;
 use quick_xml::escape::escape;
@@ -23,16 +23,37 @@ pub(super) fn attribute<'a>(name: &'a str, value: &str) -> Attribute<'a> {
     }
 }
 
+/// Writes an element around what `inside` writes.
+pub(super) fn nested<'a>(
+    xml: &mut Xml,
+    name: &str,
+    attributes: impl IntoIterator<Item = Attribute<'a>>,
+    inside: impl FnOnce(&mut Xml) -> io::Result<()>,
+) -> io::Result<()> {
+    let element = xml.create_element(name).with_attributes(attributes);
+    element.write_inner_content(inside).map(drop)
+}
+
+/// Writes an element that has attributes only.
+pub(super) fn empty<'a>(
+    xml: &mut Xml,
+    name: &str,
+    attributes: impl IntoIterator<Item = Attribute<'a>>,
+) -> io::Result<()> {
+    let element = xml.create_element(name).with_attributes(attributes);
+    element.write_empty().map(drop)
+}
+
 /// Writes an element that holds a text in XHTML, which a reader gets back as it is.
 pub(super) fn formatted(xml: &mut Xml, name: &str, text: &str) -> io::Result<()> {
     let escaped = quick_xml::escape::partial_escape(text).replace('\r', "&#13;");
-    xml.create_element(name).write_inner_content(|xml| {
+    nested(xml, name, [], |xml| {
         let element = xml.create_element("xhtml");
         let element = element.with_attribute(("xmlns", "http://www.w3.org/1999/xhtml"));
-        element.write_text_content(BytesText::from_escaped(escaped))?;
-        Ok(())
-    })?;
-    Ok(())
+        element
+            .write_text_content(BytesText::from_escaped(escaped))
+            .map(drop)
+    })
 }
 
 /// Returns whether XML can hold a character, as itself or by its number.

@@ -2,7 +2,7 @@
 
 use super::standing::Standings;
 use stickler_reference::Dialect;
-use stickler_reference::diagnostic::SpannedDiagnostic;
+use stickler_reference::diagnostic::{SpannedDiagnostic, has_errors};
 use stickler_reference::semantics::{CheckedProgram, TracedUse, check_traced};
 use stickler_reference::source::LineIndex;
 use stickler_reference::syntax::tree::{Expression, ExpressionId, SourceUnit};
@@ -48,8 +48,7 @@ impl<'s> Analysis<'s> {
 
     /// Returns whether the text is rejected.
     pub fn is_rejected(&self) -> bool {
-        let mut codes = self.diagnostics.iter().map(|diagnostic| diagnostic.code);
-        codes.any(|code| code.severity().is_error())
+        has_errors(&self.diagnostics)
     }
 
     /// Returns an expression of the tree.

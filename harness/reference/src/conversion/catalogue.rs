@@ -87,13 +87,16 @@ const REALS: &[ElementaryType] = &[ElementaryType::Real, ElementaryType::Lreal];
 const BCD_BITS: &[ElementaryType] = &[ElementaryType::Byte, ElementaryType::Word];
 const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::Dint];
 
-/// For each target, in the order of [`ElementaryType::ALL`], the types that the overloaded `TO_<DST>` takes.
+/// The types that the overloaded `TO_<DST>` takes, for each target in the order of [`ElementaryType::ALL`].
 type Sources = [Vec<ElementaryType>; ElementaryType::ALL.len()];
 
+/// The types that `TO_<DST>` takes where a number counts milliseconds, seconds or days.
 static COMMON_SOURCES: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Seconds));
-/// The same where each duration, date and time of day converts to each.
+
+/// The types that `TO_<DST>` takes where each duration, date and time of day is a number of its own and converts to each other.
 static SOURCES_OF_COUNTS: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Counts));
 
+/// Returns the types that `TO_<DST>` takes by the units in which numbers count moments, the only choice that decides which pairs convert.
 fn sources(moment_units: MomentUnits) -> Sources {
     let choices = ConversionChoices {
         moment_units,

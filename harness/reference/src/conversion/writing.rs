@@ -8,6 +8,7 @@
 
 use super::real;
 use std::fmt;
+use stickler_types::literal::DURATION_UNITS;
 use stickler_types::{BitStringText, ElementaryType, Family, MomentText, RealText, Value};
 
 /// Writes a value as text, in code units; `reals` and `bits` say in which form REAL and LREAL, BYTE … LWORD, and
@@ -153,19 +154,10 @@ fn with_point(digits: &str, exponent: i32) -> String {
 
 /// A duration in its units, an LTIME without a sign: `T#1d2h`, `T#0ms`.
 fn duration(out: &mut impl fmt::Write, raw: u64, from: ElementaryType) -> fmt::Result {
-    const UNITS: [(&str, u64); 7] = [
-        ("d", 86_400_000_000_000),
-        ("h", 3_600_000_000_000),
-        ("m", 60_000_000_000),
-        ("s", 1_000_000_000),
-        ("ms", 1_000_000),
-        ("us", 1_000),
-        ("ns", 1),
-    ];
     let units = if from == ElementaryType::Time {
-        &UNITS[..5]
+        &DURATION_UNITS[..5]
     } else {
-        &UNITS
+        &DURATION_UNITS
     };
     out.write_str(prefix(from))?;
     let mut rest = raw;

@@ -69,7 +69,7 @@ impl TypeRules<'_> {
         if let (Inferred::Enumerated, Inferred::Enumerated) = (left, right) {
             return OperatorSignature::Silent;
         }
-        let operation = match group(operator) {
+        let operation = match self.group(operator) {
             OperatorGroup::Comparison(comparison) => self.comparison(comparison, left, right),
             // The exponent keeps a type of its own, so there is no operand whose type the base could take.
             OperatorGroup::Power if left == Inferred::Real && is_integer(right) => {
@@ -96,7 +96,7 @@ impl TypeRules<'_> {
         ty: ElementaryType,
     ) -> Option<TypedOperation> {
         let known = Inferred::from(ty);
-        match group(operator) {
+        match self.group(operator) {
             OperatorGroup::Comparison(_) => None,
             OperatorGroup::Logic(logic) => self.logic(logic, known, known),
             OperatorGroup::Arithmetic(arithmetic) => self.arithmetic(arithmetic, known, known),
@@ -162,12 +162,6 @@ impl TypeRules<'_> {
             return Some(operation);
         }
         if let Some(promoted) = self.promoted(left, right) {
-            let operator = match operator {
-                ArithmeticOperator::Modulo if self.dialect.modulo_by_zero_is_zero => {
-                    ArithmeticOperator::ModuloOrZero
-                }
-                other => other,
-            };
             return Some(promoted.of_numbers(Action::Arithmetic(operator, promoted.computed)));
         }
         let common = self.common(left, right)?;
@@ -175,7 +169,10 @@ impl TypeRules<'_> {
         let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
         let defined = match ty.family() {
             Family::Signed | Family::Unsigned => true,
-            Family::Real => operator != ArithmeticOperator::Modulo,
+            Family::Real => !matches!(
+                operator,
+                ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero
+            ),
             Family::Duration => additive,
             _ => false,
         };
@@ -314,6 +311,30 @@ impl TypeRules<'_> {
             result: TypeId::of(base),
         })
     }
+
+    /// Returns what an operator does in the dialect.
+    fn group(self, operator: BinaryOperator) -> OperatorGroup {
+        match operator {
+            BinaryOperator::Or => OperatorGroup::Logic(LogicOperator::Or),
+            BinaryOperator::Xor => OperatorGroup::Logic(LogicOperator::Xor),
+            BinaryOperator::And => OperatorGroup::Logic(LogicOperator::And),
+            BinaryOperator::Equal => OperatorGroup::Comparison(ComparisonOperator::Equal),
+            BinaryOperator::NotEqual => OperatorGroup::Comparison(ComparisonOperator::NotEqual),
+            BinaryOperator::Less => OperatorGroup::Comparison(ComparisonOperator::Less),
+            BinaryOperator::Greater => OperatorGroup::Comparison(ComparisonOperator::Greater),
+            BinaryOperator::LessOrEqual => OperatorGroup::Comparison(ComparisonOperator::LessOrEqual),
+            BinaryOperator::GreaterOrEqual => OperatorGroup::Comparison(ComparisonOperator::GreaterOrEqual),
+            BinaryOperator::Add => OperatorGroup::Arithmetic(ArithmeticOperator::Add),
+            BinaryOperator::Subtract => OperatorGroup::Arithmetic(ArithmeticOperator::Subtract),
+            BinaryOperator::Multiply => OperatorGroup::Arithmetic(ArithmeticOperator::Multiply),
+            BinaryOperator::Divide => OperatorGroup::Arithmetic(ArithmeticOperator::Divide),
+            BinaryOperator::Modulo if self.dialect.modulo_by_zero_is_zero => {
+                OperatorGroup::Arithmetic(ArithmeticOperator::ModuloOrZero)
+            }
+            BinaryOperator::Modulo => OperatorGroup::Arithmetic(ArithmeticOperator::Modulo),
+            BinaryOperator::Power => OperatorGroup::Power,
+        }
+    }
 }
 
 /// The types of an operation on promoted operands.
@@ -384,24 +405,4 @@ enum OperatorGroup {
     Comparison(ComparisonOperator),
     Logic(LogicOperator),
     Power,
-}
-
-fn group(operator: BinaryOperator) -> OperatorGroup {
-    match operator {
-        BinaryOperator::Or => OperatorGroup::Logic(LogicOperator::Or),
-        BinaryOperator::Xor => OperatorGroup::Logic(LogicOperator::Xor),
-        BinaryOperator::And => OperatorGroup::Logic(LogicOperator::And),
-        BinaryOperator::Equal => OperatorGroup::Comparison(ComparisonOperator::Equal),
-        BinaryOperator::NotEqual => OperatorGroup::Comparison(ComparisonOperator::NotEqual),
-        BinaryOperator::Less => OperatorGroup::Comparison(ComparisonOperator::Less),
-        BinaryOperator::Greater => OperatorGroup::Comparison(ComparisonOperator::Greater),
-        BinaryOperator::LessOrEqual => OperatorGroup::Comparison(ComparisonOperator::LessOrEqual),
-        BinaryOperator::GreaterOrEqual => OperatorGroup::Comparison(ComparisonOperator::GreaterOrEqual),
-        BinaryOperator::Add => OperatorGroup::Arithmetic(ArithmeticOperator::Add),
-        BinaryOperator::Subtract => OperatorGroup::Arithmetic(ArithmeticOperator::Subtract),
-        BinaryOperator::Multiply => OperatorGroup::Arithmetic(ArithmeticOperator::Multiply),
-        BinaryOperator::Divide => OperatorGroup::Arithmetic(ArithmeticOperator::Divide),
-        BinaryOperator::Modulo => OperatorGroup::Arithmetic(ArithmeticOperator::Modulo),
-        BinaryOperator::Power => OperatorGroup::Power,
-    }
 }

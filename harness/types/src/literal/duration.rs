@@ -4,8 +4,8 @@ use super::LiteralError;
 use super::number::digit_run;
 use std::fmt;
 
-/// The units from the greatest to the least, with their nanoseconds.
-const UNITS: [(&str, u64); 7] = [
+/// The units of a duration from the greatest to the least, with their nanoseconds.
+pub const UNITS: [(&str, u64); 7] = [
     ("d", 86_400_000_000_000),
     ("h", 3_600_000_000_000),
     ("m", 60_000_000_000),

@@ -10,10 +10,11 @@ use crate::{Diagnostic, Outcome};
 use std::time::Duration;
 use stickler_types::Fault;
 
-/// The output of one execution, and the fault at which it stopped.
+/// The output of one execution, the fault at which it stopped, and the warnings of a compiler that only runs programs.
 pub(super) struct Execution {
     pub(super) text: String,
     pub(super) fault: Option<Fault>,
+    pub(super) warnings: Vec<Diagnostic>,
 }
 
 /// The calls of an engine's commands on one program.
@@ -72,9 +73,17 @@ impl DescribedCall<'_> {
         let limits = self.limits(Some(locate::EXECUTION_TIMEOUT));
         let ended = self.run_for(template, scans, limits)?;
         let text = without_colours(&ended.stdout);
+        let warnings = match description.compile {
+            None => self.warnings(&ended),
+            Some(_) => Vec::new(),
+        };
+        let executed = |text, fault| Execution {
+            text,
+            fault,
+            warnings,
+        };
         if ended.stopped_by_arithmetic() {
-            let fault = Some(Fault::DivisionByZero);
-            return Ok(Execution { text, fault });
+            return Ok(executed(text, Some(Fault::DivisionByZero)));
         }
         let code = ended.code()?;
         let meaning = match (&description.run_exit, &description.exit) {
@@ -91,19 +100,11 @@ impl DescribedCall<'_> {
             text.contains(words.as_str()) || ended.stderr.contains(words.as_str())
         };
         match meaning {
-            Meaning::Accepted => Ok(Execution { text, fault: None }),
-            Meaning::Faulted(fault) => Ok(Execution {
-                text,
-                fault: Some(fault),
-            }),
+            Meaning::Accepted => Ok(executed(text, None)),
+            Meaning::Faulted(fault) => Ok(executed(text, Some(fault))),
             other => match description.faults.iter().find(words) {
-                Some((_, fault)) => Ok(Execution {
-                    text,
-                    fault: Some(fault.0),
-                }),
-                None => self
-                    .meant(other, &ended)
-                    .map(|()| Execution { text, fault: None }),
+                Some((_, fault)) => Ok(executed(text, Some(fault.0))),
+                None => self.meant(other, &ended).map(|()| executed(text, None)),
             },
         }
     }

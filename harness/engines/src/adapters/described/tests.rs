@@ -226,6 +226,26 @@ fn what_only_runs_programs_checks_by_running_and_rejects_by_its_exit_code() {
 }
 
 #[test]
+fn what_only_runs_programs_passes_its_warnings_on() {
+    let table = "run = \"{here}/st {file}\"\nvalue = '^(?<name>.) (?<value>.)$'\n\
+                 diagnostic = '^(?<line>\\d+): (?<severity>\\w+): (?<message>.*)$'\n[dialects]\nironplc-ed2 = \"\"\n";
+    let script = "#!/bin/sh\necho 'x 5'\necho '2: warning: narrowed' >&2\n";
+    let (engine, _folder) = scripted(table, script);
+    for outcome in [
+        please(&engine, "accept"),
+        ask(&engine, "run", &[("x", "INT", None)], 1),
+    ] {
+        let warnings: Vec<_> = outcome
+            .warnings()
+            .into_iter()
+            .flatten()
+            .map(|told| (told.line, &*told.message))
+            .collect();
+        assert_eq!(warnings, [(Some(2), "narrowed")], "{outcome:?}");
+    }
+}
+
+#[test]
 fn a_program_that_is_not_there_or_may_not_be_executed_is_told_before_the_first_case() {
     let folder = Folder::new().unwrap();
     folder.write("text", "").unwrap();
