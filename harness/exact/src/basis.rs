@@ -109,8 +109,8 @@ enum Rules {
     Plcnext,
     Strucpp,
     Rusty,
-    /// CODESYS and TwinCAT, which were recorded: tables have the values.
-    Recorded,
+    /// The systems of which single values are known: tables have them.
+    InTables,
 }
 
 impl Rules {
@@ -121,7 +121,7 @@ impl Rules {
             BuiltIn::Plcnext => Rules::Plcnext,
             BuiltIn::Strucpp => Rules::Strucpp,
             BuiltIn::Rusty => Rules::Rusty,
-            BuiltIn::Codesys | BuiltIn::Twincat => Rules::Recorded,
+            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix | BuiltIn::ControlExpert => Rules::InTables,
         }
     }
 
@@ -131,7 +131,7 @@ impl Rules {
         match self {
             Rules::Ironplc => Some(ironplc),
             Rules::Matiec => Some(matiec),
-            Rules::Plcnext | Rules::Strucpp | Rules::Rusty | Rules::Recorded => None,
+            Rules::Plcnext | Rules::Strucpp | Rules::Rusty | Rules::InTables => None,
         }
     }
 
@@ -172,7 +172,7 @@ impl UnaryCall<'_> {
             Rules::Rusty => self.of_rusty_conversion(raw),
             Rules::Strucpp => self.of_strucpp_conversion(raw),
             Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
-            Rules::Recorded => None,
+            Rules::InTables => None,
         }
     }
 
@@ -247,7 +247,7 @@ impl UnaryCall<'_> {
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
             Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
             Rules::Strucpp => Some(MILLISECONDS_RULE),
-            Rules::Rusty | Rules::Recorded => None,
+            Rules::Rusty | Rules::InTables => None,
         }
     }
 

@@ -12,6 +12,7 @@ use stickler_types::{
 ///
 /// Basis: ironplc-type-conversions: Explicit Conversion Functions and forgeiec-conversion-functions: Range and precision
 /// (truncation); strucpp-tests: tests/st-validation (rounding, texts, dates); rusty-tests: libs/stdlib/tests (rounding, bits);
+/// logix-help: real-to-integer and control-expert-real-to: Example (rounding);
 /// rule: not-stated for all that is open. The texts of `matiec` are measured (10 digits, `16#ff`).
 #[must_use]
 pub fn choices_of(dialect: DialectName) -> ConversionChoices {
@@ -41,7 +42,7 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             bit_string_text: BitStringText::Shortest,
             ..ironplc
         },
-        BuiltIn::Plcnext => ConversionChoices {
+        BuiltIn::Plcnext | BuiltIn::Logix | BuiltIn::ControlExpert => ConversionChoices {
             rounding: Rounding::HalfToEven,
             ..ironplc
         },

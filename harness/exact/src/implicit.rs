@@ -16,7 +16,7 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
 /// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy;
-/// codesys-implicit for CODESYS and TwinCAT.
+/// codesys-implicit for CODESYS and TwinCAT; logix-manual: 512, 543, 546 for Logix; control-expert-implicit for Control Expert.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -46,6 +46,8 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         BuiltIn::Strucpp => strucpp(from, to),
         BuiltIn::Rusty => rusty(from, to),
         BuiltIn::Codesys | BuiltIn::Twincat => codesys(from, to),
+        BuiltIn::Logix => logix(from, to),
+        BuiltIn::ControlExpert => control_expert(from, to),
     }
 }
 
@@ -150,6 +152,33 @@ fn codesys(from: ElementaryType, to: ElementaryType) -> MatrixWord {
         MatrixWord::Yes
     } else {
         MatrixWord::Warn
+    }
+}
+
+/// Returns the answer of the Logix manual: which types an assignment writes, by the kind of their expression, and which conversions there are. It writes
+/// BOOL, SINT, INT, DINT, REAL and STRING; of the pairs that are not named, and of LINT, whose range is said to be that of a time, nothing follows.
+fn logix(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use ElementaryType::{Bool, Dint, Int, Lint, Lreal, Real, Sint, String};
+    let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
+    match (from, to) {
+        (Bool, _) if is_number(to) => MatrixWord::No,
+        (_, Bool | String) if is_number(from) => MatrixWord::No,
+        (Bool, String) | (String, Bool | Sint | Int | Dint | Real) => MatrixWord::No,
+        (Lint, _) => MatrixWord::Open,
+        (Lreal, Sint | Int | Dint) => MatrixWord::Open,
+        (_, Sint | Int | Dint | Real) if is_number(from) => MatrixWord::Yes,
+        _ => MatrixWord::Open,
+    }
+}
+
+/// Returns the answer of the table of Control Expert, which has nine types: all stand for each other, but nothing for a BOOL, and REAL for no bit string.
+fn control_expert(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use ElementaryType::{Bool, Byte, Dint, Dword, Int, Real, Udint, Uint, Word};
+    let is_in_table = |ty| matches!(ty, Real | Dint | Int | Udint | Uint | Dword | Word | Byte | Bool);
+    match (from, to) {
+        _ if !is_in_table(from) || !is_in_table(to) => MatrixWord::Open,
+        (_, Bool) | (Real, Dword | Word | Byte) => MatrixWord::No,
+        _ => MatrixWord::Yes,
     }
 }
 

@@ -14,11 +14,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
 use stickler_run::{CaseEvent, CaseJudge, Event, Fact, Plan, Verdict};
-use stickler_suite::{Case, Sources, load_file};
+use stickler_suite::{Acceptance, Case, Sources, load_file};
 use stickler_types::{DialectName, Value};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
-const FILES: [&str; 10] = [
+const FILES: [&str; 12] = [
     "widening/integer.toml",
     "widening/contexts.toml",
     "widening/user-defined.toml",
@@ -29,26 +29,32 @@ const FILES: [&str; 10] = [
     "conversion/time-edges.toml",
     "language/literals-third-edition.toml",
     "widening/codesys.toml",
+    "widening/logix.toml",
+    "widening/control-expert.toml",
 ];
 
 fn suite() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")
 }
 
-/// Returns cases of the files: some of each file and dialect, from first to last.
+/// Returns cases of the files: of each file and dialect some that need not be rejected, and some that must.
 fn cases(files: &[&str]) -> Vec<Case> {
     let mut cases = Vec::new();
     for file in files {
         let (all, mistakes) = load_file(&suite(), &suite().join(file));
         assert_eq!(mistakes, [], "{file}");
         for dialect in DialectName::ALL {
-            let spoken: Vec<&Case> = all.iter().filter(|case| case.dialect == dialect).collect();
-            cases.extend(
-                spoken
-                    .iter()
-                    .step_by(spoken.len() / 60 + 1)
-                    .map(|case| (*case).clone()),
-            );
+            let spoken = all.iter().filter(|case| case.dialect == dialect);
+            let (rejected, accepted): (Vec<&Case>, Vec<&Case>) =
+                spoken.partition(|case| case.expectation.accepted == Acceptance::Rejected);
+            for group in [accepted, rejected] {
+                cases.extend(
+                    group
+                        .iter()
+                        .step_by(group.len() / 40 + 1)
+                        .map(|case| (*case).clone()),
+                );
+            }
         }
     }
     cases

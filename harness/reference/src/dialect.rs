@@ -98,6 +98,8 @@ impl Dialect {
             BuiltIn::Rusty => Dialect::rusty(),
             BuiltIn::Codesys => Dialect::codesys(),
             BuiltIn::Twincat => Dialect::twincat(),
+            BuiltIn::Logix => Dialect::logix(),
+            BuiltIn::ControlExpert => Dialect::control_expert(),
         };
         match name.definition() {
             None => base,
@@ -331,6 +333,32 @@ impl Dialect {
         }
     }
 
+    /// Rockwell Logix 5000: an assignment converts every number to every other, a real becomes the nearest integer, halves the even one, and what is
+    /// too large keeps its low bits; BOOL converts to nothing.
+    ///
+    /// Basis: logix-manual: 512, 543, 544, 546; logix-help; what they leave open is accepted.
+    #[must_use]
+    pub const fn logix() -> Dialect {
+        Dialect {
+            name: DialectName::Logix,
+            widening: Widening::NumbersApartFromBool,
+            ..Dialect::plcnext()
+        }
+    }
+
+    /// Schneider Control Expert with implicit type conversion enabled: numbers and bit strings stand for each other, but a REAL for no bit string, and
+    /// BOOL for all of them; a real becomes the nearest integer, halves the even one.
+    ///
+    /// Basis: control-expert-implicit; control-expert-real-to: Example; what they leave open is accepted.
+    #[must_use]
+    pub const fn control_expert() -> Dialect {
+        Dialect {
+            name: DialectName::ControlExpert,
+            widening: Widening::NumbersButNoRealAsBits,
+            ..Dialect::plcnext()
+        }
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -355,7 +383,7 @@ mod tests {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
         assert_eq!(
             DialectName::ALL.map(has),
-            [false, true, true, false, true, true, true, true, true]
+            [false, true, true, false, true, true, true, true, true, true, true]
         );
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
     }

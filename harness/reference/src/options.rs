@@ -15,6 +15,10 @@ pub enum Widening {
     NumbersAndMoments,
     /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
     NumbersUnlessNarrower,
+    /// Every pair of numbers and bit strings; BOOL stands for itself alone.
+    NumbersApartFromBool,
+    /// Every pair of numbers and bit strings but reals into bit strings; BOOL into all of them, and nothing into BOOL.
+    NumbersButNoRealAsBits,
 }
 
 /// The implicit conversions that are accepted with a warning.

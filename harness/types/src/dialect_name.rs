@@ -79,6 +79,10 @@ built_in! {
     Codesys = "codesys",
     /// TwinCAT 3, as its builds were recorded.
     Twincat = "twincat",
+    /// Rockwell Logix 5000, as its manual and its help document it.
+    Logix = "logix",
+    /// Schneider Control Expert with implicit type conversion enabled, as its help documents it.
+    ControlExpert = "control-expert",
 }
 
 /// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
@@ -147,9 +151,13 @@ impl DialectName {
 }
 
 impl BuiltIn {
-    /// Returns whether the system is known by recordings: of single values, not by documents that state a rule.
-    pub const fn is_recorded(self) -> bool {
-        matches!(self, BuiltIn::Codesys | BuiltIn::Twincat)
+    /// Returns whether the sources say single things of the system, pairs of types and values, and not what its language is: only
+    /// tables that name it speak for it, and no programs are generated in it.
+    pub const fn is_known_in_part(self) -> bool {
+        matches!(
+            self,
+            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix | BuiltIn::ControlExpert
+        )
     }
 }
 

@@ -224,9 +224,9 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Re
         [] => &DIALECTS[..],
         named => named,
     };
-    if let Some(recorded) = asked.iter().find(|dialect| dialect.base().is_recorded()) {
+    if let Some(in_part) = asked.iter().find(|dialect| dialect.base().is_known_in_part()) {
         bail!(
-            "no programs are generated in {recorded}: its documents do not say in which types operations are computed"
+            "no programs are generated in {in_part}: its documents do not say in which types operations are computed"
         );
     }
     if let Some(defined) = asked.iter().find(|dialect| dialect.definition().is_some()) {

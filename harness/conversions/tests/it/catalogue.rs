@@ -73,7 +73,14 @@ fn dialects_with_the_same_rule_share_a_sweep() {
     assert_eq!(shared[0].dialects, DialectName::ALL);
     let rounding = sampled("REAL_TO_INT", &DialectName::ALL, None);
     assert_eq!(rounding.len(), 4);
-    assert_eq!(rounding[1].dialects, [DialectName::Plcnext]);
+    assert_eq!(
+        rounding[1].dialects,
+        [
+            DialectName::Plcnext,
+            DialectName::Logix,
+            DialectName::ControlExpert
+        ]
+    );
     assert_eq!(rounding[2].dialects, [DialectName::Strucpp, DialectName::Rusty]);
     assert_eq!(rounding[3].dialects, [DialectName::Codesys, DialectName::Twincat]);
     let separate = agenda(

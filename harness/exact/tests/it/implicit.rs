@@ -7,7 +7,7 @@ use stickler_types::definition::{Definition, Flag, Stated};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
-const FILES: [&str; 14] = [
+const FILES: [&str; 16] = [
     "integer",
     "integer-to-real",
     "real",
@@ -22,6 +22,8 @@ const FILES: [&str; 14] = [
     "strucpp",
     "rusty",
     "codesys",
+    "logix",
+    "control-expert",
 ];
 
 type Cell = (ElementaryType, ElementaryType, DialectName);

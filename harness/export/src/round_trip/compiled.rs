@@ -21,6 +21,8 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         "widening/integer.toml",
         "widening/contexts.toml",
         "widening/codesys.toml",
+        "widening/logix.toml",
+        "widening/control-expert.toml",
         "bit-access/outside-short.toml",
         "language/literals-outside.toml",
     ]);

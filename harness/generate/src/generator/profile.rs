@@ -42,10 +42,10 @@ pub(super) struct DialectProfile {
 }
 
 /// The dialects in which programs are generated: those in whose documents an operation is computed in the type of its operands. What
-/// a recorded system computes with promoted operands is not evaluated.
+/// a system that is known in part computes is not evaluated.
 pub static DIALECTS: LazyLock<Vec<DialectName>> = LazyLock::new(|| {
     let all = DialectName::ALL.into_iter();
-    all.filter(|dialect| !dialect.base().is_recorded()).collect()
+    all.filter(|dialect| !dialect.base().is_known_in_part()).collect()
 });
 
 static PROFILES: [OnceLock<DialectProfile>; DialectName::ALL.len()] =
@@ -87,14 +87,8 @@ impl DialectProfile {
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
         match self.dialect.base() {
-            BuiltIn::IronplcEd2
-            | BuiltIn::IronplcEd3
-            | BuiltIn::IronplcRusty
-            | BuiltIn::Strucpp
-            | BuiltIn::Rusty
-            | BuiltIn::Codesys
-            | BuiltIn::Twincat => open,
             BuiltIn::Matiec | BuiltIn::Plcnext => true,
+            _ => open,
         }
     }
 

@@ -24,6 +24,12 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
             Widening::NumbersUnlessNarrower => numbers_unless_narrower(from, to),
+            Widening::NumbersApartFromBool => {
+                from != ElementaryType::Bool && to != ElementaryType::Bool && numbers(from, to)
+            }
+            Widening::NumbersButNoRealAsBits => {
+                to != ElementaryType::Bool && !(from.is_real() && to.is_bit_string()) && numbers(from, to)
+            }
         },
     };
     if !widens {
