@@ -23,9 +23,11 @@ pub struct Dialect {
     pub implicit_warnings: ImplicitWarnings,
     /// The types in which two integers or bit strings meet.
     pub operands: OperandTypes,
-    /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF.
+    /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
+    /// conversions are warned of, so is this.
     ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`).
+    /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`); twincat-builds: recordings/twincat.build.json (the
+    /// warnings).
     pub literals_by_width: bool,
     /// The bits of the count by which SHL and SHR shift.
     pub shift_counts: ShiftCounts,

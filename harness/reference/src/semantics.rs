@@ -32,6 +32,7 @@ mod listing;
 mod literals;
 mod locations;
 mod loops;
+mod lost_values;
 mod lowering;
 mod memory;
 mod misfit;

@@ -61,6 +61,20 @@ pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dial
     is_warned.then_some(code)
 }
 
+/// Returns the warning with which a dialect accepts an untyped literal whose number its type does not have, but whose bits; `None` where it
+/// has none.
+///
+/// Basis: twincat-builds: recordings/twincat.build.json (`bound_…`, `cc_literal_…`).
+pub(crate) fn literal_warning(number: i128, to: ElementaryType, dialect: &Dialect) -> Option<Code> {
+    let (low, high) = to.integer_range()?;
+    let is_warned = dialect.literals_by_width && dialect.implicit_warnings == ImplicitWarnings::LostValues;
+    (is_warned && !(low..=high).contains(&number)).then_some(if number < 0 {
+        Code::SignedToUnsigned
+    } else {
+        Code::UnsignedToSigned
+    })
+}
+
 /// Returns the code of CODESYS for a conversion that may lose the sign or digits.
 const fn lost_value(from: ElementaryType, to: ElementaryType) -> Code {
     match (from.is_signed(), to.is_signed()) {

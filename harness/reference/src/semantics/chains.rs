@@ -94,6 +94,7 @@ impl Lowering<'_> {
             self.value(link.right, None);
             return LoweredValue::ERROR;
         };
+        self.warn_of_operands(link.operator, (link.left, link.right));
         let left = self.operand(link.left, left, operation.left);
         let right = self.value(link.right, Some(operation.right));
         let right = self.operand(link.right, right, operation.right);

@@ -9,10 +9,10 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
-use super::operators::{is_whole, promoted};
+use super::operators::{is_whole, prefixed, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
-use crate::conversion::{Conversion, ConversionRule, implicit, implicit_warning};
+use crate::conversion::{Conversion, ConversionRule, implicit};
 use crate::dialect::{Dialect, OperandTypes};
 use crate::instruction::Instruction;
 use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
@@ -51,20 +51,10 @@ impl<'m> Lowering<'m> {
             _ => value.ty,
         };
         self.warn_of_lost_value(id, from, to);
+        self.warn_of_literal(id, value, to);
         let value = self.adapt(value, to);
         self.record_expected(id, flexible, to, fits == Fit::Yes);
         self.check_limits(id, value, target)
-    }
-
-    /// Warns of a value whose implicit conversion may lose something, where the dialect does.
-    fn warn_of_lost_value(&mut self, id: ExpressionId, from: TypeId, to: TypeId) {
-        let Some((from, to)) = from.elementary().zip(to.elementary()) else {
-            return;
-        };
-        if let Some(code) = implicit_warning(from, to, self.model.source.dialect) {
-            let message = format!("{from} converts implicitly to {to}, which may change the value");
-            self.report(code, self.span(id), message);
-        }
     }
 
     /// Records that a value stands where an elementary type is expected.
@@ -126,7 +116,7 @@ impl<'m> Lowering<'m> {
         }
         let computed = match operator {
             UnaryOperator::Plus => return (value, ty),
-            UnaryOperator::Negate => promoted(ty),
+            UnaryOperator::Negate => promoted(prefixed(operator, ty, self.model.source.dialect)),
             UnaryOperator::Not => bits_of(ty),
         };
         (self.adapt(value, TypeId::of(computed)), computed)
@@ -321,6 +311,7 @@ impl<'m> Lowering<'m> {
             self.report(Code::OperatorOperandTypeMismatch, span, message);
             return LoweredValue::ERROR;
         };
+        self.warn_of_operand(operator, operand, ty);
         let (value, ty) = self.promoted_operand(operator, value, ty);
         match operator {
             UnaryOperator::Plus => return value,

@@ -4,7 +4,7 @@ use super::constant::Constant;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::model::{EnumeratedName, TopLevelName};
-use super::operators::OperatorSignature;
+use super::operators::{OperatorSignature, is_whole, prefixed};
 use super::types::{TypeId, TypeKind};
 use crate::dialect::{Dialect, OperandTypes};
 use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
@@ -156,10 +156,11 @@ impl<'m> Lowering<'m> {
             }
         }
         let inferred = self.infer(operand);
-        if defined(operator, inferred, self.model.source.dialect) {
-            inferred
-        } else {
-            Inferred::Error
+        let dialect = self.model.source.dialect;
+        match inferred.elementary() {
+            _ if !defined(operator, inferred, dialect) => Inferred::Error,
+            Some(ty) => Inferred::from(prefixed(operator, ty, dialect)),
+            None => inferred,
         }
     }
 }
@@ -180,7 +181,11 @@ pub(super) fn defined(operator: UnaryOperator, operand: Inferred, dialect: &Dial
 /// Returns whether a prefix operator is defined for a type.
 pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> bool {
     match operator {
-        UnaryOperator::Not if dialect.operands == OperandTypes::Promoted && ty.is_integer() => true,
+        UnaryOperator::Not | UnaryOperator::Negate
+            if dialect.operands == OperandTypes::Promoted && is_whole(ty) =>
+        {
+            true
+        }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
         UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
     }

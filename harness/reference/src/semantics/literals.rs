@@ -286,7 +286,7 @@ fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> 
 }
 
 /// Reads the number of an untyped integer literal with its sign; `None` where 128 bits do not hold it.
-fn untyped_integer(text: &str, negative: bool) -> Option<i128> {
+pub(super) fn untyped_integer(text: &str, negative: bool) -> Option<i128> {
     let magnitude = literal::unsigned_integer(text).ok()?;
     if negative {
         0_i128.checked_sub_unsigned(magnitude)

@@ -7,9 +7,9 @@ use super::common::TypeRules;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::dialect::OperandTypes;
+use crate::dialect::{Dialect, OperandTypes};
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
-use crate::syntax::tree::BinaryOperator;
+use crate::syntax::tree::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, Family};
 
 /// An operator whose operands are known: what each is converted to, what is done, and what comes of it.
@@ -136,7 +136,7 @@ impl TypeRules<'_> {
             && promoted.result.is_integer()
             && (is_integer(left) || is_integer(right))
         {
-            return Some(promoted.of_numbers(Action::Logic(operator)));
+            return Some(promoted.bits().of_numbers(Action::Logic(operator)));
         }
         let common = self.common(left, right)?;
         let ty = common.elementary()?;
@@ -201,10 +201,27 @@ impl TypeRules<'_> {
         };
         let is_signed = ty.is_signed() || other.is_signed();
         let bits = ty.bits().max(other.bits());
+        let unsigned = [ty, other].into_iter().filter(|ty| !ty.is_signed());
         (self.dialect.operands == OperandTypes::Promoted).then(|| PromotedOperands {
             result: integer_of(bits, is_signed),
             computed: integer_of(bits.max(literal).max(32), is_signed),
+            fills: unsigned.map(ElementaryType::bits).max() == Some(bits),
         })
+    }
+
+    /// Returns the type in which two integers or bit strings meet for the checker, where the dialect promotes operands.
+    pub(super) fn meeting(
+        self,
+        operator: BinaryOperator,
+        left: Inferred,
+        right: Inferred,
+    ) -> Option<ElementaryType> {
+        let promoted = self.promoted(left, right)?;
+        match self.group(operator) {
+            OperatorGroup::Logic(_) => Some(promoted.bits().result),
+            OperatorGroup::Arithmetic(_) | OperatorGroup::Comparison(_) => Some(promoted.result),
+            OperatorGroup::Power => None,
+        }
     }
 
     /// A duration multiplied or divided by a number, or a number by which a duration is multiplied.
@@ -344,9 +361,22 @@ struct PromotedOperands {
     result: ElementaryType,
     /// The type in which it is computed.
     computed: ElementaryType,
+    /// An operand without a sign is as wide as the result, whose sign takes the highest of its bits.
+    fills: bool,
 }
 
 impl PromotedOperands {
+    /// Returns the same for an operation on bits, which gives up the sign rather than a bit.
+    ///
+    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_bitwise_…`).
+    fn bits(self) -> PromotedOperands {
+        let is_signed = self.result.is_signed() && !self.fills;
+        PromotedOperands {
+            result: integer_of(self.result.bits(), is_signed),
+            ..self
+        }
+    }
+
     fn of_numbers(self, action: Action) -> TypedOperation {
         self.operation(action, TypeId::of(self.computed), TypeId::of(self.result))
     }
@@ -364,7 +394,7 @@ impl PromotedOperands {
 }
 
 /// Returns the integer type with a sign or without.
-const fn integer_of(bits: u32, is_signed: bool) -> ElementaryType {
+pub(super) const fn integer_of(bits: u32, is_signed: bool) -> ElementaryType {
     use ElementaryType::{Dint, Int, Lint, Sint, Udint, Uint, Ulint, Usint};
     match (bits, is_signed) {
         (..=8, true) => Sint,
@@ -382,6 +412,19 @@ const fn integer_of(bits: u32, is_signed: bool) -> ElementaryType {
 pub(super) const fn promoted(ty: ElementaryType) -> ElementaryType {
     let bits = if ty.bits() < 32 { 32 } else { ty.bits() };
     integer_of(bits, ty.is_signed())
+}
+
+/// Returns the type that the value of a prefix operator has for the checker: where operands are promoted, a negative number is an integer
+/// with a sign and 16 bits at least, and NOT leaves no sign.
+///
+/// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`).
+pub(super) fn prefixed(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> ElementaryType {
+    let is_promoted = dialect.operands == OperandTypes::Promoted && is_whole(ty);
+    match operator {
+        UnaryOperator::Negate if is_promoted => integer_of(ty.bits().max(16), true),
+        UnaryOperator::Not if is_promoted && ty.is_integer() => integer_of(ty.bits(), false),
+        _ => ty,
+    }
 }
 
 /// Returns whether the values of a type are whole numbers, or bits that count as such.
