@@ -89,6 +89,9 @@ const IRONPLC_REAL_TO_INTEGER: &str = "ironplc-conversion-functions: Real to Int
 const IRONPLC_TIME: &str = "ironplc-conversion-functions: Time/Duration Conversions";
 const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 
+// The page of Control Expert.
+const CONTROL_EXPERT_ROUNDING: &str = "control-expert-real-to: Example";
+
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
@@ -109,6 +112,8 @@ enum Rules {
     Plcnext,
     Strucpp,
     Rusty,
+    /// Control Expert, of whose functions a page on REAL speaks.
+    ControlExpert,
     /// The systems of which single values are known: tables have them.
     InTables,
 }
@@ -121,7 +126,8 @@ impl Rules {
             BuiltIn::Plcnext => Rules::Plcnext,
             BuiltIn::Strucpp => Rules::Strucpp,
             BuiltIn::Rusty => Rules::Rusty,
-            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix | BuiltIn::ControlExpert => Rules::InTables,
+            BuiltIn::ControlExpert => Rules::ControlExpert,
+            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix => Rules::InTables,
         }
     }
 
@@ -131,7 +137,7 @@ impl Rules {
         match self {
             Rules::Ironplc => Some(ironplc),
             Rules::Matiec => Some(matiec),
-            Rules::Plcnext | Rules::Strucpp | Rules::Rusty | Rules::InTables => None,
+            _ => None,
         }
     }
 
@@ -172,6 +178,7 @@ impl UnaryCall<'_> {
             Rules::Rusty => self.of_rusty_conversion(raw),
             Rules::Strucpp => self.of_strucpp_conversion(raw),
             Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
+            Rules::ControlExpert => self.of_control_expert_conversion(raw),
             Rules::InTables => None,
         }
     }
@@ -228,11 +235,27 @@ impl UnaryCall<'_> {
 
     /// Returns the basis of `<SRC>_TO_<DST>` from a real number to an integer.
     fn of_real_to_integer(self, raw: u64) -> Option<&'static str> {
-        match self.truncated(raw) {
-            Truncated::Inside => self.rules.documented(IRONPLC_REAL_TO_INTEGER, RANGE),
-            Truncated::Outside => self.rules.only_matiec(RANGE),
-            Truncated::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+        match self.rounded(raw, Rounding::Truncate) {
+            WholePosition::Inside => self.rules.documented(IRONPLC_REAL_TO_INTEGER, RANGE),
+            WholePosition::Outside => self.rules.only_matiec(RANGE),
+            WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
         }
+    }
+
+    /// Returns the basis of `<SRC>_TO_<DST>` in Control Expert: REAL to the four integers of the page, where they hold the nearest one.
+    /// "Negative input values cannot be converted" to those without a sign.
+    fn of_control_expert_conversion(self, raw: u64) -> Option<&'static str> {
+        use ElementaryType::{Dint, Int, Real, Udint, Uint};
+        let is_on_the_page = match (self.from, self.to) {
+            (Real, Int | Dint) => true,
+            (Real, Uint | Udint) => !matches!(
+                real::decode(raw, self.from),
+                real::Real::Finite { negative: true, .. }
+            ),
+            _ => false,
+        };
+        (is_on_the_page && self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
+            .then_some(CONTROL_EXPERT_ROUNDING)
     }
 
     /// Returns the basis of TIME to and from a number: whole milliseconds that the target holds exactly or as the nearest
@@ -247,7 +270,7 @@ impl UnaryCall<'_> {
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
             Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
             Rules::Strucpp => Some(MILLISECONDS_RULE),
-            Rules::Rusty | Rules::InTables => None,
+            Rules::Rusty | Rules::ControlExpert | Rules::InTables => None,
         }
     }
 
@@ -309,38 +332,40 @@ impl UnaryCall<'_> {
     /// Returns the basis of TRUNC and its variants. The ForgeIEC page has three of the variants that name a type; the
     /// others are open.
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
-        let truncated = self.truncated(raw);
+        let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
-            "TRUNC" if truncated == Truncated::Inside => self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC),
+            "TRUNC" if truncated == WholePosition::Inside => {
+                self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC)
+            }
             "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
-                Truncated::Inside => self.rules.only_matiec(NAMING),
-                Truncated::Outside => self.rules.only_matiec(RANGE),
-                Truncated::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+                WholePosition::Inside => self.rules.only_matiec(NAMING),
+                WholePosition::Outside => self.rules.only_matiec(RANGE),
+                WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
             },
             _ => None,
         }
     }
 
-    /// Returns where the truncated operand lies relative to the range of the result type.
-    fn truncated(self, raw: u64) -> Truncated {
+    /// Returns where the rounded operand lies relative to the range of the result type.
+    fn rounded(self, raw: u64, rounding: Rounding) -> WholePosition {
         let Real::Finite {
             negative,
             significand,
             exponent,
         } = real::decode(raw, self.from)
         else {
-            return Truncated::NoNumber;
+            return WholePosition::NoNumber;
         };
-        match real::to_whole(negative, significand, exponent, Rounding::Truncate) {
-            Whole::Number(number) if integer::holds(self.to, number) => Truncated::Inside,
-            _ => Truncated::Outside,
+        match real::to_whole(negative, significand, exponent, rounding) {
+            Whole::Number(number) if integer::holds(self.to, number) => WholePosition::Inside,
+            _ => WholePosition::Outside,
         }
     }
 }
 
-/// The position of a truncated real number relative to the range of the target.
+/// The position of a rounded real number relative to the range of the target.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Truncated {
+enum WholePosition {
     /// Within the range of the target.
     Inside,
     /// Outside the range of the target.

@@ -336,27 +336,29 @@ impl Dialect {
     }
 
     /// Rockwell Logix 5000: an assignment converts every number to every other, a real becomes the nearest integer, halves the even one, and what is
-    /// too large keeps its low bits; BOOL converts to nothing.
+    /// too large keeps its low bits; BOOL converts to nothing, and short integers are computed as DINT.
     ///
-    /// Basis: logix-manual: 512, 543, 544, 546; logix-help; what they leave open is accepted.
+    /// Basis: logix-manual: 512, 541, 543, 544, 546; logix-help; what they leave open is accepted.
     #[must_use]
     pub const fn logix() -> Dialect {
         Dialect {
             name: DialectName::Logix,
             widening: Widening::NumbersApartFromBool,
+            operands: OperandTypes::Promoted,
             ..Dialect::plcnext()
         }
     }
 
     /// Schneider Control Expert with implicit type conversion enabled: numbers and bit strings stand for each other, but a REAL for no bit string, and
-    /// BOOL for all of them; a real becomes the nearest integer, halves the even one.
+    /// BOOL for all of them; a real becomes the nearest integer, halves the even one, and nothing is lost before a result is stored.
     ///
-    /// Basis: control-expert-implicit; control-expert-real-to: Example; what they leave open is accepted.
+    /// Basis: control-expert-implicit; control-expert-real-to: Example; control-expert-result-type: Control Expert Differences; what they leave open is accepted.
     #[must_use]
     pub const fn control_expert() -> Dialect {
         Dialect {
             name: DialectName::ControlExpert,
             widening: Widening::NumbersButNoRealAsBits,
+            operands: OperandTypes::Promoted,
             ..Dialect::plcnext()
         }
     }

@@ -50,7 +50,8 @@ pub enum OperandTypes {
     /// An integer type as wide as the wider of them, with a sign if one of them has one; it is computed with 32 bits at least, so
     /// that nothing is lost before the value is stored.
     ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`, `arithedge_…`, `cmp_…`).
+    /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`, `arithedge_…`, `cmp_…`); logix-manual: 541, of SINT and INT;
+    /// control-expert-result-type: Control Expert Differences, where the result is stored into more bits.
     Promoted,
 }
 
