@@ -53,5 +53,5 @@ pub use random::SplitMix64;
 pub use request::{ClockSetting, Observation, ObservationKey, RunRequest, Setting};
 pub use value::Value;
 pub use word_table::WordTable;
-pub use wrap::wrap;
+pub use wrap::{wrap, wrap_within};
 pub use written_value::WrittenValue;

@@ -6,13 +6,19 @@ const WIDTH: usize = 80;
 /// Breaks a paragraph into lines of at most 80 characters, except for longer words.
 #[must_use]
 pub fn wrap(paragraph: &str) -> String {
+    wrap_within(paragraph, WIDTH)
+}
+
+/// Breaks a paragraph into lines of at most `width` characters, except for longer words.
+#[must_use]
+pub fn wrap_within(paragraph: &str, width: usize) -> String {
     let mut text = String::with_capacity(paragraph.len() + 1);
     let mut column = 0;
     for word in paragraph.split_whitespace() {
-        let width = word.chars().count();
+        let letters = word.chars().count();
         match column {
             0 => {}
-            _ if column + 1 + width > WIDTH => {
+            _ if column + 1 + letters > width => {
                 text.push('\n');
                 column = 0;
             }
@@ -22,7 +28,7 @@ pub fn wrap(paragraph: &str) -> String {
             }
         }
         text.push_str(word);
-        column += width;
+        column += letters;
     }
     text
 }

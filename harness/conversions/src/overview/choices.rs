@@ -1,12 +1,13 @@
 //! The list, below a table of results, of the rules that dialects choose where systems differ; one line for each choice.
 
+use super::table::WIDTH;
 use crate::functions::dialect_list;
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_exact::{Operation, Signature, choices_of};
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, DialectName, Family, MomentUnits,
-    OutOfRange, RealText, Rounding, TextReading,
+    OutOfRange, RealText, Rounding, TextReading, wrap_within,
 };
 
 const DIM: Style = Style::new().dimmed();
@@ -28,11 +29,15 @@ pub fn write(signature: &Signature, dialects: &[DialectName], out: &mut dyn Writ
         let choices = choices(topic, signature, dialects);
         for (index, (choice, choosers)) in choices.iter().enumerate() {
             let label = if index == 0 { topic.label.as_str() } else { "" };
-            write!(out, "{DIM}{label:labels$}{DIM:#}  {choice}")?;
-            match choices.len() {
-                1 => writeln!(out)?,
-                _ => writeln!(out, ": {}", dialect_list(choosers))?,
-            }
+            let said = match choices.len() {
+                1 => choice.clone(),
+                _ => format!("{choice}: {}", dialect_list(choosers)),
+            };
+            // Deeper than the words of the next choice.
+            let indent = labels + 4;
+            let lines = wrap_within(&said, WIDTH.saturating_sub(indent));
+            let text = lines.replace('\n', &format!("\n{:indent$}", ""));
+            writeln!(out, "{DIM}{label:labels$}{DIM:#}  {text}")?;
         }
     }
     Ok(())
@@ -243,7 +248,7 @@ fn outside_of_moments(choices: &ConversionChoices, signature: &Signature) -> Str
 
 #[cfg(test)]
 mod tests {
-    use super::write;
+    use super::{WIDTH, write};
     use stickler_types::DialectName;
 
     fn text(function: &str, dialects: &[DialectName]) -> String {
@@ -263,6 +268,14 @@ mod tests {
         );
         assert_eq!(text("DINT_TO_INT", &both), "outside INT  modulo 2^16\n");
         assert_eq!(text("INT_TO_DINT", &both), "");
+    }
+
+    #[test]
+    fn a_line_that_names_every_dialect_is_broken() {
+        let all = text("REAL_TO_INT", &DialectName::ALL);
+        assert!(all.lines().all(|line| line.len() <= WIDTH), "{all}");
+        let indent = " ".repeat("outside INT".len() + 4);
+        assert!(all.lines().any(|line| line.starts_with(&indent)), "{all}");
     }
 
     #[test]

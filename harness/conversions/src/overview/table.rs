@@ -5,8 +5,8 @@ use std::io::{self, Write};
 
 const BOLD: Style = Style::new().bold();
 
-/// The maximum width of a table, in characters.
-const WIDTH: usize = 100;
+/// The maximum width of a table and of the lines below it, in characters.
+pub const WIDTH: usize = 100;
 
 /// The number of blanks between two columns.
 const GAP: usize = 2;
