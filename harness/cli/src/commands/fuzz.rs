@@ -226,7 +226,8 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Re
     };
     if let Some(in_part) = asked.iter().find(|dialect| dialect.base().is_known_in_part()) {
         bail!(
-            "no programs are generated in {in_part}: its documents do not say in which types operations are computed"
+            "no programs are generated in {in_part}: its sources speak of single conversions and values, not of the whole language; name another \
+             --dialect"
         );
     }
     if let Some(defined) = asked.iter().find(|dialect| dialect.definition().is_some()) {
