@@ -198,6 +198,25 @@ fn texts_characters_and_bcd() {
 }
 
 #[test]
+fn the_page_of_control_expert_speaks_of_a_real_that_one_of_four_integers_holds() {
+    for (function, operand, is_said) in [
+        ("REAL_TO_INT", "REAL#32767.25", true),
+        ("REAL_TO_INT", "REAL#32767.5", false),
+        ("REAL_TO_INT", "REAL#-0.25", true),
+        ("REAL_TO_UINT", "REAL#0.25", true),
+        ("REAL_TO_UINT", "REAL#-0.25", false),
+        ("REAL_TO_SINT", "REAL#1.5", false),
+        ("LREAL_TO_INT", "LREAL#1.5", false),
+        ("DINT_TO_INT", "DINT#1", false),
+    ] {
+        let operand = Value::parse(operand).unwrap();
+        let said = basis(function, &operand, None, DialectName::ControlExpert);
+        let page = is_said.then_some("control-expert-real-to: Example");
+        assert_eq!(said, page, "{function}({operand})");
+    }
+}
+
+#[test]
 fn the_three_dialects_of_ironplc_agree() {
     for name in functions(DialectName::IronplcEd2) {
         for signature in signatures(&name, DialectName::IronplcEd2) {
