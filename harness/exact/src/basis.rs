@@ -92,9 +92,14 @@ const IRONPLC_TRUNC: &str = "ironplc-standard-functions: trunc";
 // The page of Control Expert.
 const CONTROL_EXPERT_ROUNDING: &str = "control-expert-real-to: Example";
 
+// The page of Omron with examples of `REAL_TO_INT`.
+const OMRON_ROUNDING: &str = "omron-instructions: 296";
+
 // The standards, which speak for every dialect.
 const BITS_TO_BITS: &str = "iec-61131-3: Table 24";
 const BITS_AND_NUMBERS: &str = "iec-61131-3: Table 25";
+const STANDARD_ROUNDING: &str = "iec-61131-3: Table 22";
+const STANDARD_INTEGERS: &str = "iec-61131-3: Table 23";
 const DATES: &str = "iec-61131-3: Table 26";
 const ROUNDED: &str = "iec-60559: Operations";
 const SPECIAL: &str = "iec-60559: Special Quantities";
@@ -114,6 +119,10 @@ enum Rules {
     Rusty,
     /// Control Expert, of whose functions a page on REAL speaks.
     ControlExpert,
+    /// Omron NJ, of whose functions printed examples speak.
+    Omron,
+    /// The third edition of the standard.
+    ThirdEdition,
     /// The systems of which single values are known: tables have them.
     InTables,
 }
@@ -127,6 +136,8 @@ impl Rules {
             BuiltIn::Strucpp => Rules::Strucpp,
             BuiltIn::Rusty => Rules::Rusty,
             BuiltIn::ControlExpert => Rules::ControlExpert,
+            BuiltIn::Omron => Rules::Omron,
+            BuiltIn::IecEd3 => Rules::ThirdEdition,
             BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix => Rules::InTables,
         }
     }
@@ -179,6 +190,8 @@ impl UnaryCall<'_> {
             Rules::Strucpp => self.of_strucpp_conversion(raw),
             Rules::Ironplc | Rules::Matiec | Rules::Plcnext => self.of_page_conversion(raw),
             Rules::ControlExpert => self.of_control_expert_conversion(raw),
+            Rules::Omron => self.of_omron_conversion(raw),
+            Rules::ThirdEdition => self.of_standard_conversion(raw),
             Rules::InTables => None,
         }
     }
@@ -258,6 +271,28 @@ impl UnaryCall<'_> {
             .then_some(CONTROL_EXPERT_ROUNDING)
     }
 
+    /// Returns the basis of `REAL_TO_INT` in Omron NJ, where the target holds the nearest integer; else it has "an illegal value".
+    fn of_omron_conversion(self, raw: u64) -> Option<&'static str> {
+        let is_printed = (self.from, self.to) == (ElementaryType::Real, ElementaryType::Int);
+        (is_printed && self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
+            .then_some(OMRON_ROUNDING)
+    }
+
+    /// Returns the basis of a conversion among numbers or among bit strings in the third edition, which leaves numbers outside the range of the
+    /// target to the implementer.
+    fn of_standard_conversion(self, raw: u64) -> Option<&'static str> {
+        use Family::{BitString, Real, Signed, Unsigned};
+        match (self.from.family(), self.to.family()) {
+            (Real, Signed) => (self.rounded(raw, Rounding::HalfToEven) == WholePosition::Inside)
+                .then_some(STANDARD_ROUNDING),
+            (Signed | Unsigned, Signed | Unsigned) => {
+                integer::holds(self.to, integer::number(raw, self.from)).then_some(STANDARD_INTEGERS)
+            }
+            (BitString, BitString) => Some(BITS_TO_BITS),
+            _ => None,
+        }
+    }
+
     /// Returns the basis of TIME to and from a number: whole milliseconds that the target holds exactly or as the nearest
     /// real. No document states another conversion of a duration, and IronPLC documents a TIME of 32 bits.
     fn of_time(self, raw: u64) -> Option<&'static str> {
@@ -270,7 +305,9 @@ impl UnaryCall<'_> {
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
             Rules::Strucpp if self.from.is_integer() => Some(STRUCPP_TO_TIME),
             Rules::Strucpp => Some(MILLISECONDS_RULE),
-            Rules::Rusty | Rules::ControlExpert | Rules::InTables => None,
+            Rules::Rusty | Rules::ControlExpert | Rules::Omron | Rules::ThirdEdition | Rules::InTables => {
+                None
+            }
         }
     }
 

@@ -42,8 +42,13 @@ const fn of_base(base: BuiltIn) -> ConversionChoices {
             bit_string_text: BitStringText::Shortest,
             ..ironplc
         },
-        BuiltIn::Plcnext | BuiltIn::Logix | BuiltIn::ControlExpert => ConversionChoices {
+        BuiltIn::Plcnext | BuiltIn::Logix | BuiltIn::ControlExpert | BuiltIn::Omron => ConversionChoices {
             rounding: Rounding::HalfToEven,
+            ..ironplc
+        },
+        BuiltIn::IecEd3 => ConversionChoices {
+            rounding: Rounding::HalfToEven,
+            bits_as_real: BitsAsReal::Copy,
             ..ironplc
         },
         BuiltIn::Rusty => ConversionChoices {

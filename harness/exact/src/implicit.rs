@@ -16,7 +16,8 @@ use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 /// Basis: ironplc-type-conversions: Implicit Type Widening, Cross-family widening; forgeiec-conversion-functions: matiec
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
 /// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy;
-/// codesys-implicit for CODESYS and TwinCAT; logix-manual: 512, 543, 546 for Logix; control-expert-implicit for Control Expert.
+/// codesys-implicit for CODESYS and TwinCAT; logix-manual: 512, 543, 546 for Logix; control-expert-implicit for Control Expert;
+/// trust-data-types, trust-semantic-rules and control-expert-implicit for the third edition.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -48,6 +49,9 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
         BuiltIn::Codesys | BuiltIn::Twincat => codesys(from, to),
         BuiltIn::Logix => logix(from, to),
         BuiltIn::ControlExpert => control_expert(from, to),
+        // The page on its operands says nothing of assignments.
+        BuiltIn::Omron => MatrixWord::Open,
+        BuiltIn::IecEd3 => iec_ed3(from, to),
     }
 }
 
@@ -179,6 +183,29 @@ fn control_expert(from: ElementaryType, to: ElementaryType) -> MatrixWord {
         _ if !is_in_table(from) || !is_in_table(to) => MatrixWord::Open,
         (_, Bool) | (Real, Dword | Word | Byte) => MatrixWord::No,
         _ => MatrixWord::Yes,
+    }
+}
+
+/// Returns the answer of the pages that restate the third edition's figures of implicit conversions. Control Expert marks, among nine of the types,
+/// those of its own conversions that the standard has; the others are additions. What no page names is open.
+fn iec_ed3(from: ElementaryType, to: ElementaryType) -> MatrixWord {
+    use ElementaryType::{Bool, Byte, Dint, Dword, Int, Real, Udint, Uint, Word};
+    use Family::{BitString, Boolean, Signed, Unsigned};
+    let marks = |ty| matches!(ty, Bool | Byte | Word | Dword | Int | Dint | Uint | Udint | Real);
+    let both_marked = marks(from) && marks(to);
+    match (from.family(), to.family()) {
+        (Family::Real, Signed | Unsigned) => MatrixWord::No,
+        // The chains, which go to 64 bits.
+        (Signed, Signed) | (Unsigned, Unsigned) | (Family::Real, Family::Real) if from.bits() < to.bits() => {
+            MatrixWord::Yes
+        }
+        // Control Expert has these as calls alone, which says nothing of the standard.
+        (Family::Real, _) | (_, Boolean) => MatrixWord::Open,
+        _ if !both_marked => MatrixWord::Open,
+        (Unsigned, Signed) | (Signed | Unsigned, Family::Real) | (Boolean | BitString, BitString) => {
+            said(from.bits() < to.bits())
+        }
+        _ => MatrixWord::No,
     }
 }
 

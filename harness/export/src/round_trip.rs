@@ -18,7 +18,7 @@ use stickler_suite::{Acceptance, Case, Sources, load_file};
 use stickler_types::{DialectName, Value};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
-const FILES: [&str; 12] = [
+const FILES: [&str; 14] = [
     "widening/integer.toml",
     "widening/contexts.toml",
     "widening/user-defined.toml",
@@ -31,6 +31,8 @@ const FILES: [&str; 12] = [
     "widening/codesys.toml",
     "widening/logix.toml",
     "widening/control-expert.toml",
+    "widening/omron-compared.toml",
+    "widening/iec-ed3.toml",
 ];
 
 fn suite() -> PathBuf {

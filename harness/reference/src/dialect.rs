@@ -1,6 +1,8 @@
 //! The one place where a dialect's name becomes behaviour.
 
-pub use crate::options::{ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, Widening};
+pub use crate::options::{
+    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, Widening,
+};
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
@@ -23,6 +25,10 @@ pub struct Dialect {
     pub implicit_warnings: ImplicitWarnings,
     /// The types in which two integers or bit strings meet.
     pub operands: OperandTypes,
+    /// The pairs of numbers and bit strings that a comparison takes.
+    ///
+    /// Basis: omron-instructions: 135; rule: mixed-operands.
+    pub compared: ComparedTypes,
     /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
     /// conversions are warned of, so is this.
     ///
@@ -102,6 +108,8 @@ impl Dialect {
             BuiltIn::Twincat => Dialect::twincat(),
             BuiltIn::Logix => Dialect::logix(),
             BuiltIn::ControlExpert => Dialect::control_expert(),
+            BuiltIn::Omron => Dialect::omron(),
+            BuiltIn::IecEd3 => Dialect::iec_ed3(),
         };
         match name.definition() {
             None => base,
@@ -145,6 +153,7 @@ impl Dialect {
             cells: None,
             implicit_warnings: ImplicitWarnings::None,
             operands: OperandTypes::OneOfTheirs,
+            compared: ComparedTypes::Any,
             literals_by_width: false,
             modulo_by_zero_is_zero: false,
             shift_counts: ShiftCounts::All,
@@ -363,6 +372,36 @@ impl Dialect {
         }
     }
 
+    /// Omron NJ: numbers and bit strings meet in the type with the higher rank, and a real becomes the nearest integer.
+    ///
+    /// Basis: omron-implicit-casts; omron-instructions; what they leave open is accepted.
+    #[must_use]
+    pub const fn omron() -> Dialect {
+        Dialect {
+            name: DialectName::Omron,
+            widening: Widening::Numbers,
+            operands: OperandTypes::HigherRank,
+            compared: ComparedTypes::OfOneKind,
+            ..Dialect::plcnext()
+        }
+    }
+
+    /// The third edition of the standard: what widens is implicit, a real becomes the nearest integer, and a bit string shares its bits with a real.
+    ///
+    /// Basis: iec-61131-3: Tables 22 to 26; trust-data-types; control-expert-implicit; what they leave open is accepted.
+    #[must_use]
+    pub const fn iec_ed3() -> Dialect {
+        Dialect {
+            name: DialectName::IecEd3,
+            partial_access: PartialAccess::UpToDoubleWords,
+            conversions: ConversionChoices {
+                bits_as_real: BitsAsReal::Copy,
+                ..COMMON_CHOICES.with_rounding(Rounding::HalfToEven)
+            },
+            ..Dialect::plcnext()
+        }
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -387,7 +426,9 @@ mod tests {
         let has = |name| Dialect::of(name).has(ElementaryType::Ltime);
         assert_eq!(
             DialectName::ALL.map(has),
-            [false, true, true, false, true, true, true, true, true, true, true]
+            [
+                false, true, true, false, true, true, true, true, true, true, true, true, true
+            ]
         );
         assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
     }

@@ -53,6 +53,20 @@ pub enum OperandTypes {
     /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`, `arithedge_…`, `cmp_…`); logix-manual: 541, of SINT and INT;
     /// control-expert-result-type: Control Expert Differences, where the result is stored into more bits.
     Promoted,
+    /// The type of the operand with the higher rank, to which the other converts; of two with the same rank the unsigned one. The ranks: 8 bits,
+    /// 16 bits, REAL, 32 bits, LREAL, 64 bits.
+    ///
+    /// Basis: omron-implicit-casts: Data Type Ranking Table.
+    HigherRank,
+}
+
+/// The pairs of numbers and bit strings that a comparison takes, if one of the two converts to the other's type.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ComparedTypes {
+    /// Any two.
+    Any,
+    /// Two bit strings, two integers with a sign, two without, and numbers of which one is a real.
+    OfOneKind,
 }
 
 /// The bits of the count by which SHL and SHR shift.

@@ -83,6 +83,10 @@ built_in! {
     Logix = "logix",
     /// Schneider Control Expert with implicit type conversion enabled, as its help documents it.
     ControlExpert = "control-expert",
+    /// Omron NJ, as the manuals of its CPU unit and its instructions document it.
+    Omron = "omron",
+    /// The third edition of the standard, as public pages restate it.
+    IecEd3 = "iec-ed3",
 }
 
 /// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
@@ -156,7 +160,12 @@ impl BuiltIn {
     pub const fn is_known_in_part(self) -> bool {
         matches!(
             self,
-            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix | BuiltIn::ControlExpert
+            BuiltIn::Codesys
+                | BuiltIn::Twincat
+                | BuiltIn::Logix
+                | BuiltIn::ControlExpert
+                | BuiltIn::Omron
+                | BuiltIn::IecEd3
         )
     }
 }
@@ -204,9 +213,9 @@ impl fmt::Display for DialectName {
 #[error("unknown dialect `{0}`; the dialects are {known}", known = known())]
 pub struct UnknownDialect(pub String);
 
-/// Returns a list of the dialects' names for a message, including user-defined ones; only the first few if there are many.
+/// Returns a list of the dialects' names for a message, including user-defined ones, but only the first few of them.
 fn known() -> String {
-    const MAX_NAMES: usize = 12;
+    const MAX_NAMES: usize = DialectName::ALL.len() + 5;
     let all = DialectName::ALL.into_iter().chain(DialectName::defined());
     let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
     let last = match names.len().checked_sub(MAX_NAMES) {

@@ -254,7 +254,7 @@ fn every_command_knows_the_dialect() {
     shows(
         &["engines", "reference"],
         0,
-        "plcnext, strucpp, rusty, codesys, twincat, logix, control-expert, mine",
+        "plcnext, strucpp, rusty, codesys, twincat, logix, control-expert, omron, iec-ed3, mine",
     );
     shows(
         &["show", "widening/integer::assignment(SINT,INT)@mine"],

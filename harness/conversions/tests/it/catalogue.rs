@@ -78,7 +78,9 @@ fn dialects_with_the_same_rule_share_a_sweep() {
         [
             DialectName::Plcnext,
             DialectName::Logix,
-            DialectName::ControlExpert
+            DialectName::ControlExpert,
+            DialectName::Omron,
+            DialectName::IecEd3
         ]
     );
     assert_eq!(rounding[2].dialects, [DialectName::Strucpp, DialectName::Rusty]);

@@ -32,7 +32,7 @@ fn run(dialect: &str, source: &str, observe: &[&str]) -> Json {
 fn the_reference_speaks_all_dialects_and_can_do_everything() {
     let reply = ask(json!({"type":"hello","protocol":1}));
     let expected = json!({"type":"hello","protocol":1,"name":"reference","version":env!("CARGO_PKG_VERSION"),
-        "dialects":["ironplc-ed2","ironplc-ed3","ironplc-rusty","matiec","plcnext","strucpp","rusty","codesys","twincat","logix","control-expert"],
+        "dialects":["ironplc-ed2","ironplc-ed3","ironplc-rusty","matiec","plcnext","strucpp","rusty","codesys","twincat","logix","control-expert","omron","iec-ed3"],
         "abilities":["check","execute","render","scans"],"grade":"code"});
     assert_eq!(reply, expected);
 }

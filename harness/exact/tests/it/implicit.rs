@@ -7,7 +7,7 @@ use stickler_types::definition::{Definition, Flag, Stated};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
-const FILES: [&str; 16] = [
+const FILES: [&str; 17] = [
     "integer",
     "integer-to-real",
     "real",
@@ -24,6 +24,7 @@ const FILES: [&str; 16] = [
     "codesys",
     "logix",
     "control-expert",
+    "iec-ed3",
 ];
 
 type Cell = (ElementaryType, ElementaryType, DialectName);

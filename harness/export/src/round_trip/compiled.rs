@@ -23,6 +23,8 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
         "widening/codesys.toml",
         "widening/logix.toml",
         "widening/control-expert.toml",
+        "widening/omron-compared.toml",
+        "widening/iec-ed3.toml",
         "bit-access/outside-short.toml",
         "language/literals-outside.toml",
     ]);

@@ -107,14 +107,8 @@ impl DialectProfile {
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match (context, self.dialect) {
                 (TypeContext::Exact, _)
-                | (
-                    _,
-                    DialectName::Plcnext
-                    | DialectName::Strucpp
-                    | DialectName::Rusty
-                    | DialectName::Codesys
-                    | DialectName::Twincat,
-                ) => false,
+                | (_, DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty) => false,
+                (_, dialect) if dialect.base().is_known_in_part() => false,
                 (TypeContext::Initial | TypeContext::Operand, _) => true,
                 (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
                 _ => false,

@@ -145,7 +145,10 @@ fn a_real_becomes_an_integer_as_the_dialect_has_it() {
         let found = function("REAL_TO_INT", &Dialect::of(dialect)).expect("REAL_TO_INT");
         found.conversion(Real, Int).apply(2.7_f32.to_bits().into())
     };
-    assert_eq!(DialectName::ALL.map(convert), [2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3]);
+    assert_eq!(
+        DialectName::ALL.map(convert),
+        [2, 2, 2, 2, 3, 3, 3, 3, 3, 3, 3, 3, 3]
+    );
 }
 
 #[test]

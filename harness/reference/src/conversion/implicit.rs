@@ -1,7 +1,7 @@
 //! THE rule that says whether a value converts implicitly, and with what result.
 
 use super::{Conversion, ConversionRule};
-use crate::dialect::{Dialect, ImplicitWarnings, Widening};
+use crate::dialect::{Dialect, ImplicitWarnings, OperandTypes, Widening};
 use stickler_types::{Code, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the
@@ -138,11 +138,42 @@ const fn plcnext(from: ElementaryType, to: ElementaryType) -> bool {
         || matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime))
 }
 
-/// Returns the type that two operands take of which each converts to the type of the other: the one that holds the values of the
+/// Returns the type that two operands take of which each converts to the type of the other.
+///
+/// Basis: that of the dialect's [`OperandTypes`], and of the wider operand.
+pub fn common_operand(left: ElementaryType, right: ElementaryType, dialect: &Dialect) -> ElementaryType {
+    let is_whole = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    let is_unsigned = |ty: ElementaryType| ty.family() == Family::Unsigned;
+    let takes_right = match (dialect.operands, rank(left).zip(rank(right))) {
+        (OperandTypes::HigherRank, Some((of_left, of_right))) => {
+            (of_right, is_unsigned(right)) > (of_left, is_unsigned(left))
+        }
+        (OperandTypes::Promoted, _) if is_whole(left) && is_whole(right) => right.is_signed(),
+        _ => wider_operand(left, right) == right,
+    };
+    if takes_right { right } else { left }
+}
+
+/// Returns the rank of a number or bit string, which [`OperandTypes::HigherRank`] compares.
+const fn rank(ty: ElementaryType) -> Option<u8> {
+    match (ty.family(), ty.bits()) {
+        (Family::Signed | Family::Unsigned | Family::BitString, bits) => Some(match bits {
+            8 => 1,
+            16 => 2,
+            32 => 4,
+            _ => 6,
+        }),
+        (Family::Real, 32) => Some(3),
+        (Family::Real, _) => Some(5),
+        _ => None,
+    }
+}
+
+/// Returns the one of two types that holds the values of the
 /// other, a real before an integer, a duration before a number, a type of the third edition before its short form; or else the first.
 ///
 /// Basis: strucpp-tests: tests/semantic/type-utils.test.ts (`getCommonType`).
-pub fn wider_operand(left: ElementaryType, right: ElementaryType) -> ElementaryType {
+fn wider_operand(left: ElementaryType, right: ElementaryType) -> ElementaryType {
     let holds = |from, to| ironplc(from, to) || bit_string_fits_integer(from, to);
     let takes_right = (right.is_duration() && !left.is_duration())
         || right.is_third_edition()

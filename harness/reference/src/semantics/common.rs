@@ -5,10 +5,9 @@
 
 use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
-use super::operators::is_whole;
 use super::types::{TypeId, TypeTable};
-use crate::conversion::{implicit, wider_operand};
-use crate::dialect::{Dialect, OperandTypes};
+use crate::conversion::{common_operand, implicit};
+use crate::dialect::Dialect;
 use stickler_types::ElementaryType;
 
 /// The rules of types in a text: the table of types and the dialect.
@@ -110,12 +109,7 @@ impl TypeRules<'_> {
         match (leftward, rightward) {
             (true, false) => Some(left),
             (false, true) => Some(right),
-            (true, true)
-                if self.dialect.operands == OperandTypes::Promoted && is_whole(from) && is_whole(to) =>
-            {
-                Some(if to.is_signed() { right } else { left })
-            }
-            (true, true) if wider_operand(from, to) == from => Some(left),
+            (true, true) if common_operand(from, to, self.dialect) == from => Some(left),
             (true, true) => Some(right),
             (false, false) => None,
         }

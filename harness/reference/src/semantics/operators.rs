@@ -7,7 +7,7 @@ use super::common::TypeRules;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::dialect::{Dialect, OperandTypes};
+use crate::dialect::{ComparedTypes, Dialect, OperandTypes};
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
 use crate::syntax::tree::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, Family};
@@ -113,6 +113,9 @@ impl TypeRules<'_> {
         if let Some(promoted) = self.promoted(left, right) {
             let action = Action::Compare(operator, promoted.computed);
             return Some(promoted.operation(action, TypeId::BOOL, TypeId::BOOL));
+        }
+        if self.dialect.compared == ComparedTypes::OfOneKind && !are_of_one_kind(left, right) {
+            return None;
         }
         let common = self.common(left, right)?;
         let equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
@@ -441,6 +444,18 @@ fn is_integer(value: Inferred) -> bool {
 
 fn is_number(ty: ElementaryType) -> bool {
     ty.is_integer() || ty.is_real()
+}
+
+/// Returns whether two operands are both bit strings, both integers with a sign, both integers without, or numbers of which one is a real. An untyped
+/// literal is of each kind, and so is what is neither number nor bit string.
+fn are_of_one_kind(left: Inferred, right: Inferred) -> bool {
+    let is_of_a_kind = |ty: &ElementaryType| is_number(*ty) || ty.is_bit_string();
+    let kind = |value: Inferred| value.elementary().filter(is_of_a_kind);
+    let (Some(left), Some(right)) = (kind(left), kind(right)) else {
+        return true;
+    };
+    left.family() == right.family()
+        || (is_number(left) && is_number(right) && (left.is_real() || right.is_real()))
 }
 
 enum OperatorGroup {

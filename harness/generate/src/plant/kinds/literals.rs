@@ -71,14 +71,11 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
-    if matches!(
+    let is_open = matches!(
         original.dialect,
-        DialectName::Plcnext
-            | DialectName::Strucpp
-            | DialectName::Rusty
-            | DialectName::Codesys
-            | DialectName::Twincat
-    ) {
+        DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty
+    );
+    if is_open || original.dialect.base().is_known_in_part() {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());
