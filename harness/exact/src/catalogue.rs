@@ -78,7 +78,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 8] = [const { OnceLock::new() }; 8];
+static CATALOGUES: [OnceLock<Catalogue>; 16] = [const { OnceLock::new() }; 16];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -89,14 +89,17 @@ struct Features {
     roundings: bool,
     /// Bit 2: whether each type counts its own units.
     moment_units: MomentUnits,
+    /// Bit 3: LDATE, LTOD and LDT among those types.
+    long_dates: bool,
 }
 
 impl Features {
     fn of(dialect: DialectName) -> Features {
         Features {
-            third_edition: has_third_edition(dialect),
+            third_edition: has_type(ElementaryType::Ltime, dialect),
             roundings: stated(dialect, Flag::RoundingFunctions).unwrap_or(dialect.base() != BuiltIn::Matiec),
             moment_units: choices_of(dialect).moment_units,
+            long_dates: has_type(ElementaryType::Ldate, dialect),
         }
     }
 
@@ -104,6 +107,7 @@ impl Features {
         usize::from(self.third_edition)
             | usize::from(self.roundings) << 1
             | usize::from(self.moment_units == MomentUnits::Counts) << 2
+            | usize::from(self.long_dates) << 3
     }
 }
 
@@ -121,6 +125,7 @@ impl Catalogue {
         let types: Vec<ElementaryType> = ElementaryType::ALL
             .into_iter()
             .filter(|ty| features.third_edition || !ty.is_third_edition())
+            .filter(|ty| features.long_dates || !is_long_date(*ty))
             .collect();
         catalogue.add_pairs(&types, features.moment_units);
         catalogue.add_truncations();
@@ -258,12 +263,22 @@ impl Catalogue {
 
 const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal];
 
-/// Returns whether a dialect has the types that the third edition added.
+/// Returns whether a dialect has a type, which the third edition may have added.
 ///
-/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects).
-pub(crate) fn has_third_edition(dialect: DialectName) -> bool {
-    stated(dialect, Flag::ThirdEditionTypes)
-        .unwrap_or(!matches!(dialect.base(), BuiltIn::IronplcEd2 | BuiltIn::Matiec))
+/// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); twincat-builds:
+/// recordings/twincat.build.json (no LDATE, LTOD, LDT).
+pub(crate) fn has_type(ty: ElementaryType, dialect: DialectName) -> bool {
+    !ty.is_third_edition()
+        || stated(dialect, Flag::ThirdEditionTypes).unwrap_or(match dialect.base() {
+            BuiltIn::IronplcEd2 | BuiltIn::Matiec => false,
+            BuiltIn::Twincat => !is_long_date(ty),
+            _ => true,
+        })
+}
+
+/// Returns whether a type is LDATE, LTOD or LDT.
+fn is_long_date(ty: ElementaryType) -> bool {
+    ty.is_third_edition() && ty.is_date_or_time()
 }
 
 /// Returns the value that the definition of a dialect states for a flag; `None` for a dialect of a documented system, or a

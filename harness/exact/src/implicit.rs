@@ -4,7 +4,7 @@
 //! by cell. [`implicit_result`](crate::implicit_result()) gives the converted value, which is that of the function
 //! `<FROM>_TO_<TO>`.
 
-use crate::catalogue::has_third_edition;
+use crate::catalogue::has_type;
 use stickler_types::definition::Flag;
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
 
@@ -23,7 +23,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if from == to {
         return MatrixWord::Same;
     }
-    if !has_third_edition(dialect) && (from.is_third_edition() || to.is_third_edition()) {
+    if !has_type(from, dialect) || !has_type(to, dialect) {
         return MatrixWord::No;
     }
     if let Some(stated) = dialect

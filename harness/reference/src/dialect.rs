@@ -1,7 +1,7 @@
 //! The one place where a dialect's name becomes behaviour.
 
 pub use crate::options::{
-    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, Widening,
+    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, ThirdEditionTypes, Widening,
 };
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
@@ -37,6 +37,18 @@ pub struct Dialect {
     pub literals_by_width: bool,
     /// The bits of the count by which SHL and SHR shift.
     pub shift_counts: ShiftCounts,
+    /// A value of an enumeration may stand where a number is expected, as an INT.
+    ///
+    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_enum_…`).
+    pub enumerations_as_integers: bool,
+    /// The length of a text may stand in parentheses: `STRING(80)`.
+    ///
+    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_string_…`); ironplc-problem-codes: P4042.
+    pub lengths_in_parentheses: bool,
+    /// `&` and `**` are operators.
+    ///
+    /// Basis: iec-61131-3: Table 71; twincat-builds: recordings/twincat.build.json (`cc_power_operator`, `cc_fp_op_ampersand`).
+    pub ampersand_and_power: bool,
     /// MOD of integers by zero gives 0, and is no fault.
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
@@ -56,8 +68,8 @@ pub struct Dialect {
     pub line_comments: bool,
     /// Comments nest.
     pub nested_comments: bool,
-    /// The types of the third edition: LTIME, LDATE, LTOD, LDT, CHAR, WCHAR.
-    pub third_edition_types: bool,
+    /// The types of the third edition that the dialect has.
+    pub third_edition_types: ThirdEditionTypes,
     /// ROUND, CEIL, CEILING, FLOOR are not known.
     pub only_standard_rounding: bool,
     /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
@@ -133,7 +145,8 @@ impl Dialect {
                 Flag::IntegerLiteralAsBitString => self.integer_literal_as_bit_string = on,
                 Flag::LineComments => self.line_comments = on,
                 Flag::NestedComments => self.nested_comments = on,
-                Flag::ThirdEditionTypes => self.third_edition_types = on,
+                Flag::ThirdEditionTypes if on => self.third_edition_types = ThirdEditionTypes::All,
+                Flag::ThirdEditionTypes => self.third_edition_types = ThirdEditionTypes::None,
                 Flag::RoundingFunctions => self.only_standard_rounding = !on,
             }
         }
@@ -155,6 +168,9 @@ impl Dialect {
             operands: OperandTypes::OneOfTheirs,
             compared: ComparedTypes::Any,
             literals_by_width: false,
+            enumerations_as_integers: false,
+            lengths_in_parentheses: false,
+            ampersand_and_power: true,
             modulo_by_zero_is_zero: false,
             shift_counts: ShiftCounts::All,
             cross_family_widening: false,
@@ -164,7 +180,7 @@ impl Dialect {
             partial_access: PartialAccess::Disabled,
             line_comments: false,
             nested_comments: false,
-            third_edition_types: false,
+            third_edition_types: ThirdEditionTypes::None,
             only_standard_rounding: false,
             mixed_locations: false,
             single_value_subranges: false,
@@ -182,7 +198,7 @@ impl Dialect {
             name: DialectName::IronplcEd3,
             partial_access: PartialAccess::BitsOnly,
             nested_comments: true,
-            third_edition_types: true,
+            third_edition_types: ThirdEditionTypes::All,
             ..Dialect::ironplc_ed2()
         }
     }
@@ -199,7 +215,7 @@ impl Dialect {
             integer_literal_as_bit_string: true,
             partial_access: PartialAccess::BitsOnly,
             line_comments: true,
-            third_edition_types: true,
+            third_edition_types: ThirdEditionTypes::All,
             mixed_locations: true,
             ..Dialect::ironplc_ed2()
         }
@@ -222,7 +238,7 @@ impl Dialect {
             partial_access: PartialAccess::SyntaxError,
             line_comments: false,
             nested_comments: false,
-            third_edition_types: false,
+            third_edition_types: ThirdEditionTypes::None,
             only_standard_rounding: true,
             mixed_locations: false,
             single_value_subranges: true,
@@ -251,7 +267,7 @@ impl Dialect {
             partial_access: PartialAccess::BitsOnly,
             line_comments: true,
             nested_comments: true,
-            third_edition_types: true,
+            third_edition_types: ThirdEditionTypes::All,
             only_standard_rounding: false,
             mixed_locations: true,
             single_value_subranges: true,
@@ -315,6 +331,8 @@ impl Dialect {
             implicit_warnings: ImplicitWarnings::LostValues,
             operands: OperandTypes::Promoted,
             literals_by_width: true,
+            enumerations_as_integers: true,
+            lengths_in_parentheses: true,
             modulo_by_zero_is_zero: true,
             shift_counts: ShiftCounts::LowBits,
             partial_access: PartialAccess::UpToDoubleWords,
@@ -335,11 +353,13 @@ impl Dialect {
 
     /// TwinCAT 3, which compiles as CODESYS does.
     ///
-    /// Basis: codesys-implicit; what it leaves open is accepted.
+    /// Basis: codesys-implicit; twincat-builds; what they leave open is accepted.
     #[must_use]
     pub const fn twincat() -> Dialect {
         Dialect {
             name: DialectName::Twincat,
+            ampersand_and_power: false,
+            third_edition_types: ThirdEditionTypes::WithoutLongDates,
             ..Dialect::codesys()
         }
     }
@@ -405,7 +425,7 @@ impl Dialect {
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
-        self.third_edition_types || !ty.is_third_edition()
+        !ty.is_third_edition() || self.third_edition_types.includes(ty)
     }
 }
 
@@ -461,7 +481,7 @@ mod tests {
         assert!(
             mine.line_comments && !mine.nested_comments && !mine.bit_access && mine.only_standard_rounding
         );
-        assert!(!mine.integer_literal_as_real && !mine.third_edition_types);
+        assert!(!mine.integer_literal_as_real && mine.third_edition_types == ThirdEditionTypes::None);
         assert_eq!(mine.partial_access, PartialAccess::Disabled);
         assert_eq!(mine.conversions.rounding, Rounding::HalfAwayFromZero);
         assert_eq!(mine.conversions.out_of_range, OutOfRange::Saturate);

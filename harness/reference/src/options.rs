@@ -1,5 +1,7 @@
 //! The options of the choices in which dialects differ, apart from those of conversions.
 
+use stickler_types::ElementaryType;
+
 /// The pairs of elementary types that convert implicitly.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Widening {
@@ -99,6 +101,30 @@ impl PartialAccess {
         match self {
             PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords => self,
             PartialAccess::Disabled | PartialAccess::SyntaxError => PartialAccess::BitsOnly,
+        }
+    }
+}
+
+/// The types of the third edition that a dialect has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ThirdEditionTypes {
+    /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
+    All,
+    /// The same but for LDATE, LTOD and LDT.
+    ///
+    /// Basis: twincat-builds: recordings/twincat.build.json (`prim_default_…`, `xp_…`).
+    WithoutLongDates,
+    /// None of them.
+    None,
+}
+
+impl ThirdEditionTypes {
+    /// Returns whether a type of the third edition is among them.
+    pub(crate) const fn includes(self, ty: ElementaryType) -> bool {
+        match self {
+            ThirdEditionTypes::All => true,
+            ThirdEditionTypes::WithoutLongDates => !ty.is_date_or_time(),
+            ThirdEditionTypes::None => false,
         }
     }
 }

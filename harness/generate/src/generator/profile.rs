@@ -3,7 +3,7 @@
 
 use super::literals;
 use super::type_context::TypeContext;
-use crate::dialect::{has_bits, has_third_edition};
+use crate::dialect::{has_bits, has_type};
 use std::sync::{LazyLock, OnceLock};
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
 use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
@@ -164,12 +164,10 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 
 /// Returns the elementary types of a dialect that its documents or its compiler name.
 ///
-/// Basis: see [`has_third_edition`]; that matiec has twenty types and no WSTRING is measured.
+/// Basis: see [`has_type`]; that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
-    let third_edition = has_third_edition(dialect);
     let has = |ty: &ElementaryType| {
-        (third_edition || !ty.is_third_edition())
-            && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)
+        has_type(dialect, *ty) && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)
     };
     ElementaryType::ALL.into_iter().filter(has).collect()
 }

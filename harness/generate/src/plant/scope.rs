@@ -1,6 +1,6 @@
 //! The scope of a program organization unit: its readable and writable places, and the types of expressions as written.
 
-use crate::dialect::has_third_edition;
+use crate::dialect::has_type;
 use crate::model::visit::bodies;
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program,
@@ -91,10 +91,9 @@ pub(super) const fn compares(operator: BinaryOperator) -> bool {
 ///
 /// Basis: ironplc-problem-codes: P0010 (the types of the third edition need it).
 pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
-    let third = has_third_edition(dialect);
     ElementaryType::ALL
         .into_iter()
-        .filter(move |ty| third || !ty.is_third_edition())
+        .filter(move |&ty| has_type(dialect, ty))
 }
 
 /// A part of a variable that a unit can name.

@@ -131,6 +131,7 @@ fn demanded(dialect: DialectName) -> Vec<String> {
     let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
     let has = |ty: &ElementaryType| {
         (third_edition || !ty.is_third_edition())
+            && !(dialect == DialectName::Twincat && ty.is_third_edition() && ty.is_date_or_time())
             && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)
     };
     let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(has).collect();

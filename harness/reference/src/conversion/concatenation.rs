@@ -107,7 +107,7 @@ mod tests {
         for name in DialectName::ALL {
             let dialect = Dialect::of(name);
             for (function, _) in CONCATENATIONS {
-                let known = function == "CONCAT_DATE_TOD" || dialect.third_edition_types;
+                let known = function == "CONCAT_DATE_TOD" || dialect.has(ElementaryType::Ltod);
                 assert_eq!(
                     concatenation(function, &dialect).is_some(),
                     known,

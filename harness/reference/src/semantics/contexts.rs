@@ -75,8 +75,8 @@ pub(super) enum Fit {
 
 /// Returns whether a value may stand where `target` is expected, `target` being a value's type.
 ///
-/// For elementary types the rule is [`implicit`]. Enumerations, structures and
-/// arrays convert to nothing but themselves.
+/// For elementary types the rule is [`implicit`]. Structures and arrays convert to nothing but themselves, and so do enumerations
+/// that do not count as numbers.
 pub(super) fn fit(
     value: Inferred,
     target: TypeId,
@@ -92,7 +92,7 @@ pub(super) fn fit(
         Inferred::Error | Inferred::Pending => return Fit::Silent,
         Inferred::Nothing => false,
         Inferred::Known(ty) if ty == target => true,
-        Inferred::Known(ty) => match (ty.elementary(), elementary) {
+        Inferred::Known(ty) => match (elementary_value(ty, types, dialect), elementary) {
             (Some(from), Some(to)) => implicit(from, to, dialect).is_some(),
             _ => false,
         },
@@ -112,6 +112,12 @@ pub(super) fn fit(
         },
     };
     if fits { Fit::Yes } else { Fit::No }
+}
+
+/// Returns the elementary type as which a value of a type may convert: its own, or INT for a value of an enumeration that counts as a number.
+pub(super) fn elementary_value(ty: TypeId, types: &TypeTable, dialect: &Dialect) -> Option<ElementaryType> {
+    let counts = dialect.enumerations_as_integers && matches!(types.kind(ty), TypeKind::Enumeration(_));
+    ty.elementary().or(counts.then_some(ElementaryType::Int))
 }
 
 /// Returns whether an untyped integer literal may stand for a value of a type. Whether its number fits is looked at

@@ -2,7 +2,7 @@
 
 use super::common::settle;
 use super::constant::{Constant, ConstantValue};
-use super::contexts::{Fit, ValueContext, fit};
+use super::contexts::{Fit, ValueContext, elementary_value, fit};
 use super::infer::{defined, defined_for};
 use super::inferred::Inferred;
 use super::literals::Signed;
@@ -89,7 +89,8 @@ impl<'m> Lowering<'m> {
             return value;
         }
         let dialect = self.model.source.dialect;
-        let conversion = value.ty.elementary().zip(to.elementary());
+        let from = elementary_value(value.ty, &self.model.types, dialect);
+        let conversion = from.zip(to.elementary());
         let Some(conversion) = conversion
             .and_then(|(from, to)| implicit(from, to, dialect).or_else(|| narrowed(from, to, dialect)))
         else {

@@ -136,6 +136,14 @@ pub(super) fn read_literal(
             integer_literal(signed, ty, text, dialect.literals_by_width).map(LiteralValue::Plain)
         }
         Family::Text | Family::Character => quoted_literal(signed, ty, text),
+        Family::Real if dialect.literals_by_width && signed.literal.prefix().is_none() => read(signed, ty)
+            .or_else(|error| {
+                read(signed, ElementaryType::Lreal)
+                    .map(as_real)
+                    .map_err(|_| error)
+            })
+            .map(LiteralValue::Plain)
+            .map_err(|error| misread(signed, ty, text, error)),
         _ => read(signed, ty)
             .map(LiteralValue::Plain)
             .map_err(|error| misread(signed, ty, text, error)),
@@ -264,8 +272,13 @@ fn read(signed: Signed<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     }
 }
 
+/// Returns the REAL of an LREAL, which is infinity where it is too large.
+fn as_real(raw: u64) -> u64 {
+    u64::from((f64::from_bits(raw) as f32).to_bits())
+}
+
 /// Reads a number as a real, rounded once from its digits.
-fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
+pub(super) fn real(literal: &Literal<'_>, ty: ElementaryType) -> Result<u64, LiteralError> {
     match literal.kind {
         LiteralKind::Real => literal::real(literal.text(), ty),
         LiteralKind::Integer => literal::real(&format!("{}.0", literal.text()), ty),

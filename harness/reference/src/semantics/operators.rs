@@ -4,6 +4,7 @@
 //! iec-61131-3: the tables of the arithmetic, comparison, bitwise and time functions.
 
 use super::common::TypeRules;
+use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
@@ -110,6 +111,11 @@ impl TypeRules<'_> {
         left: Inferred,
         right: Inferred,
     ) -> Option<TypedOperation> {
+        let (left, right) = if left == right {
+            (left, right)
+        } else {
+            (self.number(left), self.number(right))
+        };
         if let Some(promoted) = self.promoted(left, right) {
             let action = Action::Compare(operator, promoted.computed);
             return Some(promoted.operation(action, TypeId::BOOL, TypeId::BOOL));
@@ -132,6 +138,16 @@ impl TypeRules<'_> {
             computed: TypeId::BOOL,
             result: TypeId::BOOL,
         })
+    }
+
+    /// Returns a value of an enumeration as the number that it may count as, and any other as it is.
+    fn number(self, value: Inferred) -> Inferred {
+        match value {
+            Inferred::Known(ty) => {
+                elementary_value(ty, self.types, self.dialect).map_or(value, Inferred::from)
+            }
+            _ => value,
+        }
     }
 
     fn logic(self, operator: LogicOperator, left: Inferred, right: Inferred) -> Option<TypedOperation> {

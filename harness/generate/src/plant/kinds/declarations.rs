@@ -1,8 +1,9 @@
 //! Invalid declarations.
 
 use super::super::fault_site::{FaultSite, PLANTED};
-use crate::dialect::has_third_edition;
+use crate::dialect::has_type;
 use crate::model::{Unit, VariableSection};
+use stickler_types::ElementaryType;
 
 /// Declares one of several types for a variable with a name of its own.
 fn declared(fault: &mut FaultSite<'_, '_>, section: VariableSection, texts: &[&str]) -> Option<()> {
@@ -11,23 +12,22 @@ fn declared(fault: &mut FaultSite<'_, '_>, section: VariableSection, texts: &[&s
     fault.declare_text(unit, &format!("{PLANTED}_one {text}"), section)
 }
 
-/// Plants a type of the third edition, where the dialect has the second.
+/// Plants a type of the third edition, where the dialect does not have it.
 ///
-/// Basis: language/third-edition-types.st.
+/// Basis: language/third-edition-types.st, language/twincat-types.toml.
 pub(super) fn third_edition(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if has_third_edition(fault.original.dialect) {
-        return None;
-    }
-    let types = [
-        ": LTIME",
-        ": LDATE",
-        ": LTOD",
-        ": LDT",
-        ": CHAR",
-        ": WCHAR",
-        ": ARRAY[0..1] OF LTIME",
-    ];
-    declared(fault, VariableSection::Local, &types)
+    let dialect = fault.original.dialect;
+    let absent: Vec<_> = ElementaryType::ALL
+        .into_iter()
+        .filter(|&ty| !has_type(dialect, ty))
+        .collect();
+    let texts: Vec<String> = absent
+        .iter()
+        .map(|ty| format!(": {ty}"))
+        .chain(absent.first().map(|ty| format!(": ARRAY[0..1] OF {ty}")))
+        .collect();
+    let texts: Vec<&str> = texts.iter().map(String::as_str).collect();
+    declared(fault, VariableSection::Local, &texts)
 }
 
 /// Plants a declaration without its colon.

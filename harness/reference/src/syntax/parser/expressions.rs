@@ -79,6 +79,7 @@ impl<'s> Parser<'s, '_> {
     fn infix_operator(&mut self) -> Option<(Option<BinaryOperator>, u8)> {
         use BinaryOperator as Operator;
         let (operator, precedence) = match self.kind() {
+            TokenKind::Ampersand | TokenKind::Power if !self.dialect.ampersand_and_power => return None,
             TokenKind::Or => (Operator::Or, 1),
             TokenKind::Xor => (Operator::Xor, 2),
             TokenKind::And | TokenKind::Ampersand => (Operator::And, 3),

@@ -35,9 +35,11 @@ impl<'s> Parser<'s, '_> {
                 let start = self.token().span;
                 let specification = self.text_type(name, TokenKind::RightParen)?;
                 let span = start.to(self.previous_span());
-                self.report(Code::ParenStringLengthNotAllowed, span, || {
-                    "the length of a string stands in square brackets".to_owned()
-                });
+                if !self.dialect.lengths_in_parentheses {
+                    self.report(Code::ParenStringLengthNotAllowed, span, || {
+                        "the length of a string stands in square brackets".to_owned()
+                    });
+                }
                 Ok(specification)
             }
             TokenKind::LeftParen if self.at_enumeration() => self.enumeration_type(Some(name)),
