@@ -1,7 +1,8 @@
 //! The one place where a dialect's name becomes behaviour.
 
 pub use crate::options::{
-    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ShiftCounts, ThirdEditionTypes, Widening,
+    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns, ShiftCounts,
+    ThirdEditionTypes, Widening,
 };
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
@@ -29,6 +30,11 @@ pub struct Dialect {
     ///
     /// Basis: omron-instructions: 135; rule: mixed-operands.
     pub compared: ComparedTypes,
+    /// The signs of what operators on bits and prefix operators give.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`); twincat-builds:
+    /// recordings/twincat.build.json (`cc_bitwise_…`, `cc_not_…`, `cc_neg_…`).
+    pub result_signs: ResultSigns,
     /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
     /// conversions are warned of, so is this.
     ///
@@ -167,6 +173,7 @@ impl Dialect {
             implicit_warnings: ImplicitWarnings::None,
             operands: OperandTypes::OneOfTheirs,
             compared: ComparedTypes::Any,
+            result_signs: ResultSigns::OfOperands,
             literals_by_width: false,
             enumerations_as_integers: false,
             lengths_in_parentheses: false,
@@ -330,6 +337,7 @@ impl Dialect {
             widening: Widening::NumbersUnlessNarrower,
             implicit_warnings: ImplicitWarnings::LostValues,
             operands: OperandTypes::Promoted,
+            result_signs: ResultSigns::OfOperator,
             literals_by_width: true,
             enumerations_as_integers: true,
             lengths_in_parentheses: true,

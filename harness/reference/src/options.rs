@@ -71,6 +71,16 @@ pub enum ComparedTypes {
     OfOneKind,
 }
 
+/// The types of what operators on bits and prefix operators give for integers and bit strings.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ResultSigns {
+    /// Those of the operands.
+    OfOperands,
+    /// With a sign and 16 bits at least behind a minus sign, which a bit string may have, too; without a sign behind NOT, and where AND, OR and
+    /// XOR combine an integer that has none with one of no more bits that has one.
+    OfOperator,
+}
+
 /// The bits of the count by which SHL and SHR shift.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ShiftCounts {

@@ -148,7 +148,9 @@ pub fn common_operand(left: ElementaryType, right: ElementaryType, dialect: &Dia
         (OperandTypes::HigherRank, Some((of_left, of_right))) => {
             (of_right, is_unsigned(right)) > (of_left, is_unsigned(left))
         }
-        (OperandTypes::Promoted, _) if is_whole(left) && is_whole(right) => right.is_signed(),
+        (OperandTypes::Promoted, _) if is_whole(left) && is_whole(right) && left.bits() == right.bits() => {
+            right.is_signed()
+        }
         _ => wider_operand(left, right) == right,
     };
     if takes_right { right } else { left }

@@ -4,9 +4,9 @@ use super::constant::Constant;
 use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::model::{EnumeratedName, TopLevelName};
-use super::operators::{OperatorSignature, is_whole, prefixed};
+use super::operators::{OperatorSignature, prefixed};
 use super::types::{TypeId, TypeKind};
-use crate::dialect::{Dialect, OperandTypes};
+use crate::dialect::{Dialect, OperandTypes, ResultSigns};
 use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::ElementaryType;
 
@@ -181,9 +181,8 @@ pub(super) fn defined(operator: UnaryOperator, operand: Inferred, dialect: &Dial
 /// Returns whether a prefix operator is defined for a type.
 pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> bool {
     match operator {
-        UnaryOperator::Not | UnaryOperator::Negate
-            if dialect.operands == OperandTypes::Promoted && is_whole(ty) =>
-        {
+        UnaryOperator::Not if dialect.operands == OperandTypes::Promoted && ty.is_integer() => true,
+        UnaryOperator::Negate if dialect.result_signs == ResultSigns::OfOperator && ty.is_bit_string() => {
             true
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),

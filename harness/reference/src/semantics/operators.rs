@@ -8,7 +8,7 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::dialect::{ComparedTypes, Dialect, OperandTypes};
+use crate::dialect::{ComparedTypes, Dialect, OperandTypes, ResultSigns};
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
 use crate::syntax::tree::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, Family};
@@ -224,7 +224,8 @@ impl TypeRules<'_> {
         (self.dialect.operands == OperandTypes::Promoted).then(|| PromotedOperands {
             result: integer_of(bits, is_signed),
             computed: integer_of(bits.max(literal).max(32), is_signed),
-            fills: unsigned.map(ElementaryType::bits).max() == Some(bits),
+            gives_up_sign: self.dialect.result_signs == ResultSigns::OfOperator
+                && unsigned.map(ElementaryType::bits).max() == Some(bits),
         })
     }
 
@@ -380,16 +381,14 @@ struct PromotedOperands {
     result: ElementaryType,
     /// The type in which it is computed.
     computed: ElementaryType,
-    /// An operand without a sign is as wide as the result, whose sign takes the highest of its bits.
-    fills: bool,
+    /// Where bits are combined, the result has no sign.
+    gives_up_sign: bool,
 }
 
 impl PromotedOperands {
-    /// Returns the same for an operation on bits, which gives up the sign rather than a bit.
-    ///
-    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_bitwise_…`).
+    /// Returns the same for an operation on bits.
     fn bits(self) -> PromotedOperands {
-        let is_signed = self.result.is_signed() && !self.fills;
+        let is_signed = self.result.is_signed() && !self.gives_up_sign;
         PromotedOperands {
             result: integer_of(self.result.bits(), is_signed),
             ..self
@@ -433,15 +432,12 @@ pub(super) const fn promoted(ty: ElementaryType) -> ElementaryType {
     integer_of(bits, ty.is_signed())
 }
 
-/// Returns the type that the value of a prefix operator has for the checker: where operands are promoted, a negative number is an integer
-/// with a sign and 16 bits at least, and NOT leaves no sign.
-///
-/// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`).
+/// Returns the type that the value of a prefix operator has for the checker.
 pub(super) fn prefixed(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> ElementaryType {
-    let is_promoted = dialect.operands == OperandTypes::Promoted && is_whole(ty);
+    let is_changed = dialect.result_signs == ResultSigns::OfOperator && is_whole(ty);
     match operator {
-        UnaryOperator::Negate if is_promoted => integer_of(ty.bits().max(16), true),
-        UnaryOperator::Not if is_promoted && ty.is_integer() => integer_of(ty.bits(), false),
+        UnaryOperator::Negate if is_changed => integer_of(ty.bits().max(16), true),
+        UnaryOperator::Not if is_changed && ty.is_integer() => integer_of(ty.bits(), false),
         _ => ty,
     }
 }
