@@ -35,6 +35,10 @@ pub struct Dialect {
     /// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`); twincat-builds:
     /// recordings/twincat.build.json (`cc_bitwise_…`, `cc_not_…`, `cc_neg_…`).
     pub result_signs: ResultSigns,
+    /// `<>` holds where an operand is not a number.
+    ///
+    /// Basis: iec-60559: Special Quantities; omron-instructions: 135, by which it does not.
+    pub nan_differs: bool,
     /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
     /// conversions are warned of, so is this.
     ///
@@ -174,6 +178,7 @@ impl Dialect {
             operands: OperandTypes::OneOfTheirs,
             compared: ComparedTypes::Any,
             result_signs: ResultSigns::OfOperands,
+            nan_differs: true,
             literals_by_width: false,
             enumerations_as_integers: false,
             lengths_in_parentheses: false,
@@ -410,6 +415,7 @@ impl Dialect {
             widening: Widening::Numbers,
             operands: OperandTypes::HigherRank,
             compared: ComparedTypes::OfOneKind,
+            nan_differs: false,
             ..Dialect::plcnext()
         }
     }

@@ -233,6 +233,8 @@ pub enum ComparisonOperator {
     Equal,
     /// `<>`.
     NotEqual,
+    /// `<>`, which does not hold for a number that is not a number.
+    LessOrGreater,
     /// `<`.
     Less,
     /// `<=`.

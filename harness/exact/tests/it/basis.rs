@@ -217,6 +217,43 @@ fn the_page_of_control_expert_speaks_of_a_real_that_one_of_four_integers_holds()
 }
 
 #[test]
+fn the_tables_of_the_third_edition_speak_of_what_the_target_holds() {
+    for (function, operand, table) in [
+        ("REAL_TO_INT", "REAL#32767.25", Some("iec-61131-3: Table 22")),
+        ("REAL_TO_INT", "REAL#32767.5", None),
+        ("LREAL_TO_LINT", "LREAL#NaN", None),
+        ("REAL_TO_UINT", "REAL#1.0", None),
+        ("DINT_TO_INT", "DINT#32767", Some("iec-61131-3: Table 23")),
+        ("DINT_TO_INT", "DINT#32768", None),
+        ("INT_TO_UINT", "INT#-1", None),
+        ("WORD_TO_BYTE", "WORD#16#FFFF", Some("iec-61131-3: Table 24")),
+        ("STRING_TO_INT", "STRING#'1'", None),
+    ] {
+        let operand = Value::parse(operand).unwrap();
+        let said = basis(function, &operand, None, DialectName::IecEd3);
+        assert_eq!(said, table, "{function}({operand})");
+    }
+}
+
+#[test]
+fn the_page_of_omron_speaks_of_a_real_that_an_int_holds() {
+    for (function, operand, is_said) in [
+        ("REAL_TO_INT", "REAL#-2.5", true),
+        ("REAL_TO_INT", "REAL#32767.5", false),
+        ("LREAL_TO_INT", "LREAL#2.5", false),
+        ("INT_TO_DINT", "INT#1", false),
+    ] {
+        let operand = Value::parse(operand).unwrap();
+        let said = basis(function, &operand, None, DialectName::Omron);
+        assert_eq!(
+            said,
+            is_said.then_some("omron-instructions: 296"),
+            "{function}({operand})"
+        );
+    }
+}
+
+#[test]
 fn the_three_dialects_of_ironplc_agree() {
     for name in functions(DialectName::IronplcEd2) {
         for signature in signatures(&name, DialectName::IronplcEd2) {

@@ -34,6 +34,7 @@ pub fn holds(operator: ComparisonOperator, order: Option<Ordering>) -> bool {
     match operator {
         ComparisonOperator::Equal => order == Some(Ordering::Equal),
         ComparisonOperator::NotEqual => order != Some(Ordering::Equal),
+        ComparisonOperator::LessOrGreater => order.is_some_and(Ordering::is_ne),
         ComparisonOperator::Less => order == Some(Ordering::Less),
         ComparisonOperator::LessOrEqual => order.is_some_and(Ordering::is_le),
         ComparisonOperator::Greater => order == Some(Ordering::Greater),
@@ -76,6 +77,7 @@ mod tests {
         let (nan, one) = (f64::NAN.to_bits(), 1.0_f64.to_bits());
         assert!(compare(ComparisonOperator::NotEqual, Lreal, nan, nan));
         for operator in [
+            ComparisonOperator::LessOrGreater,
             ComparisonOperator::Equal,
             ComparisonOperator::Less,
             ComparisonOperator::LessOrEqual,

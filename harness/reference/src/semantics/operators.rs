@@ -124,7 +124,10 @@ impl TypeRules<'_> {
             return None;
         }
         let common = self.common(left, right)?;
-        let equality = matches!(operator, ComparisonOperator::Equal | ComparisonOperator::NotEqual);
+        let equality = matches!(
+            operator,
+            ComparisonOperator::Equal | ComparisonOperator::NotEqual | ComparisonOperator::LessOrGreater
+        );
         let action = match (common.elementary(), self.types.kind(common)) {
             (Some(ty), _) if ty.is_text() => Action::CompareText(operator),
             (Some(ty), _) => Action::Compare(operator, ty),
@@ -356,6 +359,9 @@ impl TypeRules<'_> {
             BinaryOperator::Xor => OperatorGroup::Logic(LogicOperator::Xor),
             BinaryOperator::And => OperatorGroup::Logic(LogicOperator::And),
             BinaryOperator::Equal => OperatorGroup::Comparison(ComparisonOperator::Equal),
+            BinaryOperator::NotEqual if !self.dialect.nan_differs => {
+                OperatorGroup::Comparison(ComparisonOperator::LessOrGreater)
+            }
             BinaryOperator::NotEqual => OperatorGroup::Comparison(ComparisonOperator::NotEqual),
             BinaryOperator::Less => OperatorGroup::Comparison(ComparisonOperator::Less),
             BinaryOperator::Greater => OperatorGroup::Comparison(ComparisonOperator::Greater),
