@@ -1,7 +1,7 @@
 //! The one place where a dialect's name becomes behaviour.
 
 pub use crate::options::{
-    ComparedTypes, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns, ShiftCounts,
+    ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns, ShiftCounts,
     ThirdEditionTypes, Widening,
 };
 use std::collections::BTreeMap;
@@ -30,6 +30,10 @@ pub struct Dialect {
     ///
     /// Basis: omron-instructions: 135; rule: mixed-operands.
     pub compared: ComparedTypes,
+    /// The types of operations on constants.
+    ///
+    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_fp_overflow_expr`, `cc_typed_fold_…`).
+    pub constant_types: ConstantTypes,
     /// The signs of what operators on bits and prefix operators give.
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`); twincat-builds:
@@ -177,6 +181,7 @@ impl Dialect {
             implicit_warnings: ImplicitWarnings::None,
             operands: OperandTypes::OneOfTheirs,
             compared: ComparedTypes::Any,
+            constant_types: ConstantTypes::OfOperands,
             result_signs: ResultSigns::OfOperands,
             nan_differs: true,
             literals_by_width: false,
@@ -371,6 +376,7 @@ impl Dialect {
     pub const fn twincat() -> Dialect {
         Dialect {
             name: DialectName::Twincat,
+            constant_types: ConstantTypes::Least,
             ampersand_and_power: false,
             third_edition_types: ThirdEditionTypes::WithoutLongDates,
             ..Dialect::codesys()

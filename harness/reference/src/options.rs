@@ -81,6 +81,15 @@ pub enum ResultSigns {
     OfOperator,
 }
 
+/// The type of an operation on constants.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ConstantTypes {
+    /// That of its operands.
+    OfOperands,
+    /// The least, with the sign of the operands, that holds its number: `30000 + 10000` is a DINT, and no INT.
+    Least,
+}
+
 /// The bits of the count by which SHL and SHR shift.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ShiftCounts {

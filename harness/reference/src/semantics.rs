@@ -13,6 +13,7 @@ mod chains;
 mod check;
 mod common;
 mod constant;
+mod constant_type;
 mod constants;
 mod contexts;
 mod conversions;

@@ -152,7 +152,10 @@ impl<'m> Lowering<'m> {
     /// Returns all parts of an expression, itself the first, if they are literals, constants whose values are known,
     /// operators and calls of conversion functions. Otherwise returns what is wrong, or nothing where that has been
     /// reported.
-    fn constant_parts(&mut self, id: ExpressionId) -> Result<Vec<ExpressionId>, Option<SpannedDiagnostic>> {
+    pub(super) fn constant_parts(
+        &mut self,
+        id: ExpressionId,
+    ) -> Result<Vec<ExpressionId>, Option<SpannedDiagnostic>> {
         let (mut parts, mut waiting) = (Vec::new(), vec![id]);
         while let Some(id) = waiting.pop() {
             parts.push(id);

@@ -50,7 +50,11 @@ impl<'m> Lowering<'m> {
             Inferred::Known(ty) => ty,
             _ => value.ty,
         };
-        self.warn_of_lost_value(id, from, to);
+        let by_number = self.constant_type(id, inferred, value, to);
+        if by_number.is_some_and(|from| self.refuses_constant(id, from, to)) {
+            return LoweredValue::ERROR;
+        }
+        self.warn_of_lost_value(id, by_number.map_or(from, TypeId::of), to);
         self.warn_of_literal(id, value, to);
         let value = self.adapt(value, to);
         self.record_expected(id, flexible, to, fits == Fit::Yes);

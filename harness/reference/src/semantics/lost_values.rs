@@ -103,7 +103,7 @@ impl Lowering<'_> {
     }
 
     /// Returns the number of an untyped integer literal with the sign directly before it.
-    fn literal_number(&self, id: ExpressionId) -> Option<i128> {
+    pub(super) fn literal_number(&self, id: ExpressionId) -> Option<i128> {
         let (literal, negative) = self.untyped_literal(id)?;
         match literal.kind {
             LiteralKind::Integer | LiteralKind::BasedInteger => untyped_integer(literal.text(), negative),
@@ -129,7 +129,7 @@ impl Lowering<'_> {
 }
 
 /// Returns whether an integer or bit string has a value of this number.
-fn holds(ty: ElementaryType, number: i128) -> bool {
+pub(super) fn holds(ty: ElementaryType, number: i128) -> bool {
     ty.integer_range()
         .is_some_and(|(low, high)| (low..=high).contains(&number))
 }
