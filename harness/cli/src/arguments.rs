@@ -300,6 +300,9 @@ pub struct ConversionsArguments {
     /// Ask this engine: `reference`, or `cmd:COMMAND LINE`; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
+    /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or in a folder above]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

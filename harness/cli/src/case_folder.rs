@@ -94,6 +94,14 @@ impl CaseFolder {
         Suite::load_files(&self.path, &[], |_, _| false)
     }
 
+    /// Reads the files in which a word stands, without reporting mistakes in them.
+    pub fn load_mentioning(&self, word: &str) -> Suite {
+        Suite::load_files(&self.path, &[], |id, kind| {
+            let file = self.path.join(format!("{id}.{}", kind.extension()));
+            fs::read_to_string(file).is_ok_and(|text| text.contains(word))
+        })
+    }
+
     /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
     /// where the filters select no case of these.
     pub fn load_selected(&self, plan: &Plan, dialects: impl IntoIterator<Item = DialectName>) -> Suite {

@@ -1,9 +1,12 @@
 //! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
 use std::collections::BTreeSet;
-use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder, part_of_program};
-use stickler_suite::{Acceptance, Case};
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_conversions::overview::{
+    AssertedResult, CaseProgram, CaseStatement, Statements, StatementsBuilder, call_of_program,
+    part_of_program,
+};
+use stickler_suite::{Acceptance, Case, SourceKind, Suite};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 /// The probe whose cells say whether types convert implicitly.
 pub const IMPLICIT_PROBE: &str = "assignment";
@@ -30,7 +33,13 @@ pub fn statements(cases: &[&Case]) -> Statements {
             };
             builder.add_part(&access, &statement(case, word));
         } else {
-            builder.add_program(&case.id, &case.source);
+            builder.add_program(&CaseProgram {
+                case: &case.id,
+                dialect: case.dialect,
+                source: &case.source,
+                result: asserted_value(case),
+                basis: &case.basis,
+            });
         }
     }
     builder.finish()
@@ -42,5 +51,40 @@ fn statement(case: &Case, word: MatrixWord) -> CaseStatement<'_> {
         word,
         basis: &case.basis,
         case: &case.id,
+    }
+}
+
+/// Returns the results that cases assert of a conversion function. A basis that is no document names what it was, with product and version.
+pub fn asserted_results(suite: &Suite, function: &str) -> Vec<AssertedResult> {
+    let asserted = |case: &Case| {
+        let value = asserted_value(case)?.clone();
+        let call = call_of_program(&case.source)?;
+        call.function
+            .eq_ignore_ascii_case(function)
+            .then(|| AssertedResult {
+                dialect: case.dialect,
+                operand: call.operand,
+                value,
+                basis: with_product(suite, &case.basis).into(),
+            })
+    };
+    suite.cases.iter().filter_map(asserted).collect()
+}
+
+/// Returns the value that a case asserts, if it asserts exactly one.
+fn asserted_value(case: &Case) -> Option<&Value> {
+    match &case.expectation.values[..] {
+        [only] => Some(&only.value),
+        _ => None,
+    }
+}
+
+/// Returns a basis, with the product and version that its source recorded or measured.
+fn with_product(suite: &Suite, basis: &str) -> String {
+    match suite.sources.of(basis) {
+        Some((source, _)) if matches!(source.kind, SourceKind::Recording | SourceKind::Measurement) => {
+            format!("{basis} ({}: {})", source.kind.as_str(), source.read)
+        }
+        _ => basis.to_owned(),
     }
 }

@@ -15,7 +15,7 @@ mod values;
 
 pub use json::write as write_json;
 pub use page::OverviewPage;
-pub use program_call::{PartAccess, part_of_program};
-pub use results::{ComparedResult, DialectResults, SignatureResults, gather};
-pub use statements::{CaseStatement, QuestionNumber, Statements, StatementsBuilder};
+pub use program_call::{PartAccess, ProgramCall, call_of_program, part_of_program};
+pub use results::{AssertedResult, ComparedResult, DialectResults, ExpectedResult, SignatureResults, gather};
+pub use statements::{CaseProgram, CaseStatement, QuestionNumber, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};

@@ -42,6 +42,17 @@ pub enum FileKind {
     Table,
 }
 
+impl FileKind {
+    /// Returns the extension of such files, without the point.
+    #[must_use]
+    pub const fn extension(self) -> &'static str {
+        match self {
+            FileKind::Program => "st",
+            FileKind::Table => "toml",
+        }
+    }
+}
+
 /// The case files below a root, and the mistakes met while listing them.
 #[derive(Debug, Default)]
 pub(crate) struct Listing {

@@ -1,9 +1,12 @@
 //! `stickler conversions`: the results of one conversion function, dialects side by side.
 
 use crate::arguments::ConversionsArguments;
+use crate::case_folder::CaseFolder;
+use crate::documented;
 use crate::engines::{self, NamedEngine, REFERENCE};
 use crate::exit::Exit;
 use crate::interrupt;
+use crate::output;
 use std::io::Write;
 use stickler_conversions::overview::{self, OverviewPage, SignatureResults};
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
@@ -14,7 +17,7 @@ use stickler_types::DialectName;
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
 ///
 /// # Errors
-/// A name that is no conversion function, a value that does not fit, an engine that cannot be run.
+/// A name that is no conversion function, a value that does not fit, an engine that cannot be run, a named folder of cases that is not there.
 pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let Some(function) = &arguments.function else {
         all_functions()
@@ -31,7 +34,17 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     for named in &engines {
         asked.push((named.engine.as_ref(), engines::spoken(named.identity(), &having)?));
     }
-    let results = overview::gather(calls, &asked)?;
+    let asserted = match CaseFolder::locate(arguments.cases.as_deref()) {
+        Ok(folder) => documented::asserted_results(&folder.load_mentioning(&function), &function),
+        Err(error) if arguments.cases.is_some() => return Err(error),
+        Err(_) => {
+            output::note(
+                "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
+            );
+            Vec::new()
+        }
+    };
+    let results = overview::gather(calls, &asked, &asserted)?;
     let identities: Vec<_> = engines.iter().map(NamedEngine::identity).collect();
     if arguments.json {
         overview::write_json(&function, &results, &identities, out)?;

@@ -48,7 +48,7 @@ struct CallResult<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<&'a str>,
     /// The document and section that demand a result; `null` where none does.
-    basis: Option<&'static str>,
+    basis: Option<&'a str>,
     /// The value that the document demands.
     #[serde(skip_serializing_if = "Option::is_none")]
     expected: Option<String>,
@@ -113,10 +113,11 @@ fn result<'a>(
         got,
         without,
         detail,
-        basis: compared.expected.basis,
+        basis: compared.expected.basis.as_deref(),
         expected: compared
             .expected
             .basis
+            .as_ref()
             .map(|_| compared.expected.value.to_string()),
         contradicts: compared.contradicts(),
     }

@@ -8,14 +8,15 @@ use crate::functions::{dialect_list, short_names};
 use crate::literals;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
+use std::sync::Arc;
 use stickler_engines::Identity;
-use stickler_types::{DialectName, ElementaryType, Family, Value, wrap};
+use stickler_types::{DialectName, ElementaryType, Family, Value, wrap, wrap_within};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 const BAD: Style = AnsiColor::Red.on_default().bold();
 
-/// The note of a cell about which no document says anything.
+/// The note of a cell about which no source says anything.
 const OPEN: &str = "?";
 
 /// The maximum number of contradictions that are described below a table.
@@ -126,7 +127,7 @@ impl OverviewPage<'_> {
                 Err(refusal) => refusal.kind.word().to_owned(),
             },
             note: notes.of(compared),
-            style: match (compared.contradicts(), compared.expected.basis) {
+            style: match (compared.contradicts(), &compared.expected.basis) {
                 (true, _) => BAD,
                 (false, None) => DIM,
                 (false, Some(_)) => Style::new(),
@@ -175,7 +176,7 @@ impl OverviewPage<'_> {
 /// The footnotes of the page: the letters that stand for the bases of results.
 #[derive(Default)]
 struct Notes {
-    bases: Vec<&'static str>,
+    bases: Vec<Arc<str>>,
     open: bool,
     contradicted: bool,
 }
@@ -184,7 +185,7 @@ impl Notes {
     fn of(&mut self, compared: &ComparedResult) -> String {
         let mark = if compared.contradicts() { "!" } else { "" };
         self.contradicted |= compared.contradicts();
-        match compared.expected.basis {
+        match &compared.expected.basis {
             Some(basis) => format!("{}{mark}", self.letter(basis)),
             None => {
                 self.open = true;
@@ -193,13 +194,13 @@ impl Notes {
         }
     }
 
-    fn letter(&mut self, basis: &'static str) -> char {
+    fn letter(&mut self, basis: &Arc<str>) -> char {
         let index = self
             .bases
             .iter()
-            .position(|known| *known == basis)
+            .position(|known| known == basis)
             .unwrap_or_else(|| {
-                self.bases.push(basis);
+                self.bases.push(Arc::clone(basis));
                 self.bases.len() - 1
             });
         // There are fewer documents with fewer sections than letters.
@@ -208,13 +209,17 @@ impl Notes {
 
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         for (letter, basis) in (b'a'..=b'z').zip(&self.bases) {
-            writeln!(out, "{}  {basis}", char::from(letter))?;
+            let lines = wrap_within(basis, table::WIDTH - 3).replace('\n', "\n   ");
+            writeln!(out, "{}  {lines}", char::from(letter))?;
         }
         if self.open {
-            writeln!(out, "{OPEN}  observed: no document says what must come")?;
+            writeln!(
+                out,
+                "{OPEN}  observed: no document or recording says what must come"
+            )?;
         }
         if self.contradicted {
-            writeln!(out, "!  not what the document says")?;
+            writeln!(out, "!  not what the source says")?;
         }
         Ok(())
     }
@@ -297,7 +302,7 @@ fn in_words(value: &Value) -> String {
 
 /// Returns a fragment that says how a result contradicts a document, or why there is no result; `None` where nothing is wrong.
 fn trouble(compared: &ComparedResult) -> Option<String> {
-    let must = match compared.expected.basis {
+    let must = match &compared.expected.basis {
         Some(_) if compared.contradicts() => {
             format!(", and must give {}", in_words(&compared.expected.value))
         }

@@ -2,8 +2,9 @@
 
 use super::values::CallOperands;
 use crate::session::{FunctionSession, Refusal, RefusalKind};
+use std::sync::Arc;
 use stickler_engines::{Engine, EngineError};
-use stickler_exact::{Expected, Signature};
+use stickler_exact::Signature;
 use stickler_types::{DialectName, Value};
 
 /// The results of one signature of a function.
@@ -31,8 +32,53 @@ pub struct DialectResults {
 pub struct ComparedResult {
     /// The value that the engine gave, or its reason for giving none.
     pub got: Result<Value, Refusal>,
-    /// The value that a document demands, which is then the basis; without a basis, the value that IEC 60559 and two's complement suggest.
-    pub expected: Expected,
+    /// The expected one.
+    pub expected: ExpectedResult,
+}
+
+/// The expected result of one call in a dialect.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ExpectedResult {
+    /// The value that the basis demands; without a basis, the value that IEC 60559 and two's complement suggest.
+    pub value: Value,
+    /// The source and section that demand the value, as the suite writes a basis; `None` where the result is open.
+    pub basis: Option<Arc<str>>,
+}
+
+/// A result that a case of the suite asserts for one operand.
+#[derive(Clone, PartialEq, Debug)]
+pub struct AssertedResult {
+    /// The dialect.
+    pub dialect: DialectName,
+    /// The operand.
+    pub operand: Value,
+    /// The result.
+    pub value: Value,
+    /// The source and section that the case cites.
+    pub basis: Arc<str>,
+}
+
+impl ExpectedResult {
+    /// Returns the expected result of a call: by exact arithmetic where a document has a rule for it, otherwise the one that a case asserts,
+    /// for single values that were recorded or printed.
+    pub(super) fn of(
+        signature: &Signature,
+        call: &[Value],
+        dialect: DialectName,
+        asserted: Option<(&Value, &Arc<str>)>,
+    ) -> ExpectedResult {
+        let exact = stickler_exact::expected(signature, call, dialect);
+        match (exact.basis, asserted) {
+            (None, Some((value, basis))) => ExpectedResult {
+                value: value.clone(),
+                basis: Some(Arc::clone(basis)),
+            },
+            (basis, _) => ExpectedResult {
+                value: exact.value,
+                basis: basis.map(Arc::from),
+            },
+        }
+    }
 }
 
 impl ComparedResult {
@@ -55,15 +101,30 @@ impl SignatureResults {
         results.any(ComparedResult::contradicts)
     }
 
-    fn ask(&mut self, engine: usize, dialect: DialectName, session: &mut FunctionSession<'_>) {
+    fn ask(
+        &mut self,
+        engine: usize,
+        dialect: DialectName,
+        session: &mut FunctionSession<'_>,
+        asserted: &[AssertedResult],
+    ) {
         let SignatureResults { signature, calls, .. } = &*self;
         if !stickler_exact::signatures(&signature.function, dialect).contains(signature) {
             return;
         }
         let got = session.results(dialect, signature, calls);
+        let asserted = |call: &CallOperands| {
+            let is_same = |one: &&AssertedResult| {
+                one.dialect == dialect
+                    && call[..] == [one.operand.clone()]
+                    && one.value.type_name() == signature.result.name()
+            };
+            let found = asserted.iter().find(is_same)?;
+            Some((&found.value, &found.basis))
+        };
         let compared = |(call, got): (&CallOperands, _)| ComparedResult {
             got,
-            expected: stickler_exact::expected(signature, call, dialect),
+            expected: ExpectedResult::of(signature, call, dialect, asserted(call)),
         };
         let results = calls.iter().zip(got).map(compared).collect();
         self.columns.push(DialectResults {
@@ -74,13 +135,15 @@ impl SignatureResults {
     }
 }
 
-/// Asks each engine for the result of each call, in each of its dialects that have the signature.
+/// Asks each engine for the result of each call, in each of its dialects that have the signature. `asserted` are the results that cases
+/// assert of the function.
 ///
 /// # Errors
 /// [`EngineError`] where no session of an engine can be opened.
 pub fn gather(
     calls: Vec<(Signature, Vec<CallOperands>)>,
     engines: &[(&dyn Engine, Vec<DialectName>)],
+    asserted: &[AssertedResult],
 ) -> Result<Vec<SignatureResults>, EngineError> {
     let mut all: Vec<SignatureResults> = calls
         .into_iter()
@@ -94,7 +157,7 @@ pub fn gather(
         let mut session = FunctionSession::open(*engine)?;
         for results in &mut all {
             for dialect in dialects {
-                results.ask(index, *dialect, &mut session);
+                results.ask(index, *dialect, &mut session, asserted);
             }
         }
     }
@@ -103,16 +166,19 @@ pub fn gather(
 
 #[cfg(test)]
 mod tests {
-    use super::ComparedResult;
+    use super::{ComparedResult, ExpectedResult};
     use crate::session::{Refusal, RefusalKind};
-    use stickler_exact::Expected;
-    use stickler_types::Value;
+    use stickler_exact::signatures;
+    use stickler_types::{DialectName, Value};
 
     fn compared(got: Result<Value, Refusal>, basis: Option<&'static str>) -> ComparedResult {
         let value = Value::parse("INT#5").unwrap();
         ComparedResult {
             got,
-            expected: Expected { value, basis },
+            expected: ExpectedResult {
+                value,
+                basis: basis.map(Into::into),
+            },
         }
     }
 
@@ -134,5 +200,24 @@ mod tests {
         assert!(!compared(wrong(), None).contradicts());
         assert!(compared(refused(RefusalKind::Crashed), basis).contradicts());
         assert!(!compared(refused(RefusalKind::Unsupported), basis).contradicts());
+    }
+
+    #[test]
+    fn a_case_is_asked_where_no_document_has_a_rule() {
+        let [operand, recorded] = ["REAL#2.5", "INT#7"].map(|literal| Value::parse(literal).unwrap());
+        let source = "codesys-recording: fixtures/x.ts".into();
+        let of = |dialect| {
+            let signature = &signatures("REAL_TO_INT", dialect)[0];
+            let call = std::slice::from_ref(&operand);
+            ExpectedResult::of(signature, call, dialect, Some((&recorded, &source)))
+        };
+        let codesys = of(DialectName::Codesys);
+        assert_eq!(
+            (codesys.value, codesys.basis),
+            (recorded.clone(), Some(source.clone()))
+        );
+        let matiec = of(DialectName::Matiec);
+        assert_eq!(matiec.value.to_string(), "INT#2");
+        assert!(matiec.basis.is_some_and(|basis| basis.starts_with("forgeiec")));
     }
 }

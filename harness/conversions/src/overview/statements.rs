@@ -6,10 +6,11 @@
 
 use super::inputs;
 use super::program_call::{PartAccess, call_of_program};
+use super::results::ExpectedResult;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::sync::Arc;
-use stickler_exact::{Signature, expected, signatures};
+use stickler_exact::{Signature, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value, WordTable};
 
 /// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
@@ -83,6 +84,21 @@ pub struct CaseStatement<'c> {
     pub case: &'c Arc<str>,
 }
 
+/// A case whose program may make one call of a conversion function.
+#[derive(Clone, Copy, Debug)]
+pub struct CaseProgram<'c> {
+    /// The id of the case.
+    pub case: &'c Arc<str>,
+    /// The dialect.
+    pub dialect: DialectName,
+    /// The program.
+    pub source: &'c str,
+    /// The value that the case asserts, if it asserts exactly one.
+    pub result: Option<&'c Value>,
+    /// The source and section that the case cites.
+    pub basis: &'c Arc<str>,
+}
+
 impl Statements {
     /// Returns the number of the question that a case asks, by its id; `None` for a case that asks another.
     #[must_use]
@@ -115,6 +131,8 @@ struct StatedFunction {
     calls: Vec<Vec<Value>>,
     boundaries: usize,
     call_numbers: HashMap<String, usize>,
+    /// The results that cases assert, and their bases, by the number of the call and the index of the dialect.
+    asserted: HashMap<(usize, usize), (Value, Arc<str>)>,
 }
 
 /// Statements about pairs of words, and the cases that ask about them.
@@ -182,10 +200,10 @@ impl StatementsBuilder {
         self.parts.add(pair, statement, &self.dialects, basis);
     }
 
-    /// Adds the call that a case makes, if its program makes one call of a conversion function; and with the first call of a
-    /// function the boundary values of its types.
-    pub fn add_program(&mut self, case: &Arc<str>, source: &str) {
-        let Some(call) = call_of_program(source) else {
+    /// Adds the call that a case makes, if its program makes one call of a conversion function, and the result that it asserts; and with
+    /// the first call of a function the boundary values of its types.
+    pub fn add_program(&mut self, case: &CaseProgram<'_>) {
+        let Some(call) = call_of_program(case.source) else {
             return;
         };
         let Some(from) = ElementaryType::from_name(call.operand.type_name()) else {
@@ -204,8 +222,14 @@ impl StatementsBuilder {
             }
         };
         if let Some(number) = number {
-            let call = self.functions[number].call(vec![call.operand]);
-            self.call_cases.push((Arc::clone(case), number, call));
+            let function = &mut self.functions[number];
+            let call = function.call(vec![call.operand]);
+            let dialect = self.dialects.iter().position(|dialect| *dialect == case.dialect);
+            if let (Some(dialect), Some(result)) = (dialect, case.result) {
+                let stated = (result.clone(), Arc::clone(case.basis));
+                function.asserted.entry((call, dialect)).or_insert(stated);
+            }
+            self.call_cases.push((Arc::clone(case.case), number, call));
         }
     }
 
@@ -233,10 +257,10 @@ impl StatementsBuilder {
                 calls: function.calls.len(),
                 boundaries: function.boundaries,
             });
-            for call in &function.calls {
+            for (number, call) in function.calls.iter().enumerate() {
                 let texts = call.iter().map(|value| self.words.number(&value.to_string()));
                 all.calls.operands.push(texts.collect());
-                let (bases, values) = function.stated(call, &self.dialects, &mut self.words);
+                let (bases, values) = function.stated(number, &self.dialects, &mut self.words);
                 let next = all.bases.len();
                 let number = *known_bases.entry(bases.clone()).or_insert(next);
                 if number == next {
@@ -284,6 +308,7 @@ impl StatedFunction {
                         calls: Vec::new(),
                         boundaries: boundaries.len(),
                         call_numbers: HashMap::new(),
+                        asserted: HashMap::new(),
                     };
                     boundaries.into_iter().for_each(|call| {
                         function.call(call);
@@ -309,15 +334,21 @@ impl StatedFunction {
     /// Returns the basis of a call by dialect, and the stated values: one where all are equal.
     fn stated(
         &self,
-        call: &[Value],
+        number: usize,
         dialects: &[DialectName],
         words: &mut WordTable,
     ) -> (Vec<Option<u32>>, Vec<u32>) {
         let mut values = Vec::new();
         let mut bases = Vec::with_capacity(self.dialects.len());
         for dialect in &self.dialects {
-            let stated = expected(&self.signature, call, dialects[*dialect]);
-            bases.push(stated.basis.map(|basis| words.number(basis)));
+            let asserted = self.asserted.get(&(number, *dialect));
+            let stated = ExpectedResult::of(
+                &self.signature,
+                &self.calls[number],
+                dialects[*dialect],
+                asserted.map(|(value, basis)| (value, basis)),
+            );
+            bases.push(stated.basis.as_ref().map(|basis| words.number(basis)));
             if stated.basis.is_some() {
                 values.push(words.number(&stated.value.to_string()));
             }
@@ -333,7 +364,7 @@ impl StatedFunction {
 
 #[cfg(test)]
 mod tests {
-    use super::{CaseStatement, Statements, StatementsBuilder};
+    use super::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
     use crate::overview::part_of_program;
     use serde_json::{Value, json};
     use std::sync::Arc;
@@ -342,7 +373,12 @@ mod tests {
     const PROGRAM: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
 
     fn statements() -> Statements {
-        let dialects = vec![DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext];
+        let dialects = vec![
+            DialectName::IronplcEd3,
+            DialectName::Matiec,
+            DialectName::Plcnext,
+            DialectName::Codesys,
+        ];
         let mut builder = StatementsBuilder::new(dialects);
         let case = Arc::from("w::assignment(INT,DINT,1)");
         let statement = CaseStatement {
@@ -360,8 +396,20 @@ mod tests {
             part_of_program("PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM")
                 .unwrap();
         builder.add_part(&access, &part);
-        builder.add_program(&Arc::from("c::p(REAL,INT,2.25)"), PROGRAM);
-        builder.add_program(&Arc::from("c::none"), "PROGRAM main END_PROGRAM");
+        let recorded = stickler_types::Value::parse("INT#77").unwrap();
+        let program = CaseProgram {
+            case: &Arc::from("c::p(REAL,INT,2.25)"),
+            dialect: DialectName::Codesys,
+            source: PROGRAM,
+            result: Some(&recorded),
+            basis: &Arc::from("codesys-recording: here"),
+        };
+        builder.add_program(&program);
+        builder.add_program(&CaseProgram {
+            case: &Arc::from("c::none"),
+            source: "PROGRAM main END_PROGRAM",
+            ..program
+        });
         builder.finish()
     }
 
@@ -374,7 +422,10 @@ mod tests {
         let before = ["pairs", "parts"].map(|key| data[key].as_array().unwrap().len());
         let call = question - before[0] - before[1];
         assert_eq!(word(&data["calls"]["operands"][call][0]), json!("REAL#2.25"));
-        assert_eq!(word(&data["calls"]["values"][call][0]), json!("INT#2"));
+        let values = ["INT#2", "INT#2", "INT#77"].map(|value| json!(value));
+        for (index, value) in values.iter().enumerate() {
+            assert_eq!(word(&data["calls"]["values"][call][index]), *value);
+        }
         let bases = usize::try_from(data["calls"]["bases"][call].as_u64().unwrap()).unwrap();
         let bases = &data["bases"][bases];
         assert_eq!(
@@ -386,6 +437,7 @@ mod tests {
             json!("forgeiec-conversion-functions: Range and precision")
         );
         assert!(bases[2].is_null(), "no document of PLCnext says how it rounds");
+        assert_eq!(word(&bases[3]), json!("codesys-recording: here"));
     }
 
     #[test]

@@ -12,7 +12,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
-use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder, part_of_program};
+use stickler_conversions::overview::{
+    CaseProgram, CaseStatement, Statements, StatementsBuilder, part_of_program,
+};
 use stickler_run::{CaseEvent, Event, Verdict};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -104,7 +106,13 @@ fn statements() -> Statements {
             ..implicit
         },
     );
-    builder.add_program(&Arc::from("widening/c::variable(REAL,INT,2.25)"), CALL);
+    builder.add_program(&CaseProgram {
+        case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
+        dialect: DialectName::IronplcEd2,
+        source: CALL,
+        result: None,
+        basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
+    });
     builder.finish()
 }
 
