@@ -7,7 +7,7 @@ use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases,
     FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, SourceHeader, Totals, Verdict, Witness,
 };
-use stickler_types::{Diagnostic, Value};
+use stickler_types::{Diagnostic, Severity, Value};
 
 /// Returns the fact that a variable has a value, given as a typed literal.
 pub(crate) fn value(name: &str, literal: &str) -> Fact {
@@ -20,6 +20,16 @@ pub(crate) fn value(name: &str, literal: &str) -> Fact {
 /// Returns an expected diagnostic.
 pub(crate) fn error(line: u32, code: &str) -> Fact {
     Fact::Diagnostic(Diagnostic {
+        line: Some(line),
+        code: Some(code.to_owned()),
+        ..Diagnostic::default()
+    })
+}
+
+/// Returns an expected warning.
+pub(crate) fn warning(line: u32, code: &str) -> Fact {
+    Fact::Warning(Diagnostic {
+        severity: Severity::Warning,
         line: Some(line),
         code: Some(code.to_owned()),
         ..Diagnostic::default()

@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::collections::HashMap;
 use stickler_conversions::overview::QuestionNumber;
 use stickler_run::{CaseEvent, Fact, Observed, Verdict};
-use stickler_types::{Value, WordTable};
+use stickler_types::{Diagnostic, Value, WordTable};
 
 /// The maximum number of characters of an answer.
 const MAX_CHARACTERS: usize = 80;
@@ -65,7 +65,7 @@ impl PageAnswers {
                 None => return,
             },
             Verdict::Pass | Verdict::Xpass => EngineAnswer::Met,
-            _ => EngineAnswer::Other(self.words.number(&other(&case.got)), number),
+            _ => EngineAnswer::Other(self.words.number(&other(case)), number),
         };
         let key = (self.words.number(&case.engine), self.words.number(&case.dialect));
         let next = self.columns.len();
@@ -133,15 +133,20 @@ fn recorded(case: &CaseEvent) -> Option<&str> {
     Some(shortened(&observed.value))
 }
 
-/// Returns what an engine did, in a word or a value.
-fn other(got: &[Fact]) -> String {
-    let diagnostic = got.iter().find_map(Fact::diagnostic);
+/// Returns what an engine did, in a word or a value: `rejected P4035`, or else what it did otherwise than expected.
+fn other(case: &CaseEvent) -> String {
+    let diagnostic = case.got.iter().find_map(Fact::diagnostic);
     if let Some(diagnostic) = diagnostic {
-        let code = diagnostic.code.as_deref().unwrap_or_default();
-        return format!("rejected {code}").trim_end().to_owned();
+        return with_code("rejected", diagnostic);
     }
-    match got.first() {
+    let deviating = case.got.iter().find(|fact| !case.expected.contains(fact));
+    let missing = |fact: &Fact| matches!(fact, Fact::Warning(_)) && !case.got.contains(fact);
+    if deviating.is_none() && case.expected.iter().any(missing) {
+        return "no warning".to_owned();
+    }
+    match deviating.or(case.got.first()) {
         Some(Fact::Value { value, .. }) => shortened(&value.to_string()).to_owned(),
+        Some(Fact::Warning(warning)) => with_code("warned", warning),
         Some(Fact::Unsupported { .. }) => "unsupported".to_owned(),
         Some(Fact::Crashed { .. }) => "crashed".to_owned(),
         Some(fact) => {
@@ -151,6 +156,12 @@ fn other(got: &[Fact]) -> String {
         }
         None => "nothing".to_owned(),
     }
+}
+
+/// Returns a word with the code of a diagnostic behind it, if it has one.
+fn with_code(word: &str, diagnostic: &Diagnostic) -> String {
+    let code = diagnostic.code.as_deref().unwrap_or_default();
+    format!("{word} {code}").trim_end().to_owned()
 }
 
 fn shortened(text: &str) -> &str {
@@ -163,10 +174,10 @@ fn shortened(text: &str) -> &str {
 
 #[cfg(test)]
 mod tests {
-    use super::PageAnswers;
+    use super::{PageAnswers, other};
     use crate::sample;
     use serde_json::json;
-    use stickler_run::Verdict;
+    use stickler_run::{CaseEvent, Fact, Verdict};
 
     #[test]
     fn what_deviates_is_seen_whichever_case_comes_first() {
@@ -190,5 +201,39 @@ mod tests {
             assert_eq!(column["other"], json!([[7], [word("INT#128")], [3]]));
             assert_eq!(column["recorded"], json!([[12], [word("INT#3")]]));
         }
+    }
+
+    #[test]
+    fn an_answer_names_what_departs_from_the_expectation() {
+        let value = |literal| sample::value("into", literal);
+        let warning = || sample::warning(6, "C0195");
+        let of = |expected, got| {
+            other(&CaseEvent {
+                expected,
+                got,
+                ..sample::case("a::p(1)", Verdict::Fail)
+            })
+        };
+        assert_eq!(
+            of(vec![Fact::Accepted], vec![Fact::Accepted, warning()]),
+            "warned C0195"
+        );
+        assert_eq!(
+            of(vec![Fact::Accepted, warning()], vec![Fact::Accepted]),
+            "no warning"
+        );
+        assert_eq!(
+            of(vec![value("INT#3"), warning()], vec![value("INT#3")]),
+            "no warning"
+        );
+        assert_eq!(of(vec![value("INT#3"), warning()], vec![value("INT#4")]), "INT#4");
+        assert_eq!(
+            of(vec![value("INT#3"), warning()], vec![value("INT#4"), warning()]),
+            "INT#4"
+        );
+        assert_eq!(
+            of(vec![Fact::Accepted, warning()], vec![sample::error(6, "P4035")]),
+            "rejected P4035"
+        );
     }
 }

@@ -21,7 +21,7 @@ function showBits(main, query) {
   add(main, el("div.filters", {}, el("label", {}, "type", el("select", { change: (event) => { location.hash = addressOf("bits", { type: event.target.value }); } },
     types.map((word) => el("option", { selected: word === type }, word))))),
   type in WIDTHS ? el("p", {}, `${type} has bits 0 to ${WIDTHS[type] - 1}; bit 0 is the least significant one.`) : el("p", {}, `${type} has no bits.`),
-  el("p.dim", {}, "✓ accepted, ✕ rejected, ? no document decides, blank: no case of this run asks. After it the engines that do otherwise. Only the parts that cases ask for are shown; ",
+  el("p.dim", {}, "✓ accepted, ! accepted with a warning, ✕ rejected, ? no document decides, blank: no case of this run asks. Behind ≠ stands what engines do otherwise. Only the parts that cases ask for are shown; ",
     "those outside the type have a broken edge."));
   for (const [prefix, title, bits] of FORMS) {
     const shown = parts.filter((one) => one.type === type && (prefix === "" ? /^\d+$/ : new RegExp(`^${prefix}\\d+$`)).test(one.part))

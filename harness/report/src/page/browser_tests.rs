@@ -96,6 +96,17 @@ fn statements() -> Statements {
         case: &pair,
     };
     builder.add_implicit(ElementaryType::Int, ElementaryType::Sint, &implicit);
+    for (to, case) in [
+        (ElementaryType::Usint, "widening/w::assignment(INT,USINT,1)"),
+        (ElementaryType::Uint, "widening/w::assignment(INT,UINT,1)"),
+    ] {
+        let statement = CaseStatement {
+            word: MatrixWord::Warn,
+            case: &Arc::from(case),
+            ..implicit
+        };
+        builder.add_implicit(ElementaryType::Int, to, &statement);
+    }
     let (bit, word) = statement("widening/b::write(BYTE,8)");
     let part = part_of_program(BIT).expect("an access");
     builder.add_part(
@@ -132,6 +143,15 @@ pub(super) fn write(folder: &Path) -> PathBuf {
             stickler_run::Fact::Accepted,
         ),
         failed("c::variable(REAL,INT,2.25)", CALL, sample::value("into", "INT#3")),
+        CaseEvent {
+            expected: vec![stickler_run::Fact::Accepted, sample::warning(6, "C0195")],
+            ..failed(
+                "w::assignment(INT,USINT,1)",
+                "PROGRAM w END_PROGRAM",
+                stickler_run::Fact::Accepted,
+            )
+        },
+        sample::case("w::assignment(INT,UINT,1)", Verdict::Pass),
         failed(
             "evil::p(1)",
             evil,
@@ -186,7 +206,7 @@ fn every_part_of_the_page_opens_by_its_address() {
     assert!(first.contains("What does a conversion do?"), "{first}");
     assert!(first.contains(">ironplc-ed2, 1 variant<"), "{first}");
     assert!(
-        first.contains("REAL_TO_INT(REAL) : INT") && first.contains("3 fail"),
+        first.contains("REAL_TO_INT(REAL) : INT") && first.contains("4 fail"),
         "{first}"
     );
 
@@ -213,6 +233,28 @@ fn every_part_of_the_page_opens_by_its_address() {
     );
     assert!(pair.contains("No case asks in plcnext."), "{pair}");
 
+    for (label, cell) in [
+        (
+            "INT to USINT: yes, with a warning; reference: yes, no warning",
+            "!<b>≠✓</b></a>",
+        ),
+        ("INT to UINT: yes, with a warning", "!</a>"),
+    ] {
+        let (_, named) = matrix
+            .split_once(&format!("aria-label=\"{label} ("))
+            .expect("a labelled cell");
+        let (_, inside) = named.split_once('>').expect("its inside");
+        assert!(inside.starts_with(cell), "{label}: {inside}");
+    }
+    let warned = dom("#convert?from=INT&to=USINT");
+    assert!(
+        warned.contains("! yes, with a warning</span>") && warned.contains("✗ yes, no warning"),
+        "{warned}"
+    );
+    assert!(dom("#cases").contains("<option value=\"C0195\">"));
+    let coded = dom("#cases?code=C0195");
+    assert!(coded.contains("1 of 4 cases"), "{coded}");
+
     let bits = dom("#bits?type=BYTE");
     assert!(
         bits.contains("BYTE has bits 0 to 7") && bits.contains("BYTE: variable.8 in ironplc-ed2: no"),
@@ -227,7 +269,7 @@ fn every_part_of_the_page_opens_by_its_address() {
 
     let cases = dom("#cases?verdict=fail&code=P4035&q=evil");
     assert!(
-        cases.contains("1 of 3 cases") && cases.contains("widening/evil::p(1)@ironplc-ed2"),
+        cases.contains("1 of 4 cases") && cases.contains("widening/evil::p(1)@ironplc-ed2"),
         "{cases}"
     );
     let case = dom("#case?engine=reference&dialect=ironplc-ed2&id=widening%2Fevil%3A%3Ap(1)");

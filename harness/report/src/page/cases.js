@@ -41,7 +41,7 @@ function codesOf(data) {
   if (data.codes === undefined) {
     const codes = new Set();
     for (const word of data.words) {
-      const found = /\berror ([A-Za-z]+\d+)\b/.exec(word);
+      const found = /\b(?:error|warning) ([A-Za-z]+\d+)\b/.exec(word);
       if (found !== null) codes.add(found[1]);
     }
     data.codes = [...codes].sort();

@@ -88,24 +88,28 @@ function showFunction(main, named, from, value) {
 
 /** The words of the documents' matrix, with a mark that does not depend on colours. */
 const IMPLICIT = {
-  yes: { mark: "✓", text: "yes", tag: "pass" }, "=": { mark: "=", text: "same type", tag: "pass" },
+  yes: { mark: "✓", text: "yes", tag: "pass" }, warn: { mark: "!", text: "yes, with a warning", tag: "warn" },
+  "=": { mark: "=", text: "same type", tag: "pass" },
   no: { mark: "✕", text: "no", tag: "no" }, open: { mark: "?", text: "open", tag: "open" },
 };
 
 /**
  * Returns what an engine does with a pair of types, where it departs from the documents or these are silent.
- * @returns {{text: string, contradicts: boolean}|null} null where it does as they say
+ * @returns {{text: string, mark: string, contradicts: boolean}|null} null where it does as they say
  */
 function implicitAnswer(answer, word) {
   if (answer === undefined || answer.state === "met") return null;
   if (answer.state === "recorded") {
     // Where a value is open, the program is accepted all the same.
     const text = answer.text === "rejected" ? "no" : "yes";
-    return text === word || word === "=" ? null : { text, contradicts: false };
+    return text === word || word === "=" ? null : { text, mark: IMPLICIT[text].mark, contradicts: false };
   }
-  if (["unsupported", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, contradicts: answer.text === "crashed" };
-  if (answer.text.startsWith("rejected")) return { text: word === "no" ? `no, ${answer.text}` : "no", contradicts: true };
-  return { text: word === "no" ? "yes" : `yes, but ${bare(answer.text)}`, contradicts: true };
+  if (["unsupported", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, mark: "–", contradicts: answer.text === "crashed" };
+  const is = (kind, text) => ({ text, mark: IMPLICIT[kind].mark, contradicts: true });
+  if (answer.text.startsWith("rejected")) return is("no", word === "no" ? `no, ${answer.text}` : "no");
+  if (answer.text.startsWith("warned")) return is("warn", `yes, ${answer.text}`);
+  if (answer.text === "no warning") return is("yes", `yes, ${answer.text}`);
+  return is("yes", word === "no" ? "yes" : `yes, but ${bare(answer.text)}`);
 }
 
 /** Returns the table of a pair: a row for each dialect, a column for the documents and one for each engine. */

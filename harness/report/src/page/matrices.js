@@ -10,8 +10,8 @@ function showMatrices(main, query) {
   }
   const dialect = query.get("dialect") || "";
   add(main, el("div.filters", {}, choice("dialect", data.statements.dialects, dialect, (chosen) => { location.hash = addressOf("matrix", { dialect: chosen }); })),
-    el("p.dim", {}, "A row is the type of the value, a column the type of the target: ✓ yes, ✕ no, = the same type, ? no document decides, blank: no case of this run asks. ",
-      "After it the engines that do otherwise, or what they do where it is open. A cell leads to its values and cases."));
+    el("p.dim", {}, "A row is the type of the value, a column the type of the target: ✓ yes, ! yes with a warning, ✕ no, = the same type, ? no document decides, blank: no case of this run asks. ",
+      "Behind ≠ stands what engines do otherwise; behind ?, what they do where it is open; – is no answer. A cell leads to its values and cases."));
   const types = typesInOrder(new Set([...data.pairs.keys()].flatMap((key) => key.split(" "))));
   data.statements.dialects.forEach((name, index) => {
     if (dialect === "" || dialect === name) add(main, matrixOf(data, types, name, index));
@@ -53,7 +53,7 @@ function statedCell(data, columns, stated, question, about, address) {
   const label = `${about}: ${[IMPLICIT[stated[0]].text, ...words].join("; ")} (${data.statements.words[stated[1]]})`;
   return el(`td.${IMPLICIT[stated[0]].tag}${contradicts ? ".contradicts" : ""}`, {}, el("a", { href: address, title: label, "aria-label": label },
     IMPLICIT[stated[0]].mark, departing.map(([column, answer]) => el(answer.contradicts ? "b" : "span", {},
-      `${columns.length > 1 ? letters.get(column.engine) : ""}${answer.contradicts ? "✗" : answer.text.startsWith("yes") ? "✓" : "✕"}`))));
+      `${answer.contradicts ? "≠" : ""}${columns.length > 1 ? letters.get(column.engine) : ""}${answer.mark}`))));
 }
 
 /** Returns a letter or two for each engine, by which a cell names it. */

@@ -243,6 +243,7 @@ fn every_text_stands_out_from_its_ground_in_both_themes() {
                     "bad-ground",
                     "odd-ground",
                     "open-ground",
+                    "warn-ground",
                 ][..],
             ),
             ("dim", &["ground", "raised"]),
@@ -252,6 +253,7 @@ fn every_text_stands_out_from_its_ground_in_both_themes() {
             ("bad", &["bad-ground", "raised"]),
             ("odd", &["odd-ground"]),
             ("open", &["open-ground"]),
+            ("warn", &["warn-ground", "warn-stripe"]),
         ] {
             for ground in grounds {
                 let ratio = contrast(theme[text], theme[ground]);
