@@ -15,8 +15,8 @@ use std::sync::Arc;
 use stickler_conversions::overview::{
     CaseProgram, CaseStatement, Statements, StatementsBuilder, part_of_program,
 };
-use stickler_run::{CaseEvent, Event, Verdict};
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
 /// The variable that names a browser.
 const VARIABLE: &str = "STICKLER_CHROMIUM";
@@ -86,7 +86,11 @@ const CALL: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;
 const BIT: &str = "PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM\n";
 
 fn statements() -> Statements {
-    let mut builder = StatementsBuilder::new(vec![DialectName::IronplcEd2, DialectName::Plcnext]);
+    let mut builder = StatementsBuilder::new(vec![
+        DialectName::IronplcEd2,
+        DialectName::Plcnext,
+        DialectName::Strucpp,
+    ]);
     let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
     let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
     let implicit = CaseStatement {
@@ -117,12 +121,20 @@ fn statements() -> Statements {
             ..implicit
         },
     );
-    builder.add_program(&CaseProgram {
+    let call = CaseProgram {
         case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
         dialect: DialectName::IronplcEd2,
         source: CALL,
         result: None,
         basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
+    };
+    builder.add_program(&call);
+    builder.add_program(&CaseProgram {
+        case: &Arc::from("widening/c::variable(REAL,INT,2.375)"),
+        dialect: DialectName::Plcnext,
+        source: &CALL.replace("2.25", "2.375"),
+        result: Some(&Value::parse("INT#7").expect("a literal")),
+        basis: &Arc::from("builds: 2026"),
     });
     builder.finish()
 }
@@ -163,6 +175,11 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
             .map(String::from)
             .to_vec();
+        header.sources.push(SourceHeader {
+            key: "builds".to_owned(),
+            kind: "recording".to_owned(),
+            ..header.sources[0].clone()
+        });
     }
     let footer = events.pop().expect("a footer");
     events.push(Event::Cause(sample::cause(
@@ -231,7 +248,7 @@ fn every_part_of_the_page_opens_by_its_address() {
         pair.contains("Does INT become SINT without a function?") && pair.contains("✗ yes"),
         "{pair}"
     );
-    assert!(pair.contains("No case asks in plcnext."), "{pair}");
+    assert!(pair.contains("No case asks in plcnext, strucpp."), "{pair}");
 
     for (label, cell) in [
         (

@@ -179,8 +179,8 @@ function isSame(literal, value) {
 }
 
 /**
- * Returns the columns of a function: the documents by dialect, and each engine by dialect. Columns of one origin with the same cells are
- * one. A recording of a product is a column like the others.
+ * Returns the columns of a function: the documents by dialect, and each engine by dialect. A recording of a product is a column like the
+ * others.
  * @returns {Array<{origin: string, dialects: string[], cells: Array}>}
  */
 function columnsOf(one, rows) {
@@ -200,15 +200,19 @@ function columnsOf(one, rows) {
       }) });
     }
   }
-  const joined = [];
-  for (const column of columns) {
-    if (column.origin !== "documents" && column.cells.every((cell) => cell.state === "none")) continue;
-    const key = JSON.stringify([column.origin, column.cells.map((cell) => [cell.state, cell.text, cell.basis])]);
-    const alike = joined.find((known) => known.key === key);
-    if (alike === undefined) joined.push({ ...column, key });
-    else alike.dialects.push(...column.dialects);
+  return columns.filter((column) => column.origin === "documents" || column.cells.some((cell) => cell.state !== "none"));
+}
+
+/** Returns columns with the cells of some rows, given by their indices; those of one origin with the same cells are one. */
+function folded(columns, indices) {
+  const joined = new Map();
+  for (const { origin, dialects, cells } of columns) {
+    const shown = indices.map((index) => cells[index]);
+    const key = JSON.stringify([origin, shown.map((cell) => [cell.state, cell.text, cell.basis])]);
+    if (!joined.has(key)) joined.set(key, { origin, dialects: [], cells: shown });
+    joined.get(key).dialects.push(...dialects);
   }
-  return joined;
+  return [...joined.values()];
 }
 
 /** Returns the table of a function's values. */
@@ -226,20 +230,27 @@ function valueTable(title, one, rows, columns, wanted) {
     if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
-  const head = columns.map((column) => el("th.number", { scope: "col" }, column.origin, dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
-  const line = (row) => el(`tr${row === wanted ? ".wanted" : ""}`, {},
-    el("th.number", { scope: "row" }, row.operands.map(bare).join(", ")), columns.map((column) => cell(column.cells[rows.indexOf(row)])));
-  const first = rows.filter((row, index) => isShownFirst(row, index, columns, wanted));
-  const body = el("tbody", {}, first.map(line));
+  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, column.origin, dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
+  const grid = el("table.values", {});
+  const list = el("ul.notes", {});
+  const show = (indices) => {
+    const shown = folded(columns, indices);
+    grid.replaceChildren(el("caption", {}, "What comes of these values"),
+      el("thead", {}, el("tr", {}, el("th.number", { scope: "col" }, one.operands.join(", ")), heads(shown))),
+      el("tbody", {}, indices.map((index, line) => el(`tr${rows[index] === wanted ? ".wanted" : ""}`, {},
+        el("th.number", { scope: "row" }, rows[index].operands.map(bare).join(", ")), shown.map((column) => cell(column.cells[line]))))));
+    list.replaceChildren(...[...notes].map(([basis, letter]) => el("li", {}, el("sup", {}, letter), " ", basisLink(basis))));
+  };
+  const every = [...rows.keys()];
+  const first = every.filter((index) => isShownFirst(rows[index], index, columns, wanted));
+  show(first);
   const all = el("button", { type: "button", click: () => {
-    body.replaceChildren(...rows.map(line));
+    show(every);
     all.remove();
   } }, `Show all ${grouped(rows.length)} values`);
   return el("div", {},
-    el("div.scroll", { tabindex: "0", role: "region", "aria-label": title },
-      el("table.values", {}, el("caption", {}, "What comes of these values"),
-        el("thead", {}, el("tr", {}, el("th.number", { scope: "col" }, one.operands.join(", ")), head)), body)),
+    el("div.scroll", { tabindex: "0", role: "region", "aria-label": title }, grid),
     first.length < rows.length ? all : null,
-    el("ul.notes", {}, [...notes].map(([basis, letter]) => el("li", {}, el("sup", {}, letter), " ", basisLink(basis)))),
+    list,
     el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; open: no document says what must come; ·: no case of this run asks."));
 }

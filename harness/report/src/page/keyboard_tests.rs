@@ -15,7 +15,7 @@ const FOCUSED: &str = "(() => { const at = document.activeElement; return [[...d
     at.getAttribute('type') || at.id || at.textContent.trim(), at.checkVisibility() && at.getClientRects().length > 0]; })()";
 
 /// Opens the page of a run with failures; `None` where something to open it with is missing.
-fn opened() -> Option<(WebDriver, TempDir)> {
+pub(super) fn opened() -> Option<(WebDriver, TempDir)> {
     let browser = browser()?;
     let folder = tempfile::tempdir().expect("a temporary folder");
     let profile = format!("--user-data-dir={}", folder.path().join("profile").display());

@@ -27,10 +27,26 @@ function pointsOf(rows, column) {
 /** Returns the plot of a function, or null where its operands or results are no numbers. */
 function plotOf(one, rows, columns) {
   if (one.operands.length !== 1) return null;
-  const lines = columns.map((column) => ({ name: `${column.origin}: ${column.dialects.join(", ")}`, points: pointsOf(rows, column) }))
-    .filter((line) => line.points.length > 3).slice(0, MAX_LINES);
+  const lines = linesOf(rows, columns);
   if (lines.length === 0) return null;
-  return opening("Result against operand", () => plot(one, lines), true);
+  const leftOut = lines.slice(MAX_LINES).map((line) => line.name);
+  return opening("Result against operand", () => [plot(one, lines.slice(0, MAX_LINES)),
+    leftOut.length > 0 ? el("p.dim", {}, `The table below has what the plot has no room for: ${leftOut.join("; ")}.`) : null], true);
+}
+
+/** Returns the lines of a plot, each with the columns whose points are the same. */
+function linesOf(rows, columns) {
+  const lines = new Map();
+  for (const column of columns) {
+    const points = pointsOf(rows, column);
+    if (points.length <= 3) continue;
+    const key = JSON.stringify(points.map((point) => [point.x, point.y]));
+    if (!lines.has(key)) lines.set(key, { points, origins: new Map() });
+    const { origins } = lines.get(key);
+    origins.set(column.origin, [...(origins.get(column.origin) || []), ...column.dialects]);
+  }
+  return [...lines.values()].map(({ points, origins }) => ({ points,
+    name: [...origins].map(([origin, dialects]) => `${origin}: ${dialectNames(dialects).join(", ")}`).join("; ") }));
 }
 
 /** Draws a plot with its legend. Lines differ in colour, dashes and marks. */

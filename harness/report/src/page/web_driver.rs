@@ -70,6 +70,11 @@ impl WebDriver {
         self.command("url", &json!({ "url": address }));
     }
 
+    /// Gives the window these outer measures in pixels.
+    pub(super) fn resize(&self, width: u32, height: u32) {
+        self.command("window/rect", &json!({ "width": width, "height": height }));
+    }
+
     /// Presses the keys of a text one after the other.
     pub(super) fn press(&self, keys: impl IntoIterator<Item = char>) {
         let presses = keys.into_iter().flat_map(|key| {
