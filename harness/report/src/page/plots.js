@@ -45,7 +45,9 @@ function linesOf(rows, columns) {
     const { origins } = lines.get(key);
     origins.set(column.origin, [...(origins.get(column.origin) || []), ...column.dialects]);
   }
-  return [...lines.values()].map(({ points, origins }) => ({ points,
+  // Where there is no room for all, what documents and compilers say comes before what Stickler's own reference does.
+  const isReference = ({ origins }) => Number(origins.size === 1 && origins.has("reference"));
+  return [...lines.values()].sort((one, other) => isReference(one) - isReference(other)).map(({ points, origins }) => ({ points,
     name: [...origins].map(([origin, dialects]) => `${origin}: ${dialectNames(dialects).join(", ")}`).join("; ") }));
 }
 
