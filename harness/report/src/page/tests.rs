@@ -229,7 +229,7 @@ fn contrast(one: [f64; 3], other: [f64; 3]) -> f64 {
 #[test]
 fn every_text_stands_out_from_its_ground_in_both_themes() {
     let (light, dark) = STYLE
-        .split_once("@media (prefers-color-scheme: dark)")
+        .split_once("@media screen and (prefers-color-scheme: dark)")
         .expect("a dark theme");
     let (dark, _) = dark.split_once("}\n}").expect("its end");
     for theme in [colours(light), colours(dark)] {
