@@ -340,7 +340,7 @@ fn the_shipped_rejections_cover_the_places() {
     let cases = suite
         .cases
         .iter()
-        .filter(|case| case.id.starts_with("widening/contexts::placed-rejected("));
+        .filter(|case| case.id.starts_with("widening/contexts::placed-rejected"));
     for case in cases {
         assert_eq!(case.expectation.accepted, Acceptance::Rejected);
         by_compiler.entry(compiler(case.dialect)).or_default().push(case);
