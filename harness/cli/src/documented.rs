@@ -2,9 +2,9 @@
 
 use std::collections::BTreeSet;
 use stickler_conversions::overview::{
-    AssertedResult, CaseProgram, CaseStatement, Statements, StatementsBuilder, call_of_program,
-    part_of_program,
+    AssertedResult, CaseProgram, CaseStatement, Statements, StatementsBuilder,
 };
+use stickler_exact::{call_of_program, part_of_program};
 use stickler_suite::{Acceptance, Case, SourceKind, Suite};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
@@ -31,7 +31,7 @@ pub fn statements(cases: &[&Case]) -> Statements {
                 Acceptance::Rejected => MatrixWord::No,
                 Acceptance::Observed => MatrixWord::Open,
             };
-            builder.add_part(&access, &statement(case, word));
+            builder.add_part(access.ty, access.part, &statement(case, word));
         } else {
             builder.add_program(&CaseProgram {
                 case: &case.id,

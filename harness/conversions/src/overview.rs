@@ -7,7 +7,6 @@ mod choices;
 mod inputs;
 mod json;
 mod page;
-mod program_call;
 mod results;
 mod statements;
 mod table;
@@ -15,7 +14,6 @@ mod values;
 
 pub use json::write as write_json;
 pub use page::OverviewPage;
-pub use program_call::{PartAccess, ProgramCall, call_of_program, part_of_program};
 pub use results::{AssertedResult, ComparedResult, DialectResults, ExpectedResult, SignatureResults, gather};
 pub use statements::{CaseProgram, CaseStatement, QuestionNumber, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};

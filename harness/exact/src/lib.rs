@@ -14,6 +14,7 @@
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit()`] |
 //! | what does a value become without a call? | [`implicit_result()`] |
+//! | which call does the program of a case make? | [`call_of_program`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -45,6 +46,7 @@ mod implicit_result;
 mod integer;
 mod moment;
 mod pair;
+mod program_call;
 mod quotient;
 mod real;
 mod signature;
@@ -57,5 +59,6 @@ pub use catalogue::{functions, signatures};
 pub use choices::choices_of;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};
+pub use program_call::{PartAccess, ProgramCall, call_of_program, part_of_program};
 pub use signature::{Operation, Signature};
 pub use value::value;

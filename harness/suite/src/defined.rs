@@ -4,10 +4,9 @@
 
 use crate::assembly::TypeNames;
 use crate::citations::NOT_STATED;
-use crate::conversion_call::ConversionCall;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use std::sync::Arc;
-use stickler_exact::{ImplicitResult, expected, is_overridden, signatures};
+use stickler_exact::{ImplicitResult, call_of_program, expected, is_overridden, signatures};
 use stickler_types::{DialectName, ElementaryType, Observation, Value};
 
 /// Returns what a value becomes where a definition states that a pair of types converts implicitly: the result of
@@ -34,7 +33,7 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     if case.expectation.accepted == Acceptance::Rejected || case.expectation.fault.is_some() {
         return;
     }
-    let Some(call) = ConversionCall::read(&case.source) else {
+    let Some(call) = call_of_program(&case.source) else {
         return;
     };
     let operands = std::slice::from_ref(&call.operand);
@@ -49,7 +48,7 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     match expected.basis {
         Some(basis) => {
             expectation.values.push(ExpectedValue {
-                name: call.into.into(),
+                name: call.target.into(),
                 after: None,
                 value: expected.value,
                 line: case.line,
@@ -65,7 +64,7 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     }
     case.expectation = Arc::new(expectation);
     case.observe = [Observation {
-        name: call.into.into(),
+        name: call.target.into(),
         type_name: names.elementary(call.result),
         after: None,
     }]

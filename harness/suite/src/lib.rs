@@ -21,7 +21,6 @@ mod assembly;
 mod bases;
 mod citations;
 mod condition;
-mod conversion_call;
 mod defined;
 mod dialects;
 mod error;

@@ -5,12 +5,11 @@
 //! everything else is a number.
 
 use super::inputs;
-use super::program_call::{PartAccess, call_of_program};
 use super::results::ExpectedResult;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::sync::Arc;
-use stickler_exact::{Signature, signatures};
+use stickler_exact::{Signature, call_of_program, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value, WordTable};
 
 /// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
@@ -191,11 +190,8 @@ impl StatementsBuilder {
     }
 
     /// Adds a statement about a bit or a part of a type, such as `7` or `%B1`.
-    pub fn add_part(&mut self, access: &PartAccess<'_>, statement: &CaseStatement<'_>) {
-        let pair = (
-            self.words.number(access.ty.name()),
-            self.words.number(access.part),
-        );
+    pub fn add_part(&mut self, ty: ElementaryType, part: &str, statement: &CaseStatement<'_>) {
+        let pair = (self.words.number(ty.name()), self.words.number(part));
         let basis = self.words.number(statement.basis);
         self.parts.add(pair, statement, &self.dialects, basis);
     }
@@ -365,7 +361,6 @@ impl StatedFunction {
 #[cfg(test)]
 mod tests {
     use super::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
-    use crate::overview::part_of_program;
     use serde_json::{Value, json};
     use std::sync::Arc;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
@@ -392,10 +387,7 @@ mod tests {
             case: &Arc::from("b::p(BYTE,8)"),
             ..statement
         };
-        let access =
-            part_of_program("PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM")
-                .unwrap();
-        builder.add_part(&access, &part);
+        builder.add_part(ElementaryType::Byte, "8", &part);
         let recorded = stickler_types::Value::parse("INT#77").unwrap();
         let program = CaseProgram {
             case: &Arc::from("c::p(REAL,INT,2.25)"),

@@ -12,9 +12,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
-use stickler_conversions::overview::{
-    CaseProgram, CaseStatement, Statements, StatementsBuilder, part_of_program,
-};
+use stickler_conversions::overview::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
 use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
@@ -83,8 +81,6 @@ fn open(browser: &Path, page: &Path, address: &str, option: &str) -> String {
 
 const CALL: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
 
-const BIT: &str = "PROGRAM main\nVAR\n    v : BYTE;\nEND_VAR\n    v.8 := TRUE;\nEND_PROGRAM\n";
-
 fn statements() -> Statements {
     let mut builder = StatementsBuilder::new(vec![
         DialectName::IronplcEd2,
@@ -112,9 +108,9 @@ fn statements() -> Statements {
         builder.add_implicit(ElementaryType::Int, to, &statement);
     }
     let (bit, word) = statement("widening/b::write(BYTE,8)");
-    let part = part_of_program(BIT).expect("an access");
     builder.add_part(
-        &part,
+        ElementaryType::Byte,
+        "8",
         &CaseStatement {
             word,
             case: &bit,

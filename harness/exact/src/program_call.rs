@@ -10,6 +10,8 @@ pub struct ProgramCall<'p> {
     pub function: &'p str,
     /// The operand.
     pub operand: Value,
+    /// The variable that takes the result.
+    pub target: &'p str,
     /// The type of the variable that takes the result.
     pub result: ElementaryType,
 }
@@ -34,6 +36,7 @@ pub fn call_of_program(source: &str) -> Option<ProgramCall<'_>> {
     Some(ProgramCall {
         function,
         operand,
+        target,
         result,
     })
 }
@@ -123,6 +126,7 @@ mod tests {
     fn call(declarations: &str, body: &str) -> Option<String> {
         let source = format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n    {body}\nEND_PROGRAM\n");
         let call = call_of_program(&source)?;
+        assert_eq!(call.target, "into");
         Some(format!("{}({}) : {}", call.function, call.operand, call.result))
     }
 
@@ -158,6 +162,11 @@ mod tests {
             "into := REAL_TO_INT(data) + 1;",
             "data := 3.5; into := REAL_TO_INT(data);",
             "into := REAL_TO_INT(data + 1.0);",
+            "into := DINT_TO_INT(REAL_TO_DINT(data));",
+            "into := REAL_TO_INT(IN := data);",
+            "into := REAL_TO_INT(2.5);",
+            "into := REAL_TO_INT(data); into := 5;",
+            "(*! ok *) into := REAL_TO_INT(data);",
             "into := data;",
             "IF TRUE THEN into := REAL_TO_INT(data); END_IF;",
             "other := REAL_TO_INT(data);",
