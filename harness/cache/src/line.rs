@@ -21,8 +21,8 @@ impl<'t> CacheLine<'t> {
     /// Reads a line without its line feed; `None` where it is not as it was written.
     pub(crate) fn read(whole: &'t str) -> Option<CacheLine<'t>> {
         let (question, rest) = whole.split_once(' ')?;
-        let (told, answers) = rest.split_once(' ')?;
-        (told == digest(question, answers)).then_some(CacheLine {
+        let (reported, answers) = rest.split_once(' ')?;
+        (reported == digest(question, answers)).then_some(CacheLine {
             whole,
             question,
             answers,

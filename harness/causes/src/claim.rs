@@ -27,7 +27,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         .iter()
         .zip(case.got.iter().map(Some).chain(std::iter::repeat(None)));
     let mut differing = wanted
-        .filter(|(wanted, told)| Some(*wanted) != *told)
+        .filter(|(wanted, reported)| Some(*wanted) != *reported)
         .map(|(wanted, _)| wanted);
     let line = match differing.next() {
         Some(Fact::Value { name, .. }) => assignment(program, name).map(|line| {
@@ -46,12 +46,12 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         _ => None,
     };
     let line: Option<Vec<ProgramToken<'_>>> = line;
-    let told = case.got.iter().find_map(|fact| fact.diagnostic()?.line);
+    let reported = case.got.iter().find_map(|fact| fact.diagnostic()?.line);
     let focus = line
         .as_ref()
         .and_then(|line| line.first())
         .map(|token| token.line);
-    let is_elsewhere = told.is_some_and(|told| told > 1) && focus.is_some() && told != focus;
+    let is_elsewhere = reported.is_some_and(|reported| reported > 1) && focus.is_some() && reported != focus;
     if is_elsewhere && matches!(smallest.deviation.sign.symptom, Symptom::Rejected(_)) {
         return false;
     }

@@ -54,13 +54,13 @@ impl Essence {
                 let class = format!("not implemented {words}");
                 (class, program.of_missing(normal), true)
             }
-            Symptom::OtherCode { code, told } => {
+            Symptom::OtherCode { code, reported } => {
                 // The kind of value does not matter for what else is said.
                 let mut features = program.of_mistake(false);
                 if features.remove(LITERAL) {
                     features.insert(program.place().to_owned());
                 }
-                (format!("{code} as {told}"), features, false)
+                (format!("{code} as {reported}"), features, false)
             }
             Symptom::Value if normal.is_beginning => {
                 let features = ["FUNCTION_BLOCK", "initial value"].map(str::to_owned);
@@ -92,8 +92,8 @@ impl Essence {
             features.insert(UNCHECKED.to_owned());
         }
         let hidden = match &sign.symptom {
-            Symptom::OtherCode { told, .. } | Symptom::Surplus(told) => {
-                Some((rejected(told, &sign.at), program.of_rejection()))
+            Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
+                Some((rejected(reported, &sign.at), program.of_rejection()))
             }
             _ => None,
         };
@@ -188,12 +188,12 @@ mod tests {
     fn a_literal_that_is_not_known_is_one_cause_whatever_is_said_of_its_place() {
         let said = |program: &str, line: u32, message: &str| {
             let mut smallest = Smallest::rejected(program, line, "P0");
-            let told = Diagnostic {
+            let reported = Diagnostic {
                 line: Some(line),
                 message: message.to_owned(),
                 ..Diagnostic::default()
             };
-            let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(told)]);
+            let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
             let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
             smallest.deviation = Deviation { sign, expected, got };
             Essence::of(&smallest, &Normal::unasked(&smallest))

@@ -20,8 +20,9 @@ pub(crate) const UNCHECKED: &str = "unchecked";
 
 /// Returns whether an engine says that it could not read a program.
 pub(crate) fn is_unread(got: &[Fact]) -> bool {
-    let told = got.iter().find_map(Fact::diagnostic);
-    told.and_then(|told| told.code.as_deref())
+    let reported = got.iter().find_map(Fact::diagnostic);
+    reported
+        .and_then(|reported| reported.code.as_deref())
         .is_some_and(|code| code.starts_with("P0"))
 }
 

@@ -18,8 +18,8 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
 use stickler_run::{
-    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, Verdict,
-    Witness, shown_by,
+    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, Reproducer, RunError, Symptom,
+    Verdict, shown_by,
 };
 use stickler_suite::{Case, SourceKind, Sources, Suite};
 use stickler_types::Observation;
@@ -94,7 +94,7 @@ pub fn find(
     let deadline = Instant::now().checked_add(search.limits.time);
     let stop = || search.cancel.is_requested() || deadline.is_some_and(|end| Instant::now() >= end);
     let cases = cases(failed, search.suite);
-    let mut told = CauseProgress {
+    let mut reported = CauseProgress {
         done: 0,
         of: failed.groups.len() as u64,
     };
@@ -127,8 +127,8 @@ pub fn find(
             members.extend(pairs.map(|((_, group), found)| {
                 GrowingCause::new(group, found, &search.suite.sources, has_codes)
             }));
-            told.done += wave.len() as u64;
-            progress(told);
+            reported.done += wave.len() as u64;
+            progress(reported);
         }
         let mut causes = merged(members);
         asking.second_witnesses(&mut causes, left)?;
@@ -266,7 +266,7 @@ impl Asking<'_> {
         let others: Vec<(&Sign, &CaseEvent)> = others.iter().map(|(sign, event)| (sign, event)).collect();
         let smallest = self.smallest(&others, tries)?;
         for ((member, (_, event)), smallest) in without.iter_mut().zip(others).zip(smallest) {
-            let second = witness(event, &smallest.smallest);
+            let second = reproducer(event, &smallest.smallest);
             if member
                 .essence
                 .explains(&Essence::of(&smallest.smallest, &smallest.normal))
@@ -370,9 +370,9 @@ impl GrowingCause {
             symptom: essence.class.clone(),
             construct: essence.construct(),
             title: title(shown, has_codes),
-            shown: Witness {
+            shown: Reproducer {
                 is_derived,
-                ..witness(&group.shown, shown)
+                ..reproducer(&group.shown, shown)
             },
             second: None,
             types: vec![types.join(", ")],
@@ -408,8 +408,8 @@ impl GrowingCause {
     }
 
     /// Returns whether a program has other types than the shown one, so that it is worth a place as a second witness.
-    fn has_other_types(&self, witness: &Witness) -> bool {
-        types_of(&witness.program) != types_of(&self.cause.shown.program)
+    fn has_other_types(&self, reproducer: &Reproducer) -> bool {
+        types_of(&reproducer.program) != types_of(&self.cause.shown.program)
     }
 }
 
@@ -462,8 +462,8 @@ fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
     causes
 }
 
-fn witness(event: &CaseEvent, smallest: &Smallest) -> Witness {
-    Witness {
+fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
+    Reproducer {
         case: event.id.clone(),
         dialect: event.dialect.clone(),
         basis: event.basis.clone(),

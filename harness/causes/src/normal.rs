@@ -329,14 +329,14 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
     match (&former.sign.symptom, &seen.sign.symptom) {
         // Without the mistake the same is said of the same construct.
         (Symptom::OtherLine(_), Symptom::Rejected(reason)) => {
-            let told = former.got.iter().find_map(Fact::diagnostic);
-            told.is_some_and(|told| told.code.as_ref() == Some(reason))
+            let reported = former.got.iter().find_map(Fact::diagnostic);
+            reported.is_some_and(|reported| reported.code.as_ref() == Some(reason))
         }
         (Symptom::Rejected(reason), Symptom::Rejected(other)) => {
             reason == other || !of_reading(reason) && !of_reading(other)
         }
-        (Symptom::OtherCode { told, .. } | Symptom::Surplus(told), Symptom::Rejected(reason)) => {
-            told == reason
+        (Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported), Symptom::Rejected(reason)) => {
+            reported == reason
         }
         // The code that was expected is not missed alone.
         (Symptom::OtherCode { code, .. }, Symptom::NotRejected(same)) => code == same,

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Symptom, Witness, ask, ask_stored, question};
+use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Reproducer, Symptom, ask, ask_stored, question};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
 
@@ -205,8 +205,8 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
             accepted: Acceptance::Rejected,
             diagnostics: diagnostics
                 .iter()
-                .filter_map(|told| {
-                    let (code, line) = (told.registered_code()?, told.line?);
+                .filter_map(|reported| {
+                    let (code, line) = (reported.registered_code()?, reported.line?);
                     Some(ExpectedDiagnostic { line, code })
                 })
                 .collect(),
@@ -233,7 +233,7 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
 }
 
 /// Returns the case with the program that a page shows, and the observations by which the deviation `sign` is seen there.
-pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Witness) -> Case {
+pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
     let program = &shown.program;
     let whole = case.without_marks();
     if *whole.source == **program {
@@ -253,8 +253,8 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
     let must_be_rejected = whole.accepted == Acceptance::Rejected;
     match outcome {
         Outcome::Rejected { diagnostics } if must_be_rejected => {
-            let expected = |told: &stickler_types::Diagnostic| {
-                let (code, line) = (told.registered_code()?, told.line?);
+            let expected = |reported: &stickler_types::Diagnostic| {
+                let (code, line) = (reported.registered_code()?, reported.line?);
                 let is_expected = whole.diagnostics.iter().any(|one| one.code == code);
                 is_expected.then_some(ExpectedDiagnostic { line, code })
             };
@@ -270,10 +270,11 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
         // What is wrong with the program is gone, and the engine may still reject it.
         Outcome::Executed { .. } if must_be_rejected => {
             // A mistake that is told twice is not the reason for which a program without it is rejected.
-            let is_expected = |told: &str| whole.diagnostics.iter().any(|one| one.code.as_str() == told);
+            let is_expected =
+                |reported: &str| whole.diagnostics.iter().any(|one| one.code.as_str() == reported);
             let may_hide = match symptom {
                 Symptom::OtherCode { .. } | Symptom::Rejected(_) => true,
-                Symptom::Surplus(told) => !is_expected(told),
+                Symptom::Surplus(reported) => !is_expected(reported),
                 _ => false,
             };
             may_hide.then(Expectation::default)

@@ -126,9 +126,9 @@ fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
     let wrong = |expected: &[Fact], got: &[Fact]| -> Vec<(Fact, Fact)> {
         let pairs = expected.iter().cloned().zip(got.iter().cloned());
         pairs
-            .filter(|(wanted, told)| {
-                wanted != told
-                    && [wanted, told]
+            .filter(|(wanted, reported)| {
+                wanted != reported
+                    && [wanted, reported]
                         .iter()
                         .all(|fact| matches!(fact, Fact::Value { .. }))
             })
@@ -255,7 +255,7 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     let mut facts = facts.to_vec();
     for fact in &mut facts {
         match fact {
-            Fact::Diagnostic(told) | Fact::Warning(told) => told.line.iter_mut().for_each(place),
+            Fact::Diagnostic(reported) | Fact::Warning(reported) => reported.line.iter_mut().for_each(place),
             Fact::Fault { line, .. } => line.iter_mut().for_each(place),
             _ => {}
         }
@@ -267,13 +267,13 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
 impl Smallest {
     /// Returns what an engine made of a program that it rejects on this line with this code.
     pub(crate) fn rejected(program: &str, line: u32, code: &str) -> Smallest {
-        let told = stickler_types::Diagnostic {
+        let reported = stickler_types::Diagnostic {
             line: Some(line),
             code: Some(code.to_owned()),
             message: "no".to_owned(),
             ..stickler_types::Diagnostic::default()
         };
-        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(told)]);
+        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
         Smallest {
             program: program.to_owned(),
             deviation: Deviation {

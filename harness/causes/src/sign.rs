@@ -22,7 +22,7 @@ impl Sign {
         let symptom = Symptom::of_facts(verdict, facts, strict);
         let at = match &symptom {
             Symptom::Rejected(reason)
-            | Symptom::OtherCode { told: reason, .. }
+            | Symptom::OtherCode { reported: reason, .. }
             | Symptom::Surplus(reason)
                 if reason.starts_with("P0") =>
             {
@@ -41,12 +41,12 @@ impl Sign {
 
     /// Returns the sign as a word; equal words mean equal signs.
     pub(crate) fn word(&self) -> String {
-        let told = match &self.symptom {
-            Symptom::OtherCode { told, .. } => told,
+        let reported = match &self.symptom {
+            Symptom::OtherCode { reported, .. } => reported,
             Symptom::Crash(words) | Symptom::Unusable(words) | Symptom::Error(words) => words,
             _ => "",
         };
-        let words = [&self.symptom.word(), told, &self.at].map(str::to_owned);
+        let words = [&self.symptom.word(), reported, &self.at].map(str::to_owned);
         let words: Vec<String> = words.into_iter().filter(|word| !word.is_empty()).collect();
         words.join(" ")
     }
@@ -99,8 +99,8 @@ impl Sign {
         match (&self.symptom, &seen.symptom) {
             (Symptom::Incomplete(code), Symptom::NotRejected(same)) => code == same,
             // The program is rejected for this reason even where nothing is wrong with it.
-            (Symptom::OtherCode { told, .. } | Symptom::Surplus(told), Symptom::Rejected(reason)) => {
-                told == reason && self.at == seen.at
+            (Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported), Symptom::Rejected(reason)) => {
+                reported == reason && self.at == seen.at
             }
             _ => false,
         }
@@ -111,13 +111,13 @@ impl Sign {
 /// column.
 fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     let mut diagnostics = got.iter().filter_map(Fact::diagnostic);
-    let Some(told) = diagnostics.find(|told| told.code.as_deref() == Some(code)) else {
+    let Some(reported) = diagnostics.find(|reported| reported.code.as_deref() == Some(code)) else {
         return String::new();
     };
-    if let (Some(line), Some(column)) = (told.line, told.column) {
+    if let (Some(line), Some(column)) = (reported.line, reported.column) {
         return token_at(program, line, column);
     }
-    let words = told.message.split_whitespace();
+    let words = reported.message.split_whitespace();
     let plain = words.filter(|word| word.bytes().all(|byte| byte.is_ascii_lowercase()));
     plain.take(MAX_WORDS).collect::<Vec<_>>().join(" ")
 }
@@ -140,13 +140,13 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     }
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     let mut pairs = expected.lines().zip(got.lines());
-    let Some((wanted, told)) = pairs.find(|(wanted, told)| wanted != told) else {
+    let Some((wanted, reported)) = pairs.find(|(wanted, reported)| wanted != reported) else {
         return "lines are missing".to_owned();
     };
     format!(
         "{} / {}",
         shape(wanted, KeptTypes::Equal),
-        shape(told, KeptTypes::Equal)
+        shape(reported, KeptTypes::Equal)
     )
 }
 
@@ -155,7 +155,7 @@ mod tests {
     use super::*;
     use stickler_types::Diagnostic;
 
-    fn told(line: u32, column: u32, code: &str) -> Fact {
+    fn reported(line: u32, column: u32, code: &str) -> Fact {
         Fact::Diagnostic(Diagnostic {
             line: Some(line),
             column: Some(column),
@@ -170,19 +170,19 @@ mod tests {
 
     #[test]
     fn mistakes_of_reading_are_told_apart_by_what_stands_there() {
-        let of = |program: &str| sign(program, Fact::Accepted, told(1, 6, "P0002"));
+        let of = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P0002"));
         assert_eq!(of("x := 5;"), of("y := 7;"));
         assert_ne!(of("x := 5;"), of("x := y;"));
-        let typed = |program: &str| sign(program, Fact::Accepted, told(1, 6, "P4035"));
+        let typed = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P4035"));
         assert_eq!(typed("x := 5;"), typed("x := y;"));
     }
 
     #[test]
     fn a_sign_that_hides_another_is_kept_by_it_and_not_the_other_way_round() {
-        let hidden = sign("x := y;", Fact::Accepted, told(1, 6, "P2006"));
-        let hides = sign("x := y;", told(1, 1, "P4022"), told(1, 6, "P2006"));
+        let hidden = sign("x := y;", Fact::Accepted, reported(1, 6, "P2006"));
+        let hides = sign("x := y;", reported(1, 1, "P4022"), reported(1, 6, "P2006"));
         assert!(hides.is_kept_by(&hidden) && !hidden.is_kept_by(&hides));
-        let other = sign("x := y;", Fact::Accepted, told(1, 6, "P2010"));
+        let other = sign("x := y;", Fact::Accepted, reported(1, 6, "P2010"));
         assert!(!hides.is_kept_by(&other));
     }
 }

@@ -28,12 +28,12 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         let first = facts.iter().find_map(Fact::diagnostic);
         first.cloned().unwrap_or_default()
     };
-    let (wanted, mut told) = (first(expected), first(got));
-    if !has_codes && told.registered_code().is_some() {
-        told.code = None;
+    let (wanted, mut reported) = (first(expected), first(got));
+    if !has_codes && reported.registered_code().is_some() {
+        reported.code = None;
     }
     // A compiler that has lost the place says line 1.
-    told.line = told.line.filter(|line| *line > 1);
+    reported.line = reported.line.filter(|line| *line > 1);
     match &deviation.sign.symptom {
         Symptom::NotRejected(_) => {
             let code = wanted
@@ -43,15 +43,15 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             format!("{} is accepted, not rejected{code}", line(wanted.line))
         }
         Symptom::Rejected(_) => {
-            let line = match told
+            let line = match reported
                 .line
                 .is_none()
-                .then(|| with_number_of(program, &told.message))
+                .then(|| with_number_of(program, &reported.message))
             {
                 Some(Some(line)) => described(program, line),
-                _ => line(told.line),
+                _ => line(reported.line),
             };
-            format!("{line} is rejected: {}", said(&told))
+            format!("{line} is rejected: {}", said(&reported))
         }
         Symptom::NotImplemented(_) => {
             let line = described(program, unimplemented(program, got));
@@ -61,12 +61,12 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             format!(
                 "{} is rejected, but not with {code}: {}",
                 line(wanted.line),
-                said(&told)
+                said(&reported)
             )
         }
         Symptom::NoPlace(_) => {
-            let (line, told) = (line(wanted.line), said(&told));
-            format!("{line} is rejected without the place of the mistake: {told}")
+            let (line, reported) = (line(wanted.line), said(&reported));
+            format!("{line} is rejected without the place of the mistake: {reported}")
         }
         Symptom::OtherLine(_) => {
             format!(
@@ -140,15 +140,15 @@ fn warning(these: &[Fact], others: &[Fact]) -> Diagnostic {
 
 /// Returns the first expected value that did not come, with the statement that computes it.
 fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
-    for (wanted, told) in expected.iter().zip(got) {
+    for (wanted, reported) in expected.iter().zip(got) {
         let Fact::Value { name, value } = wanted else {
             continue;
         };
-        if wanted == told {
+        if wanted == reported {
             continue;
         }
         let value = clipped(&value.to_string());
-        return match (told, computation(program, name)) {
+        return match (reported, computation(program, name)) {
             (Fact::Value { value: other, .. }, Some(line)) => {
                 format!("{} gives {other}, not {value}", described(program, line))
             }
@@ -181,8 +181,8 @@ fn rendered(expected: &[Fact], got: &[Fact]) -> String {
     }
     let (expected, got) = (Fact::text(expected), Fact::text(got));
     let mut pairs = expected.lines().zip(got.lines());
-    match pairs.find(|(wanted, told)| wanted != told) {
-        Some((wanted, told)) => format!("`{}` is rendered as `{}`", clipped(wanted), clipped(told)),
+    match pairs.find(|(wanted, reported)| wanted != reported) {
+        Some((wanted, reported)) => format!("`{}` is rendered as `{}`", clipped(wanted), clipped(reported)),
         None => "a rendered program has other lines".to_owned(),
     }
 }
@@ -190,14 +190,14 @@ fn rendered(expected: &[Fact], got: &[Fact]) -> String {
 /// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
 /// nothing came.
 fn missing(code: &str, expected: &[Fact], got: &[Fact]) -> Diagnostic {
-    let told = |line| {
+    let reported = |line| {
         got.iter()
             .filter_map(Fact::diagnostic)
-            .any(|told| told.line == line)
+            .any(|reported| reported.line == line)
     };
     let is_missing = |one: &&Diagnostic| match &one.code {
         Some(one) => one == code,
-        None => !told(one.line),
+        None => !reported(one.line),
     };
     let found = expected.iter().filter_map(Fact::diagnostic).find(is_missing);
     found.cloned().unwrap_or_default()
@@ -209,8 +209,8 @@ fn named(wanted: &Diagnostic) -> &str {
 }
 
 /// Returns the code and the message of a diagnostic.
-fn said(told: &Diagnostic) -> String {
-    let parts = [told.code.as_deref().unwrap_or_default(), &told.message];
+fn said(reported: &Diagnostic) -> String {
+    let parts = [reported.code.as_deref().unwrap_or_default(), &reported.message];
     let parts: Vec<&str> = parts.into_iter().filter(|part| !part.is_empty()).collect();
     match parts.is_empty() {
         true => "no reason is given".to_owned(),

@@ -52,8 +52,8 @@ impl<'r> CauseStage<'r> {
         let Some(footer) = self.footer else { return };
         if self.limits.is_some() && !self.failed.is_empty() {
             let progress = Progress::of_causes();
-            let found = find(&self.failed, search, &mut |told| {
-                progress.look_at(told.done, told.of)
+            let found = find(&self.failed, search, &mut |reported| {
+                progress.look_at(reported.done, reported.of)
             });
             progress.finish();
             let causes = found.unwrap_or_else(|error| {

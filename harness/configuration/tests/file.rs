@@ -90,7 +90,7 @@ fn the_file_of_a_folder_above_counts_and_none_is_none() {
 
 #[test]
 fn a_mistake_is_told_with_its_place_and_what_was_meant() {
-    for (text, told) in [
+    for (text, reported) in [
         (
             "[engine.mine]\n",
             "stickler.toml:1:2: unknown key `engine` of the file; did you mean `engines`?",
@@ -133,7 +133,7 @@ fn a_mistake_is_told_with_its_place_and_what_was_meant() {
             "stickler.toml:1:10: `reference` is the engine that is always there; give this one another name",
         ),
     ] {
-        assert_eq!(mistake(text), told);
+        assert_eq!(mistake(text), reported);
     }
     for (text, part) in [
         ("[engines.\"a b\"]\n", "`a b` cannot be the name of an engine"),
@@ -147,8 +147,8 @@ fn a_mistake_is_told_with_its_place_and_what_was_meant() {
         ),
         ("[engines.mine]\ncommand = 1\n", "stickler.toml:2:11: "),
     ] {
-        let told = mistake(text);
-        assert!(told.contains(part), "{told}");
+        let reported = mistake(text);
+        assert!(reported.contains(part), "{reported}");
     }
 }
 

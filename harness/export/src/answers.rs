@@ -90,7 +90,7 @@ mod tests {
     fn answers_are_a_word_and_an_id() {
         let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y@matiec\naccepted z\n");
         let answers = parse(&text, Path::new("answers.txt"), DialectName::Matiec).expect("answers");
-        let told: Vec<(&str, ReportedOutcome)> = answers
+        let reported: Vec<(&str, ReportedOutcome)> = answers
             .iter()
             .map(|(id, (answer, _))| (id.as_str(), *answer))
             .collect();
@@ -99,7 +99,7 @@ mod tests {
             ("x/y", ReportedOutcome::Crashed),
             ("z", ReportedOutcome::Accepted),
         ];
-        assert_eq!(told, expected);
+        assert_eq!(reported, expected);
     }
 
     #[test]

@@ -160,7 +160,7 @@ fn duration(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
 mod tests {
     use super::*;
 
-    fn told(ty: &str, numbers: &[i32]) -> String {
+    fn reported(ty: &str, numbers: &[i32]) -> String {
         let ty = ElementaryType::from_name(ty).expect("a type");
         assert_eq!(numbers.len(), ValueEncoding::Numbers(ty).pieces());
         match decode(ty, numbers) {
@@ -211,7 +211,7 @@ mod tests {
                 "LTIME#9223372036854775807ns",
             ),
         ] {
-            assert_eq!(told(ty, numbers), expected, "{ty} {numbers:?}");
+            assert_eq!(reported(ty, numbers), expected, "{ty} {numbers:?}");
         }
     }
 }

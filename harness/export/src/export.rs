@@ -92,7 +92,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     let chunks = chunks(&ready, plan.cases_per_page.max(1));
     let mut manifest = Manifest::new(&plan.suite, plan.dialect.as_str());
     manifest.defined.clone_from(&plan.defined);
-    let told = format!(
+    let reported = format!(
         "{}, suite {}, Stickler {}.",
         plan.dialect,
         plan.suite,
@@ -101,7 +101,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
     let mut taken = BTreeSet::new();
     let mut project = plan.project.as_ref().map(|to| (to, Project::new(plan.dialect)));
     for (number, chunk) in chunks.iter().enumerate() {
-        let page = PageText::write((number + 1, chunks.len()), chunk, &told, &mut taken);
+        let page = PageText::write((number + 1, chunks.len()), chunk, &reported, &mut taken);
         let stem = format!("page-{:03}", page.number);
         write(&folder.join(format!("{stem}.st")), &page.text())?;
         if plan.panes {
@@ -115,7 +115,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         manifest.pages.push(PageRecord::of(&page, format!("{stem}.st")));
     }
     if let Some((to, project)) = project {
-        project.write(to, &told)?;
+        project.write(to, &reported)?;
     }
     exported.pages = chunks.len();
     exported.left_out = left_out;

@@ -148,10 +148,12 @@ impl Export {
                 continue;
             }
             let pasted = paste::read(&text);
-            let complaints = pasted
-                .complaints
-                .iter()
-                .map(|told| format!("{}:{}:{}: {}", source.name, told.line, told.column, told.what));
+            let complaints = pasted.complaints.iter().map(|reported| {
+                format!(
+                    "{}:{}:{}: {}",
+                    source.name, reported.line, reported.column, reported.what
+                )
+            });
             notes.extend(shortened(complaints.collect()));
             if pasted.arrays.is_empty() {
                 notes.push(format!("{}: there is no number in it", source.name));
@@ -256,9 +258,9 @@ impl Export {
     ) {
         let page = &self.manifest.pages[at];
         let mut unjudged = UnjudgedCases::default();
-        for (case, told) in self.cases[at].iter().zip(given.cases) {
+        for (case, reported) in self.cases[at].iter().zip(given.cases) {
             let answer = self.answers.get(&*case.id);
-            let (outcome, untold) = match (told, answer) {
+            let (outcome, untold) = match (reported, answer) {
                 (PageResult::Outcome(outcome, untold), None) => (outcome, untold),
                 (PageResult::Outcome(outcome, untold), Some((_, place))) => {
                     imported
@@ -267,8 +269,8 @@ impl Export {
                     (outcome, untold)
                 }
                 (_, Some((answer, place))) => (answered(*answer, place), Vec::new()),
-                (told, None) => {
-                    unjudged.add(&case.id, told);
+                (reported, None) => {
+                    unjudged.add(&case.id, reported);
                     continue;
                 }
             };
@@ -294,8 +296,9 @@ impl Export {
     fn strangers(&self, notes: &mut Vec<String>) {
         let on_a_page = |id: &str| self.cases.iter().flatten().any(|case| *case.id == *id);
         let strangers = self.answers.iter().filter(|(id, _)| !on_a_page(id));
-        let told = strangers.map(|(id, (_, place))| format!("{place}: {id} is on no page of this export"));
-        notes.extend(shortened(told.collect()));
+        let reported =
+            strangers.map(|(id, (_, place))| format!("{place}: {id} is on no page of this export"));
+        notes.extend(shortened(reported.collect()));
     }
 
     fn header(&self, judge: &CaseJudge<'_>) -> Header {

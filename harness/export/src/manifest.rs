@@ -235,7 +235,7 @@ mod tests {
     fn what_points_nowhere_is_told() {
         assert!(read(&[]).is_ok());
         let lines = |cases: Json| ("lines", json!({ "units": 0, "declarations": 1, "cases": cases }));
-        for (changes, told) in [
+        for (changes, reported) in [
             (
                 vec![lines(json!([[]]))],
                 "the lines of page 1 are not those of its cases",
@@ -258,9 +258,9 @@ mod tests {
                 "lines of page 1 end before they begin",
             ),
         ] {
-            let error = read(&changes).expect_err(told);
+            let error = read(&changes).expect_err(reported);
             assert!(
-                error.ends_with(&format!("{MANIFEST}: {told}; export again")),
+                error.ends_with(&format!("{MANIFEST}: {reported}; export again")),
                 "{error}"
             );
         }

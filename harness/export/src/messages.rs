@@ -61,14 +61,14 @@ impl Messages {
 
     /// Returns the messages about a page that is only compiled, by case.
     pub(crate) fn list(&self, at: usize, lines: &LinesRecord) -> MessageList {
-        let Some(mut told) = self.by_case(at, lines) else {
+        let Some(mut reported) = self.by_case(at, lines) else {
             return MessageList::Missing;
         };
-        let ends = told.split_off(told.len().saturating_sub(2));
+        let ends = reported.split_off(reported.len().saturating_sub(2));
         if ends.iter().any(Option::is_none) {
-            return MessageList::Truncated(told.iter().rposition(Option::is_some));
+            return MessageList::Truncated(reported.iter().rposition(Option::is_some));
         }
-        MessageList::Complete(told)
+        MessageList::Complete(reported)
     }
 
     /// Returns the first message of each case of a page; `None` where no message is about the page.
@@ -195,7 +195,7 @@ mod tests {
         manifest
     }
 
-    fn told(text: &str) -> MessageList {
+    fn reported(text: &str) -> MessageList {
         let manifest = manifest();
         let mut messages = Messages::default();
         messages.take(&decoded(text.as_bytes()), &manifest);
@@ -217,8 +217,8 @@ mod tests {
             "stickler_page_1, Zeile 7: a\nstickler_page_1, Zeile 8: b\nstickler_page_1, Zeile 10: c\n",
         ];
         for list in lists {
-            let MessageList::Complete(cases) = told(list) else {
-                panic!("{list}: {:?}", told(list))
+            let MessageList::Complete(cases) = reported(list) else {
+                panic!("{list}: {:?}", reported(list))
             };
             assert!(cases[0].is_some() && cases[1].is_none(), "{list}: {cases:?}");
         }
@@ -227,23 +227,23 @@ mod tests {
     #[test]
     fn a_list_without_both_ends_says_nothing() {
         assert_eq!(
-            told("stickler_page_1, line 7: a\nstickler_page_1, line 9: b\n"),
+            reported("stickler_page_1, line 7: a\nstickler_page_1, line 9: b\n"),
             MessageList::Truncated(Some(1))
         );
         assert_eq!(
-            told("stickler_page_1, line 10: a\n"),
+            reported("stickler_page_1, line 10: a\n"),
             MessageList::Truncated(None)
         );
-        assert_eq!(told("0 errors\n"), MessageList::Missing);
-        assert_eq!(told("stickler_page_2, line 7: a\n"), MessageList::Missing);
+        assert_eq!(reported("0 errors\n"), MessageList::Missing);
+        assert_eq!(reported("stickler_page_2, line 7: a\n"), MessageList::Missing);
     }
 
     #[test]
     fn the_rows_of_a_watch_list_are_no_messages() {
         let rows = "Device.Application.stickler_page_1.results[4]\tDINT\t7\t\t\n\"stickler_page_1_DB\".results[5]\t\tDEC+/-\t10\n";
-        assert_eq!(told(rows), MessageList::Missing);
+        assert_eq!(reported(rows), MessageList::Missing);
         assert_eq!(
-            told("stickler_page_1, line 10: results[4] is none\n"),
+            reported("stickler_page_1, line 10: results[4] is none\n"),
             MessageList::Truncated(None)
         );
     }
@@ -256,12 +256,12 @@ mod tests {
             )
         };
         let list = [at("error", 7), at("warning[P1]", 8), at("error", 10)].concat();
-        assert_eq!(told(&list), MessageList::Complete(vec![None, None]));
+        assert_eq!(reported(&list), MessageList::Complete(vec![None, None]));
     }
 
     #[test]
     fn what_is_wrong_may_stand_above_its_place() {
-        let MessageList::Complete(cases) = told(
+        let MessageList::Complete(cases) = reported(
             "error: a\n --> page-001.st:7:1\nerror: b\n --> page-001.st:5:1\nerror: c\n --> page-001.st:10:1\n",
         ) else {
             panic!("it is whole")

@@ -128,7 +128,7 @@ fn refuse(case: &Case) -> Result<(), Reason> {
     if expectation
         .diagnostics
         .iter()
-        .any(|told| breaks_reading(told.code))
+        .any(|reported| breaks_reading(reported.code))
     {
         return Err(Reason::Unreadable);
     }

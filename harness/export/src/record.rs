@@ -82,7 +82,7 @@ impl CaseRecord {
                 Acceptance::Observed => RequiredAcceptance::Open,
             },
             diagnostics: diagnostics
-                .map(|told| (told.line, told.code.as_str().to_owned()))
+                .map(|reported| (reported.line, reported.code.as_str().to_owned()))
                 .collect(),
             values: values.collect(),
             observe: observe.collect(),

@@ -79,8 +79,8 @@ impl ResultArrays {
             .enumerate()
             .filter(|(_, step)| step.case == number)
         {
-            if let Err(told) = reading.take(elements, page, (place, step), case) {
-                return told;
+            if let Err(reported) = reading.take(elements, page, (place, step), case) {
+                return reported;
             }
         }
         match reading.contradiction {

@@ -133,7 +133,7 @@ impl ExportFolder {
     fn of(plan: &ExportPlan, cases: &[Case]) -> ExportFolder {
         let folder = tempfile::tempdir().expect("a folder");
         let cases: Vec<&Case> = cases.iter().collect();
-        let told = export(plan, &cases, folder.path()).expect("exported");
+        let reported = export(plan, &cases, folder.path()).expect("exported");
         let manifest = Manifest::read(folder.path()).expect("a manifest");
         let arrays = manifest
             .pages
@@ -145,7 +145,7 @@ impl ExportFolder {
             });
         ExportFolder {
             arrays: arrays.collect(),
-            cases: told.cases,
+            cases: reported.cases,
             folder,
         }
     }

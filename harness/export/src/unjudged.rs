@@ -17,8 +17,8 @@ pub(crate) struct UnjudgedCases {
 
 impl UnjudgedCases {
     /// Adds a case that cannot be judged, by its result.
-    pub(crate) fn add(&mut self, id: &str, told: PageResult) {
-        match told {
+    pub(crate) fn add(&mut self, id: &str, reported: PageResult) {
+        match reported {
             PageResult::Missing | PageResult::Outcome(..) => self.missing.push(id.to_owned()),
             PageResult::NotRun => self.not_run.push(id.to_owned()),
             PageResult::Nonsense(what) => self.nonsense.push((id.to_owned(), what)),

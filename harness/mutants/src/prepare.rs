@@ -55,9 +55,9 @@ impl CaseTexts {
             let lines = text.lines.iter().map(|line| line.trim());
             lines.filter(|line| !line.is_empty()).collect()
         };
-        let told = |told: &[stickler_suite::ExpectedDiagnostic]| {
-            let told = told.iter().map(|one| (one.line, one.code.as_str()));
-            told.collect()
+        let reported = |reported: &[stickler_suite::ExpectedDiagnostic]| {
+            let reported = reported.iter().map(|one| (one.line, one.code.as_str()));
+            reported.collect()
         };
         Expectation {
             acceptance: match expectation.accepted {
@@ -65,8 +65,8 @@ impl CaseTexts {
                 stickler_suite::Acceptance::Rejected => Acceptance::Rejected,
                 stickler_suite::Acceptance::Observed => Acceptance::Observed,
             },
-            diagnostics: told(&expectation.diagnostics),
-            warnings: told(&expectation.warnings),
+            diagnostics: reported(&expectation.diagnostics),
+            warnings: reported(&expectation.warnings),
             clean_lines: expectation.clean_lines.clone(),
             values: self
                 .values

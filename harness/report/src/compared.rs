@@ -31,13 +31,13 @@ struct Met<'f> {
     /// The diagnostics that are expected on the line.
     expected: Vec<&'f Fact>,
     /// The first diagnostic that the compiler gives on the line.
-    told: &'f Diagnostic,
+    reported: &'f Diagnostic,
 }
 
 impl Met<'_> {
     /// Formats an expected fact followed by the compiler's words: its code, where it has one, and its message.
     fn written(&self, expected: &Fact) -> String {
-        let words = self.told.code.iter().chain([&self.told.message]);
+        let words = self.reported.code.iter().chain([&self.reported.message]);
         let words: Vec<&str> = words
             .map(String::as_str)
             .filter(|word| !word.is_empty())
@@ -58,9 +58,9 @@ fn met<'f>(expected: &'f [Fact], got: &'f [Fact]) -> BTreeMap<u32, Met<'f>> {
         }
     }
     let mut met = BTreeMap::new();
-    for told in got.iter().filter_map(Fact::diagnostic) {
-        if let Some((line, expected)) = told.line.and_then(|line| awaited.remove_entry(&line)) {
-            met.insert(line, Met { expected, told });
+    for reported in got.iter().filter_map(Fact::diagnostic) {
+        if let Some((line, expected)) = reported.line.and_then(|line| awaited.remove_entry(&line)) {
+            met.insert(line, Met { expected, reported });
         }
     }
     met
@@ -79,7 +79,7 @@ fn rewritten(facts: &[Fact], mut anew: impl FnMut(&Fact, u32) -> Vec<String>) ->
 mod tests {
     use super::{Fact, Grade, texts};
     use crate::diff;
-    use crate::sample::{case, error, told};
+    use crate::sample::{case, error, reported};
     use stickler_run::{CaseEvent, Verdict};
 
     fn expected() -> Vec<Fact> {
@@ -105,11 +105,11 @@ mod tests {
     fn a_line_that_is_met_is_the_same_on_both_sides_where_codes_do_not_count() {
         let got = || {
             vec![
-                told(6, "", "')' missing"),
-                told(6, "", "';' missing"),
-                told(7, "E037", "no"),
-                told(9, "E048", "no such name"),
-                told(0, "E1", "odd"),
+                reported(6, "", "')' missing"),
+                reported(6, "", "';' missing"),
+                reported(7, "E037", "no"),
+                reported(9, "E048", "no such name"),
+                reported(0, "E1", "odd"),
             ]
         };
         let expected = "- line 4: error P4023\n  line 6: error P4001, told as ')' missing\n  \
@@ -124,7 +124,7 @@ mod tests {
     #[test]
     fn what_meets_nothing_is_compared_as_it_is() {
         let all_missing: String = expected().iter().map(|fact| format!("- {fact}\n")).collect();
-        for got in [told(1, "", "m"), Fact::Accepted] {
+        for got in [reported(1, "", "m"), Fact::Accepted] {
             let expected = format!("{all_missing}+ {got}\n");
             assert_eq!(difference(vec![got], Grade::Line), expected);
         }

@@ -497,25 +497,25 @@ mod tests {
         let read = |text: &str| read_back(text.as_bytes()).expect_err("no such log").to_string();
         let log = "{\"type\":\"header\",\"format\":1,\"stickler\":\"0.1.0\",\"cases\":1}\n\
                    {\"type\":\"case\",\"id\":\"a\",\"expected\":\"accepted\"}\n";
-        let told = read(log);
+        let reported = read(log);
         assert!(
-            told.contains("format 1") && told.ends_with("run the cases again with this version"),
-            "{told}"
+            reported.contains("format 1") && reported.ends_with("run the cases again with this version"),
+            "{reported}"
         );
-        let told = read("{\"format\":1,\n\"stickler\":\"0.1.0\"}\n");
+        let reported = read("{\"format\":1,\n\"stickler\":\"0.1.0\"}\n");
         assert!(
-            told.contains("results.json of format 1") && told.contains("run the cases again"),
-            "{told}"
+            reported.contains("results.json of format 1") && reported.contains("run the cases again"),
+            "{reported}"
         );
         assert_eq!(
             recognize(log.as_bytes()).as_deref(),
             Some("the event log of a run, of format 1")
         );
         assert_eq!(recognize(b"results[0] := 5;\n"), None);
-        let told = read("{\"format\":2,\n\"stickler\":\"0.1.0\"}\n");
+        let reported = read("{\"format\":2,\n\"stickler\":\"0.1.0\"}\n");
         assert!(
-            told.ends_with("name its folder, or the events.jsonl beside it"),
-            "{told}"
+            reported.ends_with("name its folder, or the events.jsonl beside it"),
+            "{reported}"
         );
     }
 }

@@ -167,7 +167,7 @@ mod tests {
     #[test]
     fn memory_does_not_grow_with_the_failures_of_a_run() {
         let huge = CaseEvent {
-            got: vec![sample::told(3, "", &"y".repeat(1 << 14))],
+            got: vec![sample::reported(3, "", &"y".repeat(1 << 14))],
             ..sample::case("a", Verdict::Fail)
         };
         let overview = overview((0..MAX_KEPT_FAILURES + 20).map(|_| huge.clone()).collect());

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases,
-    FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, SourceHeader, Totals, Verdict, Witness,
+    FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, Reproducer, SourceHeader, Totals, Verdict,
 };
 use stickler_types::{Diagnostic, Severity, Value};
 
@@ -37,7 +37,7 @@ pub(crate) fn warning(line: u32, code: &str) -> Fact {
 }
 
 /// Returns a diagnostic of an engine; line 0 stands for none, and so does an empty code.
-pub(crate) fn told(line: u32, code: &str, message: &str) -> Fact {
+pub(crate) fn reported(line: u32, code: &str, message: &str) -> Fact {
     Fact::Diagnostic(Diagnostic {
         line: (line > 0).then_some(line),
         code: (!code.is_empty()).then(|| code.to_owned()),
@@ -92,7 +92,7 @@ pub(crate) fn cause(title: &str, cases: u64, verdict: Verdict) -> Cause {
         symptom: "value".to_owned(),
         construct: title.to_owned(),
         title: title.to_owned(),
-        shown: Witness {
+        shown: Reproducer {
             case: case.id,
             dialect: case.dialect.clone(),
             basis: case.basis.clone(),
@@ -100,7 +100,7 @@ pub(crate) fn cause(title: &str, cases: u64, verdict: Verdict) -> Cause {
             program: "PROGRAM m END_PROGRAM\n".to_owned(),
             expected: vec![value("into", "INT#-128")],
             got: vec![value("into", "INT#128")],
-            ..Witness::default()
+            ..Reproducer::default()
         },
         cases: vec![ExplainedCases {
             probe: "widening/t::a".to_owned(),
@@ -182,7 +182,7 @@ pub(crate) const BY_LINE: [&str; 2] = [
 pub(crate) fn run_by_line() -> Vec<Event> {
     let mut events = run_of(vec![CaseEvent {
         expected: vec![error(6, "P4001"), error(9, "P4007")],
-        got: vec![told(6, "", "no number")],
+        got: vec![reported(6, "", "no number")],
         ..case("half", Verdict::Fail)
     }]);
     if let Event::Header(header) = &mut events[0] {

@@ -455,7 +455,7 @@ mod tests {
     #[test]
     fn a_page_about_endless_failures_stays_below_one_mebibyte_and_counts_the_rest() {
         let huge = |number: usize| CaseEvent {
-            got: vec![sample::told(3, "", &format!("`|<script>\u{1b}[2J{}", "y".repeat(500))); 100],
+            got: vec![sample::reported(3, "", &format!("`|<script>\u{1b}[2J{}", "y".repeat(500))); 100],
             title: "x".repeat(10_000),
             ..sample::case(&number.to_string(), Verdict::Fail)
         };

@@ -149,8 +149,11 @@ mod tests {
             others: vec![Verdict::Crash, Verdict::Pass],
             ..note
         };
-        let told = noted(&note);
-        assert!(told.contains(" expects fail or crash or pass: rounds"), "{told}");
+        let reported = noted(&note);
+        assert!(
+            reported.contains(" expects fail or crash or pass: rounds"),
+            "{reported}"
+        );
     }
 
     #[test]

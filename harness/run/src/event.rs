@@ -8,7 +8,7 @@ mod totals;
 mod verdict;
 
 pub use baseline::{BaselineHeader, BaselineNote, OutdatedEntry};
-pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Witness};
+pub use cause::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use source::SourceHeader;
 pub use totals::Totals;
 pub use verdict::Verdict;

@@ -32,7 +32,7 @@ pub use binding::{binds, promises};
 pub use case_judge::CaseJudge;
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
-pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Witness};
+pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use event::{SourceHeader, Totals, Verdict};
 pub use fact::Fact;
 pub use filter::Filter;

@@ -31,7 +31,10 @@ fn pack_kind(case: &Case) -> Option<PackKind> {
         Acceptance::Required | Acceptance::Observed => Some(PackKind::Accepted),
         Acceptance::Rejected => {
             let readable = |code: Code| !breaks_reading(code);
-            let readable = expectation.diagnostics.iter().all(|told| readable(told.code));
+            let readable = expectation
+                .diagnostics
+                .iter()
+                .all(|reported| readable(reported.code));
             readable.then_some(PackKind::Rejected)
         }
     }

@@ -33,7 +33,7 @@ pub enum Symptom {
         /// The expected code.
         code: String,
         /// The code or normalized message of the first diagnostic that is not expected; empty where there is none.
-        told: String,
+        reported: String,
     },
     /// The engine reports a mistake without its place: with no line, or at line 1, column 1; holds the code or normalized
     /// message of the diagnostic.
@@ -173,20 +173,28 @@ impl fmt::Display for Symptom {
                 write!(f, "it does not implement what is promised{}", in_brackets(words))
             }
             Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", in_brackets(code)),
-            Symptom::OtherCode { code, told } => {
+            Symptom::OtherCode { code, reported } => {
                 write!(
                     f,
                     "it rejects, but for another reason than {code}{}",
-                    in_brackets(told)
+                    in_brackets(reported)
                 )
             }
             Symptom::NoPlace(code) => {
-                write!(f, "it does not tell the place of a mistake{}", in_brackets(code))
+                write!(
+                    f,
+                    "it does not report the place of a mistake{}",
+                    in_brackets(code)
+                )
             }
             Symptom::OtherLine(code) => write!(f, "it names another place for {code}"),
-            Symptom::Incomplete(code) => write!(f, "it does not tell every mistake ({code} is not told)"),
+            Symptom::Incomplete(code) => write!(f, "it does not report every mistake ({code} is missing)"),
             Symptom::Surplus(reason) => {
-                write!(f, "it tells more mistakes than there are{}", in_brackets(reason))
+                write!(
+                    f,
+                    "it reports more mistakes than there are{}",
+                    in_brackets(reason)
+                )
             }
             Symptom::NotWarned(code) => write!(f, "it does not warn{}", in_brackets(code)),
             Symptom::Warned(reason) => {
@@ -203,11 +211,11 @@ impl fmt::Display for Symptom {
                 )
             }
             Symptom::FaultLine(fault) => {
-                write!(f, "it does not tell the line where the program stops ({fault})")
+                write!(f, "it does not report the line where the program stops ({fault})")
             }
             Symptom::NotFaulted(fault) => write!(f, "it goes on where the program must stop ({fault})"),
             Symptom::Value => f.write_str("it computes another value"),
-            Symptom::Missing => f.write_str("it does not tell a value"),
+            Symptom::Missing => f.write_str("it does not show a value"),
             Symptom::Text => f.write_str("it gives back another text"),
         }
     }
@@ -298,20 +306,20 @@ fn fault_of(facts: &[Fact]) -> Option<(Fault, Option<u32>)> {
 fn fault(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     match (fault_of(expected), fault_of(got)) {
         (None, None) => None,
-        (Some((wanted, _)), Some((told, _))) if wanted == told => None,
-        (_, Some((told, _))) => Some(Symptom::Fault(told.to_string())),
+        (Some((wanted, _)), Some((reported, _))) if wanted == reported => None,
+        (_, Some((reported, _))) => Some(Symptom::Fault(reported.to_string())),
         (Some((wanted, _)), None) => Some(Symptom::NotFaulted(wanted.to_string())),
     }
 }
 
 /// Returns the symptom of the expected fault on another line, where lines are compared.
 fn fault_line(expected: &[Fact], got: &[Fact], strict: Grade) -> Option<Symptom> {
-    let ((fault, wanted), (_, told)) = (fault_of(expected)?, fault_of(got)?);
-    (strict != Grade::Rejected && wanted != told).then(|| Symptom::FaultLine(fault.to_string()))
+    let ((fault, wanted), (_, reported)) = (fault_of(expected)?, fault_of(got)?);
+    (strict != Grade::Rejected && wanted != reported).then(|| Symptom::FaultLine(fault.to_string()))
 }
 
 fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
-    let differ = |wanted: &Fact, told: &Fact| match (wanted, told) {
+    let differ = |wanted: &Fact, reported: &Fact| match (wanted, reported) {
         (
             Fact::Value { name, value },
             Fact::Value {
@@ -322,7 +330,7 @@ fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
         (Fact::Value { name, .. }, Fact::OtherValue { name: same }) => name == same,
         _ => false,
     };
-    let wrong = |wanted: &Fact| got.iter().any(|told| differ(wanted, told));
+    let wrong = |wanted: &Fact| got.iter().any(|reported| differ(wanted, reported));
     expected.iter().any(wrong).then_some(Symptom::Value)
 }
 
@@ -340,11 +348,11 @@ mod tests {
     }
 
     fn error(line: u32, code: &str) -> Fact {
-        told(line, code, "")
+        reported(line, code, "")
     }
 
     /// Returns a diagnostic; line 0 stands for none, and so does an empty code.
-    fn told(line: u32, code: &str, message: &str) -> Fact {
+    fn reported(line: u32, code: &str, message: &str) -> Fact {
         Fact::Diagnostic(Diagnostic {
             line: (line > 0).then_some(line),
             code: (!code.is_empty()).then(|| code.to_owned()),
@@ -381,24 +389,27 @@ mod tests {
             &[error_in_6()],
             [
                 (&[Fact::Accepted], "not-rejected-P4025"),
-                (&[told(1, "P4025", "out of range")], "line-of-P4025"),
-                (&[told(0, "P4025", "out of range")], "no-place-of-P4025"),
-                (&[told(9, "P0002", "m")], "not-P4025"),
-                (&[error_in_6(), told(9, "P0002", "m")], "surplus-P0002"),
-                (&[error_in_6(), told(6, "P4025", "m")], "surplus-P4025"),
+                (&[reported(1, "P4025", "out of range")], "line-of-P4025"),
+                (&[reported(0, "P4025", "out of range")], "no-place-of-P4025"),
+                (&[reported(9, "P0002", "m")], "not-P4025"),
+                (&[error_in_6(), reported(9, "P0002", "m")], "surplus-P0002"),
+                (&[error_in_6(), reported(6, "P4025", "m")], "surplus-P4025"),
             ],
         );
         are(&[Fact::Rejected], [(&[Fact::Accepted], "not-rejected")]);
         are(
             &[Fact::AcceptedOrRejected],
-            [(&[told(6, "P4026", "m")], "surplus-P4026")],
+            [(&[reported(6, "P4026", "m")], "surplus-P4026")],
         );
         are(
             &[error(6, "P4033"), error(7, "P4033")],
             [
-                (&[told(6, "P0002", "m"), error(7, "P4033")], "not-P4033"),
+                (&[reported(6, "P0002", "m"), error(7, "P4033")], "not-P4033"),
                 (&[error(6, "P4033")], "incomplete-P4033"),
-                (&[error(6, "P4033"), told(9, "P0002", "m")], "incomplete-P4033"),
+                (
+                    &[error(6, "P4033"), reported(9, "P0002", "m")],
+                    "incomplete-P4033",
+                ),
                 (&[Fact::RejectedSilently], "incomplete-P4033"),
             ],
         );
@@ -410,14 +421,14 @@ mod tests {
             are(
                 &[expected],
                 [
-                    (&[told(3, "P4018", "wrong number")], "rejected-P4018"),
-                    (&[told(3, "", "no `r` here (at 7)")], "rejected-no here"),
-                    (&[told(0, "", "don't know 'r'")], "rejected-don't know"),
+                    (&[reported(3, "P4018", "wrong number")], "rejected-P4018"),
+                    (&[reported(3, "", "no `r` here (at 7)")], "rejected-no here"),
+                    (&[reported(0, "", "don't know 'r'")], "rejected-don't know"),
                     (
-                        &[told(0, "", "unexpected character at 71")],
+                        &[reported(0, "", "unexpected character at 71")],
                         "rejected-unexpected character at",
                     ),
-                    (&[told(0, "P0002", "Syntax error")], "rejected-P0002"),
+                    (&[reported(0, "P0002", "Syntax error")], "rejected-P0002"),
                     (&[Fact::RejectedSilently], "rejected"),
                 ],
             );
@@ -475,11 +486,11 @@ mod tests {
             let expected = [error(6, "P4049"), error(7, "P4049")];
             symptom(&expected, got, strict).word()
         };
-        let found = told(6, "", "no number");
+        let found = reported(6, "", "no number");
         assert_eq!(of(std::slice::from_ref(&found), Grade::Line), "incomplete-P4049");
-        let elsewhere = told(9, "", "no sum");
+        let elsewhere = reported(9, "", "no sum");
         assert_eq!(of(std::slice::from_ref(&elsewhere), Grade::Line), "line-of-P4049");
-        let more = [found, told(7, "", "m"), elsewhere];
+        let more = [found, reported(7, "", "m"), elsewhere];
         assert_eq!(of(&more, Grade::Line), "surplus-no sum");
         assert_eq!(of(&more[2..], Grade::Rejected), "surplus-no sum");
         assert_eq!(of(&[Fact::Accepted], Grade::Rejected), "not-rejected-P4049");
@@ -516,9 +527,9 @@ mod tests {
         assert_eq!(of(at(1, 1), Grade::Code), "no-place-of-P4025");
         assert_eq!(of(at(1, 2), Grade::Code), "line-of-P4025");
         assert_eq!(
-            of(told(0, "", "no sum at 7"), Grade::Line),
+            of(reported(0, "", "no sum at 7"), Grade::Line),
             "no-place-of-no sum at"
         );
-        assert_eq!(of(told(2, "", "no sum"), Grade::Line), "line-of-P4025");
+        assert_eq!(of(reported(2, "", "no sum"), Grade::Line), "line-of-P4025");
     }
 }

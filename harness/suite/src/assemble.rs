@@ -92,12 +92,12 @@ impl<'n> Assembler<'n> {
         match claim {
             MarkClaim::Error(codes) => {
                 self.expectation.accepted = Acceptance::Rejected;
-                let told = diagnostics(codes, Severity::Error, line, scratch, texts)?;
-                self.expectation.diagnostics.extend(told);
+                let reported = diagnostics(codes, Severity::Error, line, scratch, texts)?;
+                self.expectation.diagnostics.extend(reported);
             }
             MarkClaim::Warning(codes) => {
-                let told = diagnostics(codes, Severity::Warning, line, scratch, texts)?;
-                self.expectation.warnings.extend(told);
+                let reported = diagnostics(codes, Severity::Warning, line, scratch, texts)?;
+                self.expectation.warnings.extend(reported);
             }
             MarkClaim::Ok => self.expectation.clean_lines.push(line),
             MarkClaim::Fault(fault) => {

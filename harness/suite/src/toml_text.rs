@@ -20,8 +20,8 @@ fn mistake(mut error: toml::de::Error, start: usize, lines: &Lines) -> Mistake {
     let offset = error.span().map_or(0, |span: Range<usize>| span.start);
     // Without its input, the error names the keys that lead to the place.
     error.set_input(None);
-    let told = error.to_string();
-    let key = told
+    let reported = error.to_string();
+    let key = reported
         .rsplit_once("\nin `")
         .and_then(|(_, keys)| keys.trim_end().strip_suffix('`'));
     let mistake = Mistake::new(

@@ -13,8 +13,8 @@ impl Case {
         let program = unmarked(&self.source);
         let expectation = &*self.expectation;
         let line = |line: u32| program.line(line);
-        let moved = |told: &[ExpectedDiagnostic]| {
-            let moved = told.iter().map(|expected| ExpectedDiagnostic {
+        let moved = |reported: &[ExpectedDiagnostic]| {
+            let moved = reported.iter().map(|expected| ExpectedDiagnostic {
                 line: line(expected.line),
                 ..*expected
             });

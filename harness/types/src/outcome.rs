@@ -176,7 +176,7 @@ mod tests {
 
     #[test]
     fn a_limit_is_told_in_seconds_where_there_are_any() {
-        for (milliseconds, told) in [
+        for (milliseconds, reported) in [
             (0, "0 ms"),
             (300, "300 ms"),
             (1000, "1 s"),
@@ -184,7 +184,7 @@ mod tests {
             (2050, "2.05 s"),
             (60_000, "60 s"),
         ] {
-            assert_eq!(Outcome::limit(milliseconds), told);
+            assert_eq!(Outcome::limit(milliseconds), reported);
         }
     }
 

@@ -127,17 +127,17 @@ fn the_parts_of_a_seed_find_together_what_the_whole_finds() {
 
 #[test]
 fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
-    let mut told: BTreeMap<String, Finding> = BTreeMap::new();
+    let mut reported: BTreeMap<String, Finding> = BTreeMap::new();
     let mut programs = 0;
     let mut tell = |event: CampaignEvent<'_>| match event {
         CampaignEvent::Found(finding) => {
-            told.insert(finding.id.clone(), finding.clone());
+            reported.insert(finding.id.clone(), finding.clone());
         }
         CampaignEvent::Progress(progress) => programs = progress.programs,
     };
     let plan = plan(3, Shard::WHOLE, Until::Count(500));
     let summary = run(&plan, &Known::default(), &mut tell, &Cancellation::new()).unwrap();
-    assert_eq!(told, summary.findings);
+    assert_eq!(reported, summary.findings);
     assert_eq!(programs, 500);
 }
 

@@ -78,9 +78,9 @@ pub fn causes(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: SearchLim
         limits,
         cancel: &cancel,
     };
-    let mut told = Vec::new();
-    let found = find(&failed, &search, &mut |progress| told.push(progress)).expect("causes");
-    assert!(told.last().is_none_or(|last| last.done == last.of));
+    let mut reported = Vec::new();
+    let found = find(&failed, &search, &mut |progress| reported.push(progress)).expect("causes");
+    assert!(reported.last().is_none_or(|last| last.done == last.of));
     found
 }
 

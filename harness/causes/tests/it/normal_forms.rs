@@ -93,7 +93,7 @@ fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: SearchLimits) ->
         };
         assert_eq!(program.text, shown.program, "the program that is shown");
         let pairs = shown.expected.iter().zip(&shown.got);
-        for (wanted, _) in pairs.filter(|(wanted, told)| wanted != told) {
+        for (wanted, _) in pairs.filter(|(wanted, reported)| wanted != reported) {
             if let Fact::Value { name, .. } = wanted {
                 assert!(
                     observed.text.split(' ').any(|one| one == name),
@@ -337,7 +337,7 @@ fn without_types_of_operands(request: &RunRequest<'_>) -> Outcome {
         Outcome::Rejected { diagnostics }
             if diagnostics
                 .iter()
-                .all(|told| told.code.as_deref() == Some("P4049")) =>
+                .all(|reported| reported.code.as_deref() == Some("P4049")) =>
         {
             Outcome::ACCEPTED
         }
@@ -359,8 +359,8 @@ fn operands_that_no_operator_checks_are_one_cause() {
 fn without_places(request: &RunRequest<'_>) -> Outcome {
     match as_the_reference(request) {
         Outcome::Rejected { mut diagnostics } => {
-            for told in &mut diagnostics {
-                (told.line, told.column) = (Some(1), Some(1));
+            for reported in &mut diagnostics {
+                (reported.line, reported.column) = (Some(1), Some(1));
             }
             Outcome::Rejected { diagnostics }
         }
@@ -386,12 +386,12 @@ fn a_compiler_that_loses_the_places_of_mistakes_has_one_cause_whatever_the_mista
 
 /// Returns a rejection with this code on a line, and once more without a place.
 fn told_twice(code: &str, line: u32) -> Outcome {
-    let told = |line| Diagnostic {
+    let reported = |line| Diagnostic {
         code: Some(code.to_owned()),
         line,
         ..Diagnostic::default()
     };
-    let diagnostics = vec![told(Some(line)), told(None)];
+    let diagnostics = vec![reported(Some(line)), reported(None)];
     Outcome::Rejected { diagnostics }
 }
 

@@ -77,7 +77,7 @@ impl Session for Compiling<'_> {
             .any(|ty| request.source.contains(ty));
         match outcome.expect("observed variables are there") {
             Outcome::Rejected { mut diagnostics } => {
-                diagnostics.retain(|told| told.code.as_deref() != Some("P4035"));
+                diagnostics.retain(|reported| reported.code.as_deref() != Some("P4035"));
                 match diagnostics.is_empty() {
                     true => Outcome::ACCEPTED,
                     false => Outcome::Rejected { diagnostics },
@@ -208,7 +208,9 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
         "{}",
         program.program
     );
-    let line = program.expected[0].diagnostic().and_then(|told| told.line);
+    let line = program.expected[0]
+        .diagnostic()
+        .and_then(|reported| reported.line);
     assert_eq!(line, Some(8), "lines are those of the program that is shown");
     let late = SearchLimits {
         time: Duration::ZERO,

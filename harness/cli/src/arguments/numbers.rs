@@ -34,7 +34,7 @@ mod tests {
     fn a_number_is_read_and_anything_else_is_told_what_to_write() {
         let jobs = whole::<u16>(1, 1024);
         assert_eq!(jobs("1024"), Ok(1024));
-        for (text, told) in [
+        for (text, reported) in [
             ("0", "it must be a number from 1 to 1024"),
             ("1025", "it must be a number from 1 to 1024"),
             ("99999999999999999999", "it must be a number from 1 to 1024"),
@@ -42,7 +42,7 @@ mod tests {
             ("1.5", "write a whole number from 1 to 1024"),
             ("", "write a whole number from 1 to 1024"),
         ] {
-            assert_eq!(jobs(text), Err(told.to_owned()), "{text}");
+            assert_eq!(jobs(text), Err(reported.to_owned()), "{text}");
         }
         let seed = whole::<u64>(0, u64::MAX);
         assert_eq!(seed("18446744073709551615"), Ok(u64::MAX));

@@ -186,9 +186,10 @@ fn summary(blessing: &Blessing) -> String {
             .filter(|change| change.kind == kind)
             .count()
     };
-    let told = kinds.map(|(kind, word)| (number(kind), word));
-    let told = told.iter().filter(|(number, _)| *number > 0);
-    told.map(|(number, word)| format!("{number} {word}"))
+    let reported = kinds.map(|(kind, word)| (number(kind), word));
+    let reported = reported.iter().filter(|(number, _)| *number > 0);
+    reported
+        .map(|(number, word)| format!("{number} {word}"))
         .collect::<Vec<_>>()
         .join(", ")
 }

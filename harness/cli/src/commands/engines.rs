@@ -158,7 +158,7 @@ fn write_entry(engine: &ListedEngine<'_>, gap: bool, out: &mut dyn Write) -> io:
     }
     let state = match &engine.version {
         None => "not here",
-        Some(version) if version.is_empty() => "of a version that it does not tell",
+        Some(version) if version.is_empty() => "version not known",
         Some(version) => version,
     };
     writeln!(out, "{BOLD}{}{BOLD:#}  {state}", engine.name)?;

@@ -254,12 +254,12 @@ fn what_cannot_be_blessed_says_why() {
     fs::write(&log, &text[..footer]).expect("a log");
     folder.bless(&[]).with(2, &["cut short", "run it again"]);
     fs::write(&log, text.replace(r#""format":3"#, r#""format":1"#)).expect("a log");
-    let told = [
+    let reported = [
         "reports/latest/events.jsonl",
         "has format 1",
         "run the cases again",
     ];
-    folder.bless(&[]).with(2, &told);
+    folder.bless(&[]).with(2, &reported);
     folder.command(&["run", "--cases", SUITE], "").with(1, &[]);
     folder.bless(&[]).with(2, &["the reference has no baseline"]);
 }

@@ -30,7 +30,7 @@ fn write_engine(folder: &Path, option: &str) {
 struct Ran {
     events: Vec<Event>,
     shown: String,
-    told: String,
+    reported: String,
     calls: usize,
 }
 
@@ -63,7 +63,7 @@ fn run(folder: &Path, options: &[&str]) -> Ran {
     Ran {
         events,
         shown: text(&ran.stdout),
-        told: text(&ran.stderr),
+        reported: text(&ran.stderr),
         calls: fs::read_to_string(calls).unwrap_or_default().lines().count(),
     }
 }
@@ -125,17 +125,21 @@ fn a_broken_cache_is_said_and_a_cache_that_cannot_be_kept_too_and_the_run_goes_o
     }
     let second = run(folder.path(), &[]);
     assert_eq!(second.calls, first.calls);
-    assert!(second.told.contains("lines are broken"), "{}", second.told);
+    assert!(
+        second.reported.contains("lines are broken"),
+        "{}",
+        second.reported
+    );
 
     fs::remove_dir_all(&cache).expect("the cache");
     fs::write(&cache, "").expect("a file in the way");
     let third = run(folder.path(), &[]);
     assert_eq!(third.calls, first.calls);
     assert_eq!(
-        third.told.matches("keeps no results").count(),
+        third.reported.matches("keeps no results").count(),
         1,
         "{}",
-        third.told
+        third.reported
     );
     assert!(first.events == second.events && first.events == third.events);
 }

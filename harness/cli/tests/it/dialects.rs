@@ -56,7 +56,7 @@ pub fn folder(configuration: &str) -> TempDir {
     folder
 }
 
-fn told(output: &Output) -> String {
+fn reported(output: &Output) -> String {
     text(&output.stderr)
 }
 
@@ -82,7 +82,7 @@ fn promises_of_each_kind_are_kept_by_the_reference() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
     let note = "note: 1 case of ironplc-ed3 is left out of mine, because what it overrides changes it and no document says \
                 how; `stickler list --dialect mine --left-out` lists it\n";
-    assert_eq!(told(&output), note);
+    assert_eq!(reported(&output), note);
     let summary = fs::read_to_string(folder.path().join("reports/latest/summary.md")).expect("a report");
     let line = "\n- mine (MyPLC 2.1) is ironplc-ed3, but for implicit SINT.INT = no, implicit INT.BOOL = yes, \
          allow-cross-family-widening = true, ";
@@ -126,7 +126,7 @@ fn a_false_promise_fails_exactly_where_it_was_made() {
     // Who does what the base does, and has never heard of the dialect.
     let engine = format!("cmd:'{STICKLER}' engine --config empty.toml");
     let output = output(folder.path(), &["run", "--dialect", "mine", "--engine", &engine]);
-    assert_eq!(output.status.code(), Some(1), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(1), "{}", reported(&output));
     let cases = cases(folder.path());
     for (key, case) in &cases {
         let (stated, fails) = (case.basis.starts_with("mine: "), case.verdict == Verdict::Fail);
@@ -149,7 +149,7 @@ fn what_a_run_found_is_blessed_and_nothing_that_other_runs_are_about() {
     let folder = folder(&(MINE.to_owned() + &engine));
     let code = |arguments: &[&str]| {
         let output = output(folder.path(), arguments);
-        let all = text(&output.stdout) + &told(&output);
+        let all = text(&output.stdout) + &reported(&output);
         (output.status.code(), all)
     };
     let run = ["run", "--engine", "other", "--filter", "widening/integer"];
@@ -177,7 +177,7 @@ fn parts_of_a_run_are_put_together_if_their_files_define_the_same() {
     .expect("a file");
     let run = |arguments: &[&str]| {
         let output = output(folder.path(), arguments);
-        (output.status.code(), text(&output.stdout) + &told(&output))
+        (output.status.code(), text(&output.stdout) + &reported(&output))
     };
     let part = |shard: &str, to: &str, file: &str| {
         let (code, all) = run(&[
@@ -216,8 +216,8 @@ fn a_run_of_which_nobody_says_a_dialect_is_what_it_was() {
     let folder = folder(MINE);
     let output = |arguments: &[&str]| {
         let output = output(folder.path(), arguments);
-        assert_eq!(output.status.code(), Some(0), "{}", told(&output));
-        assert_eq!(told(&output), "");
+        assert_eq!(output.status.code(), Some(0), "{}", reported(&output));
+        assert_eq!(reported(&output), "");
         text(&output.stdout)
     };
     let with = output(&["list"]);
@@ -233,7 +233,7 @@ fn every_command_knows_the_dialect() {
     fs::write(folder.path().join("p.st"), program).expect("a file");
     let shows = |arguments: &[&str], code: i32, part: &str| {
         let output = output(folder.path(), arguments);
-        let all = text(&output.stdout) + &told(&output);
+        let all = text(&output.stdout) + &reported(&output);
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {all}");
         assert!(all.contains(part), "{part}\nin\n{all}");
     };
@@ -322,7 +322,7 @@ fn a_mistake_in_the_file_is_told_before_anything_is_done() {
     let told_by = |arguments: &[&str], code: i32| {
         let output = output(folder.path(), arguments);
         assert_eq!(output.status.code(), Some(code), "{arguments:?}");
-        told(&output)
+        reported(&output)
     };
     let message = "error: stickler.toml:13:12: `rounding` is not `half-away-from-nought`; there is `truncate`, `half-to-even` \
                    and `half-away-from-zero`\n";

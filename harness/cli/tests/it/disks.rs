@@ -14,10 +14,10 @@ fn a_file_that_must_not_grow_is_told_and_does_not_end_the_process_by_a_signal() 
         .output()
         .expect("a shell");
     assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
-    let told = text(&run.stderr);
+    let reported = text(&run.stderr);
     assert!(
-        told.contains("cannot write reports/latest/") && told.contains("File too large"),
-        "{told}"
+        reported.contains("cannot write reports/latest/") && reported.contains("File too large"),
+        "{reported}"
     );
     assert!(
         !text(&run.stdout).contains("as expected"),
@@ -35,10 +35,10 @@ fn a_full_disk_is_told_and_is_no_verdict() {
     std::os::unix::fs::symlink("/dev/full", latest.join("events.jsonl")).expect("a link");
     let run = output(folder.path(), &["run", "--cases", SUITE]);
     assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
-    let told = text(&run.stderr);
+    let reported = text(&run.stderr);
     assert!(
-        told.contains("cannot write reports/latest/events.jsonl") && told.contains("No space left"),
-        "{told}"
+        reported.contains("cannot write reports/latest/events.jsonl") && reported.contains("No space left"),
+        "{reported}"
     );
     assert!(
         !text(&run.stdout).contains("as expected"),

@@ -32,7 +32,7 @@ fn shown(output: &Output) -> String {
     String::from_utf8_lossy(&output.stdout).into_owned()
 }
 
-fn told(output: &Output) -> String {
+fn reported(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
@@ -40,7 +40,7 @@ fn told(output: &Output) -> String {
 fn the_list_says_what_is_here_and_what_is_missing_and_where_its_project_is() {
     let folder = folder("[engines.mine]\ncommand = \"'STICKLER' engine\"\n");
     let output = stickler(folder.path(), &["engines"]);
-    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", reported(&output));
     let list = shown(&output);
     for part in [
         "reference  0.1.0\n  dialects    ironplc-ed2, ",
@@ -57,7 +57,7 @@ fn the_list_says_what_is_here_and_what_is_missing_and_where_its_project_is() {
 fn what_was_asked_for_and_is_not_here_is_a_failure() {
     let folder = folder("[engines.old]\nadapter = \"ironplc\"\nironplcc = \"bin/ironplcc\"\n");
     let output = stickler(folder.path(), &["engines", "reference", "old", "--json"]);
-    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(3), "{}", reported(&output));
     let list = shown(&output);
     let lines: Vec<&str> = list.lines().collect();
     assert_eq!(lines.len(), 2, "{list}");
@@ -72,7 +72,7 @@ fn what_was_asked_for_and_is_not_here_is_a_failure() {
     assert!(lines[1].contains("stickler.toml:3 names `"), "{list}");
     let output = stickler(folder.path(), &["engines", "odl"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(told(&output).contains("there is no engine `odl`; did you mean `old`?"));
+    assert!(reported(&output).contains("there is no engine `odl`; did you mean `old`?"));
 }
 
 #[test]
@@ -84,7 +84,7 @@ fn an_engine_of_the_file_runs_under_its_name_there() {
         &inside,
         &["conversions", "BOOL_TO_INT", "--engine", "mine", "--json"],
     );
-    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", reported(&output));
     assert!(shown(&output).contains("\"mine\""), "{}", shown(&output));
 }
 
@@ -100,7 +100,7 @@ fn a_described_compiler_is_listed_and_runs() {
          [engines.absent]\ncheck = \"no-such-compiler {file}\"\nproject = \"https://example.org\"\ndialects.matiec = \"\"\n",
     );
     let output = stickler(folder.path(), &["engines", "described", "absent"]);
-    assert_eq!(output.status.code(), Some(3), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(3), "{}", reported(&output));
     let list = shown(&output);
     for part in [
         "described  unknown\n  named in    stickler.toml:1\n  run         ",
@@ -125,7 +125,7 @@ fn a_described_compiler_is_listed_and_runs() {
         Some(0),
         "{}{}",
         shown(&output),
-        told(&output)
+        reported(&output)
     );
     assert!(shown(&output).contains("-31072"), "{}", shown(&output));
 }
@@ -140,7 +140,7 @@ fn every_engine_that_has_a_name_can_be_served_and_validated() {
             Some(0),
             "{}{}",
             shown(&output),
-            told(&output)
+            reported(&output)
         );
         shown(&output)
     };
@@ -148,7 +148,11 @@ fn every_engine_that_has_a_name_can_be_served_and_validated() {
     assert_eq!(page("reference"), page("mine"));
     let output = stickler(folder.path(), &["engine", "--validate", "no-such-adapter"]);
     assert_eq!(output.status.code(), Some(3));
-    assert!(told(&output).contains("no-such-adapter"), "{}", told(&output));
+    assert!(
+        reported(&output).contains("no-such-adapter"),
+        "{}",
+        reported(&output)
+    );
 }
 
 /// Checks that validation lets each adapter process end by itself, since a killed one may leave a temporary folder behind.
@@ -160,7 +164,7 @@ fn each_process_that_is_validated_may_come_to_its_own_end() {
     let text = format!("echo started >>log\n'{}' engine\necho left >>log\n", STICKLER);
     fs::write(&script, text).expect("written");
     let output = stickler(folder.path(), &["engine", "--validate", "/bin/sh", "adapter.sh"]);
-    assert!(output.status.success(), "{}", told(&output));
+    assert!(output.status.success(), "{}", reported(&output));
     let log = fs::read_to_string(folder.path().join("log")).expect("a log");
     let count = |word| log.lines().filter(|line| *line == word).count();
     assert!(count("started") > 1, "{log}");
@@ -172,7 +176,7 @@ fn a_file_with_a_mistake_stops_what_would_need_it() {
     let folder = folder("[engines.matiec]\nic2c = \"/x\"\n");
     let output = stickler(folder.path(), &["engines"]);
     assert_eq!(output.status.code(), Some(2));
-    let message = told(&output);
+    let message = reported(&output);
     assert!(
         message.starts_with("error: stickler.toml:2:1: unknown key `ic2c`"),
         "{message}"
@@ -180,7 +184,7 @@ fn a_file_with_a_mistake_stops_what_would_need_it() {
     let other = folder.path().join("other.toml");
     fs::write(&other, "").expect("the file is written");
     let output = stickler(folder.path(), &["engines", "reference", "--config", "other.toml"]);
-    assert_eq!(output.status.code(), Some(0), "{}", told(&output));
+    assert_eq!(output.status.code(), Some(0), "{}", reported(&output));
 }
 
 /// Returns whether Python is installed; reports on stderr where it is not.
@@ -215,7 +219,7 @@ fn the_example_adapter_keeps_to_the_protocol() {
     }
     let output = with_example(&["engine", "--validate", "python3", EXAMPLE]);
     let page = shown(&output);
-    assert_eq!(output.status.code(), Some(0), "{page}{}", told(&output));
+    assert_eq!(output.status.code(), Some(0), "{page}{}", reported(&output));
     assert!(
         page.starts_with("example  1.0\n  dialects    ironplc-ed2, "),
         "{page}"
@@ -249,7 +253,7 @@ fn the_example_adapter_runs_cases_as_the_reference_does() {
         Some(0),
         "{}{}",
         shown(&output),
-        told(&output)
+        reported(&output)
     );
 }
 

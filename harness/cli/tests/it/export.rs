@@ -91,9 +91,9 @@ fn what_is_not_whole_is_told_and_never_taken_for_a_pass() {
     let log = ["import", "told/events.jsonl", "--export", "pages"];
     let (code, _, notes) = run(folder.path(), &log);
     assert_eq!(code, Some(2));
-    let told =
+    let reported =
         "told/events.jsonl is the event log of a run, of format 3; import the text that was copied out";
-    assert!(notes.contains(told), "{notes}");
+    assert!(notes.contains(reported), "{notes}");
     let (code, _, notes) = run(folder.path(), &["import", "copied.txt", "--no-report"]);
     assert_eq!(code, Some(2));
     assert!(notes.contains("holds no export"), "{notes}");

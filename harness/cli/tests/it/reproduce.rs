@@ -34,10 +34,10 @@ fn the_files_need_no_compiler_to_be_written_and_name_no_place_of_this_machine() 
         folder.path(),
         &[CASE, "--engine", "ironplc", "shown", "--cases", SUITE],
     );
-    let told = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{told}");
-    assert!(told.contains("the files are not tried: "), "{told}");
-    assert!(told.contains("no `ironplcc` on PATH"), "{told}");
+    let reported = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{reported}");
+    assert!(reported.contains("the files are not tried: "), "{reported}");
+    assert!(reported.contains("no `ironplcc` on PATH"), "{reported}");
     let shown = folder.path().join("shown");
     let names = ["program.st", "run.sh", "README.md"].map(|name| read(&shown, name));
     let [program, script, page] = &names;
@@ -157,11 +157,15 @@ fn what_cannot_be_reproduced_is_an_error_that_says_why() {
         ),
     ] {
         let output = reproduce(folder.path(), &[arguments, &["--cases", SUITE]].concat());
-        let told = text(&output.stderr);
-        let code = if told.contains("there is no engine") { 3 } else { 2 };
-        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {told}");
+        let reported = text(&output.stderr);
+        let code = if reported.contains("there is no engine") {
+            3
+        } else {
+            2
+        };
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {reported}");
         for part in parts {
-            assert!(told.contains(part), "{part}\nin\n{told}");
+            assert!(reported.contains(part), "{part}\nin\n{reported}");
         }
         assert!(!folder.path().join("shown").exists(), "{arguments:?}");
     }
@@ -173,9 +177,9 @@ fn a_dialect_that_the_compiler_does_not_speak_is_told_with_one_that_it_speaks() 
     let suite = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
     let named = ["language/comments@ironplc-ed2", "--engine", "matiec", "shown"];
     let output = reproduce(folder.path(), &[&named[..], &["--cases", suite]].concat());
-    let told = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{told}");
+    let reported = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{reported}");
     for part in ["does not speak", "; it shows `language/comments@matiec`"] {
-        assert!(told.contains(part), "{part}\nin\n{told}");
+        assert!(reported.contains(part), "{part}\nin\n{reported}");
     }
 }

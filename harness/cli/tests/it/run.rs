@@ -237,7 +237,7 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
     let (events, completeness) = read_log(&folder.join("reports/latest/events.jsonl"));
     assert_eq!(completeness, Completeness::Complete);
     let of = |engine: &str| {
-        let told = |event: &Event| match event {
+        let reported = |event: &Event| match event {
             Event::Case(case) if case.engine == engine => Some((
                 case.id.clone(),
                 case.dialect.clone(),
@@ -246,7 +246,7 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
             )),
             Event::Case(_) | Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
         };
-        events.iter().filter_map(told).collect::<Vec<_>>()
+        events.iter().filter_map(reported).collect::<Vec<_>>()
     };
     assert!(!of("reference").is_empty());
     assert_eq!(of("reference"), of("reference-2"));
@@ -254,25 +254,25 @@ fn does_the_same(folder: &Path, first: &str, second: &str) {
     assert!(rerun.contains(" --engine 'cmd:"), "{rerun}");
 }
 
-/// Starts a command whose engine opens the pipe `witness`, sends SIGINT, and waits for the end of command and engine.
+/// Starts a command whose engine opens the pipe `reproducer`, sends SIGINT, and waits for the end of command and engine.
 #[cfg(unix)]
 fn interrupt_with_engine(command: &str, engine: &str) {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let witness = folder.path().join("witness");
-    let made = Command::new("mkfifo").arg(&witness).status().expect("mkfifo");
+    let reproducer = folder.path().join("witness");
+    let made = Command::new("mkfifo").arg(&reproducer).status().expect("mkfifo");
     assert!(made.success());
     let arguments: Vec<&str> = command.split(' ').chain(["--engine", engine]).collect();
     let mut ask = stickler(folder.path(), &arguments)
-        .env("WITNESS", &witness)
+        .env("WITNESS", &reproducer)
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .spawn()
         .expect("the command starts");
     // The pipe opens when the engine opens it, and ends when no process holds it any more.
-    let mut pipe = fs::File::open(&witness).expect("the witness");
+    let mut pipe = fs::File::open(&reproducer).expect("the witness");
     interrupt(&ask);
-    let mut told = Vec::new();
-    std::io::Read::read_to_end(&mut pipe, &mut told).expect("the end of the pipe");
+    let mut reported = Vec::new();
+    std::io::Read::read_to_end(&mut pipe, &mut reported).expect("the end of the pipe");
     assert_eq!(ask.wait().expect("the command ends").code(), Some(130));
 }
 
@@ -295,19 +295,19 @@ fn ctrl_c_ends_a_run_whose_engine_does_not_start() {
 fn ctrl_c_ends_a_run_although_its_engine_does_not_answer_and_leaves_a_readable_log() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     slow_suite(folder.path());
-    let witness = folder.path().join("witness");
-    let made = Command::new("mkfifo").arg(&witness).status().expect("mkfifo");
+    let reproducer = folder.path().join("witness");
+    let made = Command::new("mkfifo").arg(&reproducer).status().expect("mkfifo");
     assert!(made.success());
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/cmd/conversions.in/hangs.sh");
     let engine = format!("cmd:sh '{script}'");
     let run = stickler(folder.path(), &["run", "--jobs", "1", "--engine", &engine])
-        .env("WITNESS", &witness)
+        .env("WITNESS", &reproducer)
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()
         .expect("the command starts");
     // Opens when the engine has its first request, which it never answers, and ends with the engine.
-    let mut pipe = fs::File::open(&witness).expect("the witness");
+    let mut pipe = fs::File::open(&reproducer).expect("the witness");
     interrupt(&run);
     std::io::Read::read_to_end(&mut pipe, &mut Vec::new()).expect("the end of the pipe");
     let end = run.wait_with_output().expect("an end");

@@ -289,7 +289,7 @@ impl RustySession<'_> {
         let driver = driver(&subjects, &PackedProgram::file_of(program.place))
             .map_err(|reason| Outcome::Unsupported { reason })?;
         let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
-        if found.iter().any(|(_, told)| told.is_error()) {
+        if found.iter().any(|(_, reported)| reported.is_error()) {
             return Err(self.refused(&program, found));
         }
         self.engine.build(&driver.text, &self.folder)?;

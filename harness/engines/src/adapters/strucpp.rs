@@ -277,8 +277,8 @@ struct TranslatorDiagnostic {
 impl Translated {
     /// Returns the diagnostics, sorted by line and column, each once.
     fn diagnostics(&self) -> Vec<Diagnostic> {
-        let told = self.diagnostics.iter();
-        let mut diagnostics: Vec<Diagnostic> = told.map(TranslatorDiagnostic::diagnostic).collect();
+        let reported = self.diagnostics.iter();
+        let mut diagnostics: Vec<Diagnostic> = reported.map(TranslatorDiagnostic::diagnostic).collect();
         diagnostics.sort_by_key(|diagnostic| (diagnostic.line, diagnostic.column));
         diagnostics.dedup();
         diagnostics

@@ -111,7 +111,7 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
 
 /// Returns the diagnostics of a program that was accepted, none of which is an error.
 fn warnings(diagnostics: Vec<Diagnostic>, word: &str) -> Result<Vec<Diagnostic>, String> {
-    match diagnostics.iter().find(|told| told.is_error()) {
+    match diagnostics.iter().find(|reported| reported.is_error()) {
         None => Ok(diagnostics),
         Some(error) => Err(format!(
             "it answered `{word}` with the error `{error}`; a diagnostic of an accepted program has the `severity` `warning`"

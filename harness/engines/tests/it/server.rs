@@ -36,8 +36,8 @@ impl Session for Perch {
             .set
             .iter()
             .map(|set| format!("{}:{}={}", set.before, set.name, set.value));
-        let told: Vec<String> = clock.chain(set).collect();
-        let mut values = vec![(format!("scans {}", request.scans), text(told.join(" ")))];
+        let reported: Vec<String> = clock.chain(set).collect();
+        let mut values = vec![(format!("scans {}", request.scans), text(reported.join(" ")))];
         values.extend(
             request
                 .observe
@@ -191,53 +191,53 @@ fn a_malformed_line_is_an_error_and_the_next_is_answered() {
 
 #[test]
 fn an_error_repeats_the_id_and_names_what_is_wrong() {
-    let told = |input: &str, id: Option<u64>, part: &str| {
+    let reported = |input: &str, id: Option<u64>, part: &str| {
         let (found, message) = complaint(input.as_bytes());
         assert_eq!(found, id, "{input}");
         assert!(message.contains(part), "{input}: {message}");
     };
-    told(
+    reported(
         r#"{"type":"run","id":5,"dialect":"matiec"}"#,
         Some(5),
         "missing field `source`",
     );
-    told(
+    reported(
         r#"{"type":"check","id":5,"source":""}"#,
         Some(5),
         "missing field `dialect`",
     );
-    told(
+    reported(
         r#"{"type":"check","dialect":"matiec","source":""}"#,
         None,
         "missing field `id`",
     );
-    told(
+    reported(
         r#"{"type":"check","id":-1,"dialect":"matiec","source":""}"#,
         None,
         "-1",
     );
-    told(
+    reported(
         r#"{"type":"check","id":"a","dialect":"matiec","source":""}"#,
         None,
         "\"a\"",
     );
-    told(
+    reported(
         r#"{"type":"check","id":18446744073709551616,"dialect":"matiec","source":""}"#,
         None,
         "u64",
     );
-    told(
+    reported(
         r#"{"type":"eval","id":6}"#,
         Some(6),
         "unknown variant `eval`, expected one of `hello`, `run`",
     );
-    told(r#"{"id":7}"#, Some(7), "missing field `type`");
-    told(
+    reported(r#"{"id":7}"#, Some(7), "missing field `type`");
+    reported(
         r#"{"type":"check","id":8,"dialect":"melsec","source":""}"#,
         Some(8),
         "unknown dialect `melsec`",
     );
-    told(
+    reported(
         r#"{"type":"check","id":9,"dialect":"matiec","source":5}"#,
         Some(9),
         "expected a string",
@@ -246,7 +246,7 @@ fn an_error_repeats_the_id_and_names_what_is_wrong() {
 
 #[test]
 fn a_run_that_asks_for_what_cannot_be_is_an_error_of_that_request() {
-    let told = |extra: &str, expected: &str| {
+    let reported = |extra: &str, expected: &str| {
         let line =
             format!(r#"{{"type":"run","id":2,"dialect":"matiec","source":"","scans":2,{extra}}}"#) + "\n";
         assert_eq!(
@@ -255,19 +255,19 @@ fn a_run_that_asks_for_what_cannot_be_is_an_error_of_that_request() {
             "{extra}"
         );
     };
-    told(
+    reported(
         r#""observe":[{"name":"q","after":3}]"#,
         "observe q: there is no scan 3 among 2 (the first is scan 1)",
     );
-    told(
+    reported(
         r#""set":[{"before":0,"name":"q","value":"INT#1"}]"#,
         "set q: there is no scan 0 among 2 (the first is scan 1)",
     );
-    told(
+    reported(
         r#""clock":[{"before":3,"value":"TIME#1s"}]"#,
         "clock: there is no scan 3 among 2 (the first is scan 1)",
     );
-    told(
+    reported(
         r#""clock":[{"before":1,"value":"INT#1"}]"#,
         "clock: INT#1 is neither TIME nor LTIME",
     );

@@ -27,7 +27,7 @@ fn complaints(text: &str) -> Vec<(usize, usize, String)> {
     let complaints = read_bytes(text.as_bytes()).complaints;
     complaints
         .into_iter()
-        .map(|told| (told.line, told.column, told.what))
+        .map(|reported| (reported.line, reported.column, reported.what))
         .collect()
 }
 

@@ -9,9 +9,13 @@ fn messages(page: &str, file: &str, dialect: DialectName) -> String {
     let Outcome::Rejected { diagnostics } = outcome else {
         panic!("{outcome:?}")
     };
-    let lines = diagnostics
-        .iter()
-        .map(|told| format!("{file}({}): error: {}\n", told.line.unwrap_or(0), told.message));
+    let lines = diagnostics.iter().map(|reported| {
+        format!(
+            "{file}({}): error: {}\n",
+            reported.line.unwrap_or(0),
+            reported.message
+        )
+    });
     lines.collect()
 }
 
@@ -36,8 +40,8 @@ fn programs_that_must_be_rejected_are_told_apart_by_the_messages_of_their_page()
             ..plan(dialect)
         };
         let folder = tempfile::tempdir().expect("a folder");
-        let told = export(&plan, &cases, folder.path()).expect("exported");
-        assert!(told.compiled_only > 0, "{dialect}");
+        let reported = export(&plan, &cases, folder.path()).expect("exported");
+        assert!(reported.compiled_only > 0, "{dialect}");
         let export = Export::read(folder.path()).expect("an export");
         let manifest = Manifest::read(folder.path()).expect("a manifest");
         let mut list = String::new();

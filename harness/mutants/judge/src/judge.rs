@@ -23,7 +23,7 @@ fn wrong(case: &Case<'_>) -> Option<String> {
     };
     let expectation = &case.expectation;
     let warnings = answer.warnings();
-    let told = match &answer {
+    let reported = match &answer {
         Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics),
         Outcome::Faulted {
             fault, line, values, ..
@@ -36,8 +36,8 @@ fn wrong(case: &Case<'_>) -> Option<String> {
         }
         other => Some(other.to_string()),
     };
-    let told = told.or_else(|| warnings_differ(expectation, warnings?));
-    told.or_else(|| {
+    let reported = reported.or_else(|| warnings_differ(expectation, warnings?));
+    reported.or_else(|| {
         let wanted = expectation.rendered.as_ref()?;
         rendering(case, wanted, &answer)
     })
@@ -76,7 +76,7 @@ fn observation(name: &str, after: u32) -> Observation {
 }
 
 /// Returns the lines and codes of diagnostics, sorted, and whether one names a clean line.
-fn told<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) -> (Vec<(u32, &'d str)>, bool) {
+fn reported<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) -> (Vec<(u32, &'d str)>, bool) {
     let mut found: Vec<(u32, &str)> = diagnostics
         .iter()
         .filter_map(|found| Some((found.line?, found.code.as_deref()?)))
@@ -90,13 +90,13 @@ fn told<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) -> (Ve
 
 /// Returns what is wrong with the warnings of a program that was accepted: one is missing, or names a clean line.
 fn warnings_differ(expectation: &Expectation<'_>, warnings: &[Diagnostic]) -> Option<String> {
-    let (found, on_clean_line) = told(expectation, warnings);
+    let (found, on_clean_line) = reported(expectation, warnings);
     let all_given = expectation.warnings.iter().all(|wanted| found.contains(wanted));
     (!all_given || on_clean_line).then(|| format!("warnings: {found:?}"))
 }
 
 fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
-    let (found, on_clean_line) = told(expectation, diagnostics);
+    let (found, on_clean_line) = reported(expectation, diagnostics);
     let right = match expectation.acceptance {
         Acceptance::Required => false,
         Acceptance::Observed => true,
@@ -188,7 +188,7 @@ mod tests {
         }
     }
 
-    fn told(source: &'static str, expectation: Expectation<'static>) -> String {
+    fn reported(source: &'static str, expectation: Expectation<'static>) -> String {
         complaint(&case(source, expectation)).unwrap_or_default()
     }
 
@@ -199,9 +199,9 @@ mod tests {
             values: vec![("a", value)],
             ..Expectation::default()
         };
-        assert_eq!(told(PLAIN, values("INT#1")), "");
-        assert_eq!(told(PLAIN, values("INT#2")), "a = INT#1");
-        assert_eq!(told(PLAIN, values("DINT#1")), "a = INT#1");
+        assert_eq!(reported(PLAIN, values("INT#1")), "");
+        assert_eq!(reported(PLAIN, values("INT#2")), "a = INT#1");
+        assert_eq!(reported(PLAIN, values("DINT#1")), "a = INT#1");
     }
 
     #[test]
@@ -210,10 +210,10 @@ mod tests {
             fault: Some((line, kind)),
             ..Expectation::default()
         };
-        assert_eq!(told(SOURCE, fault(3, "division-by-zero")), "");
-        assert_ne!(told(SOURCE, fault(2, "division-by-zero")), "");
-        assert_ne!(told(SOURCE, fault(3, "subrange")), "");
-        assert_ne!(told(SOURCE, Expectation::default()), "");
+        assert_eq!(reported(SOURCE, fault(3, "division-by-zero")), "");
+        assert_ne!(reported(SOURCE, fault(2, "division-by-zero")), "");
+        assert_ne!(reported(SOURCE, fault(3, "subrange")), "");
+        assert_ne!(reported(SOURCE, Expectation::default()), "");
     }
 
     #[test]
@@ -225,11 +225,11 @@ mod tests {
             clean_lines: clean_lines.to_vec(),
             ..Expectation::default()
         };
-        assert_eq!(told(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[])), "");
-        assert_ne!(told(WRONG, rejected(&[(4, "P4007")], &[])), "");
-        assert_ne!(told(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[3])), "");
-        assert_ne!(told(WRONG, Expectation::default()), "");
-        assert_ne!(told(SOURCE, rejected(&[], &[])), "");
+        assert_eq!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[])), "");
+        assert_ne!(reported(WRONG, rejected(&[(4, "P4007")], &[])), "");
+        assert_ne!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[3])), "");
+        assert_ne!(reported(WRONG, Expectation::default()), "");
+        assert_ne!(reported(SOURCE, rejected(&[], &[])), "");
     }
 
     #[test]
@@ -239,7 +239,7 @@ mod tests {
             rendered: Some(vec![line]),
             ..Expectation::default()
         };
-        assert_eq!(told(SOURCE, rendered("a := a / d;")), "");
-        assert_ne!(told(SOURCE, rendered("a := a * d;")), "");
+        assert_eq!(reported(SOURCE, rendered("a := a / d;")), "");
+        assert_ne!(reported(SOURCE, rendered("a := a * d;")), "");
     }
 }

@@ -51,7 +51,7 @@ END_PROGRAM
 ";
 
 /// Returns what a program does where a rule is broken in a place: the values of its variables, or the lines of its errors.
-fn told(rule: &str, place: BrokenPlace) -> String {
+fn reported(rule: &str, place: BrokenPlace) -> String {
     let rule = *Rule::all()
         .iter()
         .find(|known| known.to_string() == rule)
@@ -79,17 +79,17 @@ fn told(rule: &str, place: BrokenPlace) -> String {
 fn a_rule_is_broken_in_its_place_and_nowhere_else() {
     const WRONG: &str = "implicit.signed-to-wider.wrong";
     let right = "INT#-1 INT#-1 INT#-1 BOOL#TRUE";
-    assert_eq!(told(WRONG, BrokenPlace::Target("field")), right);
+    assert_eq!(reported(WRONG, BrokenPlace::Target("field")), right);
     let in_element = BrokenPlace::Target("array-element");
-    assert_eq!(told(WRONG, in_element), "INT#-1 INT#255 INT#-1 BOOL#TRUE");
-    assert_eq!(told("implicit.signed-to-wider.refused", in_element), "15");
+    assert_eq!(reported(WRONG, in_element), "INT#-1 INT#255 INT#-1 BOOL#TRUE");
+    assert_eq!(reported("implicit.signed-to-wider.refused", in_element), "15");
     let in_argument = BrokenPlace::Target("argument");
-    assert_eq!(told(WRONG, in_argument), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
+    assert_eq!(reported(WRONG, in_argument), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
     let in_if = BrokenPlace::Surrounding("if");
-    assert_eq!(told(WRONG, in_if), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
+    assert_eq!(reported(WRONG, in_if), "INT#-1 INT#-1 INT#255 BOOL#TRUE");
     let bit = BrokenPlace::Bit(stickler_types::ElementaryType::Byte, 1);
     assert_eq!(
-        told("bit.read-short.wrong", bit),
+        reported("bit.read-short.wrong", bit),
         "INT#-1 INT#-1 INT#-1 BOOL#FALSE"
     );
 }

@@ -106,13 +106,13 @@ mod tests {
         assert_eq!(errors, []);
         let (checked, _, uses) = check_traced(&unit, text, &LineIndex::new(text), &dialect);
         let code = checked.map(|checked| checked.program.code).unwrap_or_default();
-        let told = |found: TracedUse| {
+        let reported = |found: TracedUse| {
             let span = unit.expressions[found.expression.0 as usize].span;
             let text = text[span.start as usize..span.end as usize].to_owned();
             let last = found.end.and_then(|end| code.get(end as usize - 1)).copied();
             (text, found.kind, last)
         };
-        uses.into_iter().map(told).collect()
+        uses.into_iter().map(reported).collect()
     }
 
     #[test]

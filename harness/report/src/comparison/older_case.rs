@@ -79,11 +79,11 @@ impl OlderCase {
     /// passed.
     pub(super) fn expected_now(&self, case: &CaseEvent) -> Option<String> {
         let then = self.texts.as_ref().map(|texts| &texts.expected);
-        let told = match case.expected.is_empty() {
+        let reported = match case.expected.is_empty() {
             false => Some(Fact::text(&case.expected)),
             true => then.filter(|_| !self.expects_otherwise(case)).cloned(),
         };
-        told.filter(|text| !text.is_empty())
+        reported.filter(|text| !text.is_empty())
     }
 
     /// Returns the text of the older result, as far as it is known. `expected` is the text of the current expectation.

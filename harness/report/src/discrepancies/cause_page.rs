@@ -8,8 +8,8 @@ use crate::text::visible;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
-    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats, SourceHeader,
-    Witness,
+    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats, Reproducer,
+    SourceHeader,
 };
 use stickler_types::{counted, grouped};
 
@@ -174,7 +174,7 @@ fn by_chance(text: &mut String, repeats: &Repeats) {
 }
 
 /// Adds the program, and what has to be done to see what the compiler does with it.
-fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Witness) {
+fn reproduction(text: &mut String, about: Option<&EngineHeader>, shown: &Reproducer) {
     let Some(reproduction) = &shown.reproduction else {
         block(
             text,
@@ -218,7 +218,7 @@ fn first_lines(text: &str) -> String {
 }
 
 /// Returns the claim with the source that makes it, as a link where that has an address of the web.
-fn cited(shown: &Witness, overview: &Overview) -> String {
+fn cited(shown: &Reproducer, overview: &Overview) -> String {
     let Basis { source, section } = Basis::of(&shown.basis);
     let Some(source) = overview.source(source) else {
         return format!("*{}*", inline(&shown.basis));
@@ -257,8 +257,8 @@ fn second(text: &mut String, cause: &Cause) {
         if !same {
             let (expected, got) = (&second.expected, &second.got);
             let line = |facts: &[Fact]| code(&visible(&Fact::text(facts)).replace('\n', "; "));
-            let (wanted, told) = (without_agreeing(expected, got), without_agreeing(got, expected));
-            let _ = write!(text, "Expected: {}. Got: {}.\n\n", line(&wanted), line(&told));
+            let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
+            let _ = write!(text, "Expected: {}. Got: {}.\n\n", line(&wanted), line(&reported));
         }
     }
     let types: Vec<&str> = cause

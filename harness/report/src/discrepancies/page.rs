@@ -94,7 +94,7 @@ pub(super) fn expected_and_got(
     let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
     let is_unusable = |fact: &Fact| matches!(fact, Fact::Unusable { .. });
     let is_rule = Basis::of(basis).is_rule();
-    let (wanted, told) = (without_agreeing(expected, got), without_agreeing(got, expected));
+    let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
     if is_rule && got.iter().any(no_answer) {
         block(text, "Expected:", "", "an answer, no crash");
     } else if is_rule && got.iter().any(is_unusable) {
@@ -102,7 +102,7 @@ pub(super) fn expected_and_got(
     } else {
         block(text, by, "", &visible(&Fact::text(&wanted)));
     }
-    block(text, "Got:", "", &visible(&Fact::text(&told)));
+    block(text, "Got:", "", &visible(&Fact::text(&reported)));
     let agreeing = (expected.len() - wanted.len()) as u64;
     if agreeing > 0 {
         let values = counted(agreeing, "other value is", "other values are");

@@ -2,12 +2,12 @@
 
 use super::Discrepancies;
 use crate::overview::Overview;
-use crate::sample::{self, error, names, told, value};
+use crate::sample::{self, error, names, reported, value};
 use std::fs;
 use std::path::Path;
 use stickler_engines::{Reproduction, ReproductionFile};
 use stickler_run::{
-    CaseEvent, Event, ExplainedCases, Fact, Grade, RepeatedOutcome, Repeats, Verdict, Witness,
+    CaseEvent, Event, ExplainedCases, Fact, Grade, RepeatedOutcome, Repeats, Reproducer, Verdict,
 };
 
 fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
@@ -39,7 +39,11 @@ fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
         ),
         failing("t::a(2)", "PROGRAM m END_PROGRAM\n", value("into", "INT#2")),
         failing("t::b(1)", "PROGRAM middle END_PROGRAM\n", value("into", "INT#3")),
-        failing("t::a(3)", "PROGRAM m END_PROGRAM\n", told(3, "P4035", "wrong")),
+        failing(
+            "t::a(3)",
+            "PROGRAM m END_PROGRAM\n",
+            reported(3, "P4035", "wrong"),
+        ),
         sample::case("t::a(4)", Verdict::Pass),
     ];
     write(folder.path(), &sample::run_of(cases));
@@ -163,7 +167,7 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let case = CaseEvent {
         expected: vec![error(1, "P4035"), error(2, "P4049")],
-        ..failing("t::a", "PROGRAM m\nEND_PROGRAM\n", told(1, "", "no sum"))
+        ..failing("t::a", "PROGRAM m\nEND_PROGRAM\n", reported(1, "", "no sum"))
     };
     let mut run = sample::run_of(vec![case]);
     if let Event::Header(header) = &mut run[0] {
@@ -175,7 +179,7 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
         .join("discrepancies/reference/01-widening-t-incomplete-P4049.md");
     let page = fs::read_to_string(page).expect("a page");
     for part in [
-        "# reference 0.1.0: it does not tell every mistake (P4049 is not told)\n",
+        "# reference 0.1.0: it does not report every mistake (P4049 is missing)\n",
         "Codes are Stickler's own and were not compared, only lines. One case shows this.",
     ] {
         assert!(page.contains(part), "{part}\n{page}");
@@ -196,11 +200,11 @@ fn a_cause_has_a_page_that_stands_for_itself() {
         outcomes: vec![outcome(value("into", "INT#128"), 7), outcome(Fact::Accepted, 13)],
     });
     cause.types = vec!["SINT, INT".to_owned(), "INT, DINT".to_owned()];
-    cause.second = Some(Witness {
+    cause.second = Some(Reproducer {
         program: "PROGRAM n END_PROGRAM\n".to_owned(),
         expected: vec![value("into", "DINT#5")],
         got: vec![value("into", "DINT#6")],
-        ..Witness::default()
+        ..Reproducer::default()
     });
     cause.cases.push(ExplainedCases {
         basis: "iec-61131-3: 6.3".to_owned(),
@@ -319,7 +323,7 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
     let footer = run.pop().expect("a footer");
     let mut cause = sample::cause("it crashes", 1, Verdict::Crash);
     let lines: Vec<String> = (1..=43).map(|line| format!("line {line}")).collect();
-    cause.shown = Witness {
+    cause.shown = Reproducer {
         basis: crashing.basis,
         expected: vec![Fact::Accepted],
         got: crashing.got,

@@ -163,7 +163,7 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         failed(
             "evil::p(1)",
             evil,
-            sample::told(3, "P4035", "no <b>bold</b> value"),
+            sample::reported(3, "P4035", "no <b>bold</b> value"),
         ),
         sample::case("b::write(BYTE,8)", Verdict::Pass),
     ]));

@@ -6,7 +6,7 @@ use crate::overview::Overview;
 use crate::text::{clip_facts, visible};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Totals, Witness};
+use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals};
 
 /// The maximum number of lines of the facts of a cause.
 const MAX_LINES: usize = 60;
@@ -151,8 +151,8 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         types: &cause.types,
         reduction: cause.reduction,
         flaky: cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
-        shown: witness(&cause.shown),
-        second: cause.second.as_ref().map(witness),
+        shown: reproducer(&cause.shown),
+        second: cause.second.as_ref().map(reproducer),
         report: cause_page_of(&cause.engine, engine(overview, cause), cause, overview),
     }
 }
@@ -162,18 +162,18 @@ fn engine<'o>(overview: &'o Overview, cause: &Cause) -> Option<&'o EngineHeader>
     engines.find(|engine| engine.name == cause.engine)
 }
 
-fn witness(witness: &Witness) -> WitnessData<'_> {
+fn reproducer(reproducer: &Reproducer) -> WitnessData<'_> {
     let facts = |facts: &[Fact]| visible(&Fact::text(&clip_facts(facts, MAX_LINES, MAX_CHARACTERS)));
-    let reproduction = witness.reproduction.as_ref();
+    let reproduction = reproducer.reproduction.as_ref();
     WitnessData {
-        case: &witness.case,
-        dialect: &witness.dialect,
-        basis: &witness.basis,
-        about: &witness.about,
-        is_derived: witness.is_derived,
-        program: visible(&witness.program),
-        expected: facts(&witness.expected),
-        got: facts(&witness.got),
+        case: &reproducer.case,
+        dialect: &reproducer.dialect,
+        basis: &reproducer.basis,
+        about: &reproducer.about,
+        is_derived: reproducer.is_derived,
+        program: visible(&reproducer.program),
+        expected: facts(&reproducer.expected),
+        got: facts(&reproducer.got),
         files: reproduction.map_or_else(Vec::new, |reproduction| {
             let files = reproduction.files.iter();
             files
@@ -187,6 +187,6 @@ fn witness(witness: &Witness) -> WitnessData<'_> {
                 .collect()
         }),
         commands: reproduction.map_or(&[], |reproduction| &reproduction.commands),
-        printed: &witness.printed,
+        printed: &reproducer.printed,
     }
 }

@@ -175,7 +175,7 @@ fn the_claims_of_the_page_are_those_of_the_other_reports() {
 fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
     let huge = |number: usize| CaseEvent {
         got: (0..60)
-            .map(|line| sample::told(line, "", &format!("{number} {}", "y".repeat(600))))
+            .map(|line| sample::reported(line, "", &format!("{number} {}", "y".repeat(600))))
             .collect(),
         ..sample::case(&format!("a::p({number})"), Verdict::Fail)
     };

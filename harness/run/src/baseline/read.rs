@@ -279,9 +279,12 @@ until = "2026-12-24"
             let text = WHOLE.replacen(from, to, 1);
             assert_ne!(text, WHOLE, "{from}");
             let error = baseline(&text, "b.toml", "b").unwrap_err();
-            let told = error.to_string();
-            assert!(told.starts_with(&format!("b.toml:{line}: ")), "{to}: {told}");
-            assert!(told.contains(part), "{to}: {told}");
+            let reported = error.to_string();
+            assert!(
+                reported.starts_with(&format!("b.toml:{line}: ")),
+                "{to}: {reported}"
+            );
+            assert!(reported.contains(part), "{to}: {reported}");
         }
     }
 }

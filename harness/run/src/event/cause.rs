@@ -22,10 +22,10 @@ pub struct Cause {
     /// The cause in one line.
     pub title: String,
     /// The program that shows the cause best.
-    pub shown: Witness,
+    pub shown: Reproducer,
     /// A program with other types or another construct that shows the same cause.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub second: Option<Witness>,
+    pub second: Option<Reproducer>,
     /// The elementary types in programs that show the cause, each entry those of one program; not of every case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub types: Vec<String>,
@@ -40,7 +40,7 @@ pub struct Cause {
 
 /// A program that shows a cause, what must happen and what happens.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
-pub struct Witness {
+pub struct Reproducer {
     /// The id of the case from which the program comes.
     pub case: String,
     /// The dialect of the case.
@@ -149,7 +149,7 @@ impl Cause {
 
     /// Adds what else was found out about the same cause: its cases, and its program where that is smaller.
     pub fn merge(&mut self, mut other: Cause) {
-        let size = |witness: &Witness| (witness.program.len(), witness.program.clone());
+        let size = |reproducer: &Reproducer| (reproducer.program.len(), reproducer.program.clone());
         let is_smaller = size(&other.shown) < size(&self.shown);
         if other.flaky.is_none() && (is_smaller || self.flaky.is_some()) {
             std::mem::swap(&mut other.shown, &mut self.shown);
@@ -197,9 +197,9 @@ mod tests {
         Cause {
             engine: "compiler".to_owned(),
             title: program.to_owned(),
-            shown: Witness {
+            shown: Reproducer {
                 program: program.to_owned(),
-                ..Witness::default()
+                ..Reproducer::default()
             },
             cases: vec![ExplainedCases {
                 probe: "t::p".to_owned(),

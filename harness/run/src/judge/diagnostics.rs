@@ -94,13 +94,13 @@ pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> 
     };
     match needed {
         Grade::Code => missing.retain(|wanted| {
-            let met = |told: &Diagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
+            let met = |reported: &Diagnostic| (reported.line, &reported.code) == (wanted.line, &wanted.code);
             let met = extra.iter().position(met);
             met.map(|at| extra.remove(at)).is_none()
         }),
         Grade::Line => {
-            let lines: Vec<Option<u32>> = extra.iter().map(|told| told.line).collect();
-            extra.retain(|told| missing.iter().all(|wanted| wanted.line != told.line));
+            let lines: Vec<Option<u32>> = extra.iter().map(|reported| reported.line).collect();
+            extra.retain(|reported| missing.iter().all(|wanted| wanted.line != reported.line));
             missing.retain(|wanted| !lines.contains(&wanted.line));
         }
         Grade::Rejected => return false,
@@ -114,7 +114,7 @@ pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> 
         return !missing.is_empty() && missing.len() < expected.len();
     }
     let same_codes = needed == Grade::Line || codes(&missing) == codes(&extra);
-    !missing.is_empty() && same_codes && extra.iter().all(|told| told.line.is_none())
+    !missing.is_empty() && same_codes && extra.iter().all(|reported| reported.line.is_none())
 }
 
 /// Returns whether a diagnostic names one of these lines, given in ascending order.
@@ -135,23 +135,23 @@ pub(super) fn warnings(
     strict: Grade,
     findings: &mut Findings,
 ) {
-    let meets = |expected: &ExpectedDiagnostic, told: &Diagnostic| match strict {
-        Grade::Code => place(told) == (Some(expected.line), Some(expected.code.as_str())),
-        Grade::Line => told.line == Some(expected.line),
+    let meets = |expected: &ExpectedDiagnostic, reported: &Diagnostic| match strict {
+        Grade::Code => place(reported) == (Some(expected.line), Some(expected.code.as_str())),
+        Grade::Line => reported.line == Some(expected.line),
         Grade::Rejected => true,
     };
     let (met, missing): (Vec<_>, Vec<_>) = sorted(&expectation.warnings)
         .into_iter()
-        .partition(|expected| given.iter().any(|told| meets(expected, told)));
+        .partition(|expected| given.iter().any(|reported| meets(expected, reported)));
     for expected in met {
         findings.add(expected_fact(expected));
     }
     findings.require(missing.is_empty());
-    for told in given {
-        let on_clean_line = names(&expectation.clean_lines, told);
+    for reported in given {
+        let on_clean_line = names(&expectation.clean_lines, reported);
         findings.require(!on_clean_line);
         if on_clean_line || !missing.is_empty() {
-            findings.add(fact(told.clone()));
+            findings.add(fact(reported.clone()));
         }
     }
 }

@@ -7,34 +7,36 @@ use stickler_types::Diagnostic;
 /// Returns the symptom of an expected rejection, by those parts of the diagnostics that were compared.
 pub(super) fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: Grade) -> Symptom {
     let (missing, extra) = unmet(expected, got, strict);
-    let told = extra.first().map(|first| reason(first)).unwrap_or_default();
+    let reported = extra.first().map(|first| reason(first)).unwrap_or_default();
     // Where lines are not compared, only a diagnostic on a line without a mistake is wrong.
     let Some(first) = missing.first().filter(|_| strict != Grade::Rejected) else {
-        return Symptom::Surplus(told);
+        return Symptom::Surplus(reported);
     };
     let code = reason(first);
     let nothing_met = missing.len() == expected.len() && !extra.is_empty();
     match strict {
-        Grade::Code => match extra.iter().find(|told| told.code == first.code) {
+        Grade::Code => match extra.iter().find(|reported| reported.code == first.code) {
             Some(same) if has_no_place(same) => Symptom::NoPlace(code),
             Some(_) => Symptom::OtherLine(code),
-            None if nothing_met || extra.iter().any(|told| told.line == first.line) => {
-                Symptom::OtherCode { code, told }
+            None if nothing_met || extra.iter().any(|reported| reported.line == first.line) => {
+                Symptom::OtherCode { code, reported }
             }
             None => Symptom::Incomplete(code),
         },
-        Grade::Line | Grade::Rejected if nothing_met => match extra.iter().all(|told| has_no_place(told)) {
-            true => Symptom::NoPlace(told),
-            false => Symptom::OtherLine(code),
-        },
+        Grade::Line | Grade::Rejected if nothing_met => {
+            match extra.iter().all(|reported| has_no_place(reported)) {
+                true => Symptom::NoPlace(reported),
+                false => Symptom::OtherLine(code),
+            }
+        }
         _ => Symptom::Incomplete(code),
     }
 }
 
 /// Returns whether a diagnostic does not tell where the mistake is. Line 1, column 1 is what a compiler says that has lost the
 /// place; where the mistake really stands there, the diagnostic is the expected one.
-fn has_no_place(told: &Diagnostic) -> bool {
-    told.line.is_none() || (told.line, told.column) == (Some(1), Some(1))
+fn has_no_place(reported: &Diagnostic) -> bool {
+    reported.line.is_none() || (reported.line, reported.column) == (Some(1), Some(1))
 }
 
 /// Returns the expected diagnostics that did not come, and the actual ones that are not expected. Where codes are compared,
@@ -48,13 +50,13 @@ fn unmet<'t>(
         |among: &[&Diagnostic], one: &Diagnostic| among.iter().any(|other| other.line == one.line);
     if strict != Grade::Code {
         let missing = expected.iter().filter(|wanted| !on_line_of_any(got, wanted));
-        let extra = got.iter().filter(|told| !on_line_of_any(expected, told));
+        let extra = got.iter().filter(|reported| !on_line_of_any(expected, reported));
         return (missing.copied().collect(), extra.copied().collect());
     }
     let mut extra = got.to_vec();
     let mut missing = expected.to_vec();
     missing.retain(|wanted| {
-        let same = |told: &&Diagnostic| (told.line, &told.code) == (wanted.line, &wanted.code);
+        let same = |reported: &&Diagnostic| (reported.line, &reported.code) == (wanted.line, &wanted.code);
         let met = extra.iter().position(same);
         met.map(|at| extra.remove(at)).is_none()
     });

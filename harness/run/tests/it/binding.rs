@@ -155,17 +155,17 @@ fn blanks_of_a_rendered_line_are_a_rule_whatever_the_source() {
 #[test]
 fn places_and_further_mistakes_that_are_not_told_are_a_rule_whatever_the_source() {
     use Verdict::{Differs, Fail};
-    let judged = |plan: &Plan, engine: &str, wanted: &[&'static str], told: &[&'static str]| {
+    let judged = |plan: &Plan, engine: &str, wanted: &[&'static str], reported: &[&'static str]| {
         let mut suite = citing(IRONPLC);
         suite.cases[0].expectation = rejection(wanted).into();
-        let told = told.to_vec();
-        let case = judged(plan, &suite, &Puppet::new(engine, move |_| rejected(&told)));
+        let reported = reported.to_vec();
+        let case = judged(plan, &suite, &Puppet::new(engine, move |_| rejected(&reported)));
         (case.verdict, case.basis)
     };
     let rule = || (Differs, "rule: every-mistake-is-told".to_owned());
     let failed = || (Fail, IRONPLC.to_owned());
     let plan = Plan::default();
-    for (wanted, told, came) in [
+    for (wanted, reported, came) in [
         (&["6 P4025"][..], &["- P4025"][..], rule()),
         (&["6 P4025"], &["- P4026"], failed()),
         (&["6 P4025"], &["- -"], failed()),
@@ -180,9 +180,9 @@ fn places_and_further_mistakes_that_are_not_told_are_a_rule_whatever_the_source(
         (&["6 P4025", "7 P4026"], &["6 P4025", "8 P4026"], failed()),
     ] {
         assert_eq!(
-            judged(&plan, "ironplc", wanted, told),
+            judged(&plan, "ironplc", wanted, reported),
             came,
-            "{wanted:?} {told:?}"
+            "{wanted:?} {reported:?}"
         );
     }
     let strict = |grade, strict_rules| Plan {
@@ -192,7 +192,7 @@ fn places_and_further_mistakes_that_are_not_told_are_a_rule_whatever_the_source(
     };
     // Where lines are judged alone, no code is asked for.
     let by_line = strict(Grade::Line, false);
-    for (wanted, told, came) in [
+    for (wanted, reported, came) in [
         (&["6 P4025"][..], &["- P4026"][..], rule()),
         (&["6 P4025", "7 P4026"], &["6 -", "- -"], rule()),
         (&["6 P4025", "7 P4026"], &["7 -"], rule()),
@@ -200,9 +200,9 @@ fn places_and_further_mistakes_that_are_not_told_are_a_rule_whatever_the_source(
         (&["6 P4025"], &["7 -"], failed()),
     ] {
         assert_eq!(
-            judged(&by_line, "ironplc", wanted, told),
+            judged(&by_line, "ironplc", wanted, reported),
             came,
-            "{wanted:?} {told:?}"
+            "{wanted:?} {reported:?}"
         );
     }
     let bound = judged(&strict(Grade::Code, true), "ironplc", &["6 P4025"], &["- P4025"]);

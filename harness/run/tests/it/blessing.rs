@@ -80,8 +80,9 @@ fn blessed(text: &str, run: &EngineRun) -> Blessing {
 
 fn cases(blessing: &Blessing) -> Vec<String> {
     let baseline = Baseline::read(&blessing.text, "b/iron.toml", "iron").unwrap();
-    let told = baseline.entries.iter();
-    told.map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.case.as_str()))
+    let reported = baseline.entries.iter();
+    reported
+        .map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.case.as_str()))
         .collect()
 }
 
@@ -103,13 +104,13 @@ fn what_did_not_pass_is_written_down_in_few_entries() {
         "{}",
         blessing.text
     );
-    let told: Vec<_> = blessing
+    let reported: Vec<_> = blessing
         .changes
         .iter()
         .map(|change| (change.kind, change.why.as_str()))
         .collect();
     assert_eq!(
-        told,
+        reported,
         [(ChangeKind::Added, "1 case"), (ChangeKind::Added, "6 cases")]
     );
 }

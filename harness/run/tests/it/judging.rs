@@ -225,14 +225,14 @@ fn an_expected_warning_must_come_and_others_may() {
     assert_eq!(judgement.verdict, Verdict::Pass);
     assert_eq!(judgement.expected, judgement.got);
     assert_eq!(Fact::text(&judgement.got), "accepted\nline 6: warning C0195");
-    for (given, told) in [
+    for (given, reported) in [
         (&[][..], "accepted"),
         (&[(7, "C0195")], "accepted\nline 7: warning C0195: told"),
         (&[(6, "C0196")], "accepted\nline 6: warning C0196: told"),
     ] {
         assert_eq!(
             verdict(warning(6), warned(given)),
-            (Verdict::Fail, told.to_owned())
+            (Verdict::Fail, reported.to_owned())
         );
     }
     let by_line = |given| {
@@ -250,8 +250,11 @@ fn a_warning_fails_a_case_only_on_a_clean_line() {
         ..Expectation::default()
     };
     assert_eq!(verdict(clean(), warned(&[(7, "C0195")])).0, Verdict::Pass);
-    let told = "accepted\nline 6: warning C0195: told".to_owned();
-    assert_eq!(verdict(clean(), warned(&[(6, "C0195")])), (Verdict::Fail, told));
+    let reported = "accepted\nline 6: warning C0195: told".to_owned();
+    assert_eq!(
+        verdict(clean(), warned(&[(6, "C0195")])),
+        (Verdict::Fail, reported)
+    );
     assert_eq!(
         verdict(Expectation::default(), warned(&[(6, "C0195")])).0,
         Verdict::Pass

@@ -23,9 +23,9 @@ fn of_all_or_none(outcomes: &[Outcome]) -> Vec<bool> {
 
 /// Behaves like a compiler that reports every error: where there are any, only the programs that have one are certain.
 fn of_what_is_told(outcomes: &[Outcome]) -> Vec<bool> {
-    let told = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
-    match outcomes.iter().any(told) {
-        true => outcomes.iter().map(told).collect(),
+    let reported = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
+    match outcomes.iter().any(reported) {
+        true => outcomes.iter().map(reported).collect(),
         false => of_all_or_none(outcomes),
     }
 }
@@ -100,14 +100,14 @@ impl<E> Session for PackingSession<'_, E> {
         self.engine.largest.fetch_max(requests.len(), Ordering::Relaxed);
         let outcomes: Vec<Outcome> = requests.iter().map(|request| self.session.run(request)).collect();
         let sure = (self.engine.sure)(&outcomes);
-        let told = |(outcome, sure)| {
+        let reported = |(outcome, sure)| {
             if sure {
                 Packed::Answered(outcome)
             } else {
                 Packed::Unknown
             }
         };
-        outcomes.into_iter().zip(sure).map(told).collect()
+        outcomes.into_iter().zip(sure).map(reported).collect()
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {

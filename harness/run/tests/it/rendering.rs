@@ -76,8 +76,8 @@ fn a_rendered_text_that_is_rejected_is_told_with_the_line() {
         let judgement = judged(executed(&[]), text(TEXT), rejected(&[diagnostic]), executed(&[]));
         Fact::text(&judgement.got)
     };
-    let told = again("5 P0002");
-    assert!(told.ends_with(", at `r := w.3;`"), "{told}");
+    let reported = again("5 P0002");
+    assert!(reported.ends_with(", at `r := w.3;`"), "{reported}");
     assert!(!again("9 P0002").contains('`'), "the text has no such line");
 }
 

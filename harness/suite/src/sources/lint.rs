@@ -47,8 +47,8 @@ impl Sources {
                 .iter()
                 .filter(|engine| !known.contains(&engine.as_str()))
             {
-                let told = suggestion(engine, known.iter().copied());
-                let message = format!("no built-in engine `{engine}`; {told}");
+                let reported = suggestion(engine, known.iter().copied());
+                let message = format!("no built-in engine `{engine}`; {reported}");
                 mistakes.push(
                     Mistake::new(source.line, message)
                         .key(source.key.clone())

@@ -137,7 +137,7 @@ impl DescribedCall<'_> {
     /// Returns the warnings in the output of a command that accepts the program.
     fn warnings(&self, ended: &Ended) -> Vec<Diagnostic> {
         let mut diagnostics = self.diagnostics(ended);
-        diagnostics.retain(|told| !told.is_error());
+        diagnostics.retain(|reported| !reported.is_error());
         diagnostics
     }
 

@@ -239,7 +239,7 @@ fn what_only_runs_programs_passes_its_warnings_on() {
             .warnings()
             .into_iter()
             .flatten()
-            .map(|told| (told.line, &*told.message))
+            .map(|reported| (reported.line, &*reported.message))
             .collect();
         assert_eq!(warnings, [(Some(2), "narrowed")], "{outcome:?}");
     }

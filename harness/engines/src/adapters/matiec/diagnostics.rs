@@ -45,8 +45,8 @@ fn gave_up(stderr: &str) -> Option<Diagnostic> {
 
 /// Returns the errors and the warnings in the output, in its order.
 pub(super) fn diagnostics(stderr: &str) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
-    let told = stderr.lines().filter_map(diagnostic);
-    told.partition(Diagnostic::is_error)
+    let reported = stderr.lines().filter_map(diagnostic);
+    reported.partition(Diagnostic::is_error)
 }
 
 /// Returns the rejection with these diagnostics.
@@ -103,8 +103,8 @@ mod tests {
 
     #[test]
     fn a_program_at_which_the_parser_gives_up_is_rejected_without_a_place() {
-        let told = gave_up(&format!("\n{GAVE_UP}\n")).unwrap();
-        assert_eq!((told.code.as_deref(), told.line), (Some("P0002"), None));
+        let reported = gave_up(&format!("\n{GAVE_UP}\n")).unwrap();
+        assert_eq!((reported.code.as_deref(), reported.line), (Some("P0002"), None));
         let library = GAVE_UP.replace(". Bailing", " in standard library. Bailing");
         for other in [library.as_str(), "Out of memory. Bailing out!", ""] {
             assert_eq!(gave_up(other), None, "{other}");

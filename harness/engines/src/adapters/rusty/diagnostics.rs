@@ -54,10 +54,15 @@ impl OutputParser {
     pub(super) fn diagnostics(&self, ended: &Ended) -> Result<Vec<LocatedDiagnostic>, Outcome> {
         let text = without_colours(&ended.stderr);
         match ended.status.code() {
-            Some(0) => Ok(self.listed(&text).filter(|(_, told)| !told.is_error()).collect()),
+            Some(0) => Ok(self
+                .listed(&text)
+                .filter(|(_, reported)| !reported.is_error())
+                .collect()),
             Some(1) => {
-                let mut found: Vec<LocatedDiagnostic> =
-                    self.listed(&text).filter(|(_, told)| told.is_error()).collect();
+                let mut found: Vec<LocatedDiagnostic> = self
+                    .listed(&text)
+                    .filter(|(_, reported)| reported.is_error())
+                    .collect();
                 if found.is_empty() {
                     let last = text.lines().rfind(|line| !line.is_empty() && !is_noise(line));
                     let read = self.last.by_file(last.unwrap_or_default()).into_iter();

@@ -38,7 +38,9 @@ fn look(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
         return Round::alone((0..subjects.len()).filter(cannot).collect());
     };
     let warnings = match session.compile(programs, &functions(&subjects, &driver.subjects)) {
-        Ok(found) if found.iter().any(|(_, told)| told.is_error()) => return refused(programs, found),
+        Ok(found) if found.iter().any(|(_, reported)| reported.is_error()) => {
+            return refused(programs, found);
+        }
         Ok(warnings) => warnings,
         Err(outcome) => return broken_off(&outcome, programs),
     };

@@ -253,7 +253,7 @@ fn among_others_every_name_of_a_program_is_kept_apart_unless_the_language_has_it
 fn warnings_are_told_of_what_is_accepted_and_passed_over_beside_errors() {
     let reader = OutputParser::new().unwrap();
     let warning = "program_7.st:2:3:{2:3-2:4}: warning[E067]: Implicit downcast from 'LREAL' to 'SINT'.\n";
-    let told = |code: i32, stderr: String| {
+    let reported = |code: i32, stderr: String| {
         let ended = Ended {
             status: ExitStatus::from_raw(code << 8),
             stdout: String::new(),
@@ -262,14 +262,20 @@ fn warnings_are_told_of_what_is_accepted_and_passed_over_beside_errors() {
         let found = reader.diagnostics(&ended).unwrap();
         found
             .into_iter()
-            .map(|(_, told)| (told.severity, told.code.unwrap_or_default(), told.line))
+            .map(|(_, reported)| {
+                (
+                    reported.severity,
+                    reported.code.unwrap_or_default(),
+                    reported.line,
+                )
+            })
             .collect::<Vec<_>>()
     };
     let expected = (Severity::Warning, "E067".to_owned(), Some(2));
-    assert_eq!(told(0, warning.to_owned()), [expected]);
+    assert_eq!(reported(0, warning.to_owned()), [expected]);
     let error = "program_7.st:3:3:{3:3-3:4}: error[E037]: no\n";
     let expected = (Severity::Error, "E037".to_owned(), Some(3));
-    assert_eq!(told(1, format!("{warning}{error}")), [expected]);
+    assert_eq!(reported(1, format!("{warning}{error}")), [expected]);
 }
 
 #[test]
