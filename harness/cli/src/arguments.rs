@@ -116,7 +116,7 @@ pub enum Command {
 /// The cases that a command works on.
 #[derive(Args, Debug, Default)]
 pub struct SelectionArguments {
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only the case that TEXT names; where it names none, the cases whose `id@dialect` contains it, or, where
@@ -213,7 +213,7 @@ pub struct ShowArguments {
     /// The case's id, with or without `@dialect`
     #[arg(value_name = "CASE")]
     pub case: String,
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
 }
@@ -221,7 +221,7 @@ pub struct ShowArguments {
 /// `stickler lint`.
 #[derive(Args, Debug)]
 pub struct LintArguments {
-    /// The folder of the cases [default: conformance-cases here or in a folder above]
+    /// The folder of the cases [default: conformance-cases here or above, or those inside the program]
     #[arg(value_name = "DIR")]
     pub cases: Option<PathBuf>,
 }
@@ -276,7 +276,7 @@ pub struct MatrixArguments {
     /// Ask this engine, as for `stickler run`; may be repeated, and all stand in one table [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only this dialect; may be repeated [default: all]
@@ -300,7 +300,7 @@ pub struct ConversionsArguments {
     /// Ask this engine: `reference`, or `cmd:COMMAND LINE`; may be repeated [default: reference]
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
-    /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Print one JSON object

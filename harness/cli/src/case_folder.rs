@@ -1,5 +1,7 @@
 //! Finds the folder of cases, loads the cases, and reports mistakes in their files.
 
+mod carried;
+
 use crate::arguments::SelectionArguments;
 use crate::engines;
 use crate::exit::Exit;
@@ -28,33 +30,42 @@ pub struct CaseFolder {
     /// The folder that contains `reports/` by default: the parent of a folder of cases that was found in the current folder or
     /// above, otherwise the current folder.
     pub root: PathBuf,
+    /// Whether the cases are those that the program carries.
+    pub is_carried: bool,
 }
 
 impl CaseFolder {
     /// Finds the folder of cases: the one that was named, or else `conformance-cases` in the current folder or the nearest above
-    /// it, or else above the program, which serves a tester in the repository of a compiler.
+    /// it, or else above the program, which serves a tester in the repository of a compiler, or else the cases that the program carries.
     ///
     /// # Errors
-    /// A name that is no folder, or no folder found.
+    /// A name that is no folder, or no folder found and none that the carried cases can be unpacked into.
     pub fn locate(named: Option<&Path>) -> anyhow::Result<CaseFolder> {
         match named {
             Some(path) if path.is_dir() => Ok(CaseFolder {
                 path: path.to_owned(),
                 root: PathBuf::new(),
+                is_carried: false,
             }),
             Some(path) if path.exists() => bail!("{} is no folder", path.display()),
             Some(path) => bail!("there is no folder {}", path.display()),
             None => {
                 let here = env::current_dir().context("cannot tell the current folder")?;
                 let program = env::current_exe().and_then(|program| program.canonicalize());
-                CaseFolder::search(&here, program.ok().as_deref())
+                match CaseFolder::search(&here, program.ok().as_deref()) {
+                    Some(found) => Ok(found),
+                    None => Ok(CaseFolder {
+                        path: carried::unpacked()?,
+                        root: PathBuf::new(),
+                        is_carried: true,
+                    }),
+                }
             }
         }
     }
 
-    /// # Errors
-    /// No folder of cases in either place.
-    fn search(here: &Path, program: Option<&Path>) -> anyhow::Result<CaseFolder> {
+    /// Returns the folder of cases in the nearest place; `None` where there is none in any of them.
+    fn search(here: &Path, program: Option<&Path>) -> Option<CaseFolder> {
         let above = |start: &Path| {
             start
                 .ancestors()
@@ -64,21 +75,18 @@ impl CaseFolder {
         if let Some(root) = above(here) {
             // Paths are shown to the user, so a short one is better.
             let root = if root == here { PathBuf::new() } else { root };
-            return Ok(CaseFolder {
+            return Some(CaseFolder {
                 path: root.join(NAME),
                 root,
+                is_carried: false,
             });
         }
         // Reports belong to the current folder, not to the clone in which the program was built.
-        match program.and_then(above) {
-            Some(clone) => Ok(CaseFolder {
-                path: clone.join(NAME),
-                root: PathBuf::new(),
-            }),
-            None => bail!(
-                "there is no folder {NAME} here, above, or above the program itself; name one with --cases DIR"
-            ),
-        }
+        program.and_then(above).map(|clone| CaseFolder {
+            path: clone.join(NAME),
+            root: PathBuf::new(),
+            is_carried: false,
+        })
     }
 
     /// Reads all cases, and reports mistakes in their files on stderr. Of the dialects that stickler.toml defines, only the given
@@ -142,6 +150,9 @@ impl CaseFolder {
         let in_filters = plan.filters.iter().filter_map(Filter::dialect);
         let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
         let mut suite = self.load_selected(plan, named.iter().copied());
+        if self.is_carried {
+            suite.version.push_str(" inside the program");
+        }
         let left_out = stickler_run::drop_changed_cases(plan, &mut suite.cases)?;
         note_left_out(&left_out);
         Ok(Loaded {
@@ -278,7 +289,7 @@ mod tests {
         for made in [&clone.join(NAME), &inside] {
             fs::create_dir_all(made).expect("a folder");
         }
-        assert!(CaseFolder::search(&inside, None).is_err());
+        assert!(CaseFolder::search(&inside, None).is_none());
         let found = CaseFolder::search(&inside, Some(&program)).expect("above the program");
         assert_eq!((found.path, found.root), (clone.join(NAME), PathBuf::new()));
         fs::create_dir(compiler.join(NAME)).expect("a folder");

@@ -15,7 +15,7 @@ pub struct BlessArguments {
     /// Rewrite FILE [default: reports/baselines/ENGINE.toml beside the folder of the cases]
     #[arg(long, value_name = "FILE")]
     pub baseline: Option<PathBuf>,
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only show what would be different

@@ -16,7 +16,7 @@ pub struct ExportArguments {
     /// The dialect of the cases
     #[arg(long, value_name = "DIALECT", value_parser = super::dialects())]
     pub dialect: DialectName,
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only cases that TEXT names, as for `stickler run`
@@ -65,7 +65,7 @@ pub struct ImportArguments {
     /// Expect every case to pass
     #[arg(long)]
     pub no_baseline: bool,
-    /// Where the cases are that a baseline is about [default: conformance-cases here or in a folder above]
+    /// Where the cases are that a baseline is about [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Write the reports to DIR [default: reports/latest beside the folder of the cases, or here]

@@ -86,7 +86,7 @@ pub struct PromoteArguments {
     /// The name of the case, found/NAME [default: the finding's]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
-    /// The folder of the cases [default: conformance-cases here or in a folder above]
+    /// The folder of the cases [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
 }

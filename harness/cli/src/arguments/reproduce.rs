@@ -30,7 +30,7 @@ pub struct ReproduceArguments {
     /// Run N scans of a file
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(1, u32::MAX.into()), allow_negative_numbers = true)]
     pub scans: u32,
-    /// Read the cases from DIR [default: conformance-cases here or in a folder above]
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
 }

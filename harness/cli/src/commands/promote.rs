@@ -13,8 +13,13 @@ use stickler_campaign::{CaseHead, FOUND, load, promote};
 /// # Errors
 /// No such finding, no folder of cases, or a finding that no case can express.
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let finding = load(&finding_place(&arguments.finding, None))?;
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    if folder.is_carried {
+        anyhow::bail!(
+            "there is no folder of cases here or above to which the case could be added; name one with --cases DIR"
+        );
+    }
+    let finding = load(&finding_place(&arguments.finding, None))?;
     let words = CaseHead {
         name: arguments.name.as_deref(),
         title: arguments.title.as_deref(),

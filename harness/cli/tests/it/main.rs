@@ -4,6 +4,7 @@
 mod bless;
 #[cfg(unix)]
 mod caching;
+mod carried;
 mod common;
 mod compare;
 mod dialects;
