@@ -67,6 +67,15 @@ pub struct Dialect {
     ///
     /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
     pub modulo_by_zero_is_zero: bool,
+    /// `/` stops the program where a real number is divided by zero, and where a quotient of integers does not fit its type: the least DINT
+    /// divided by -1.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`domain_divide_real_by_zero`, `arithedge_…_div_min_by_minus_one`).
+    pub division_stops: bool,
+    /// MUX with a selector outside its inputs takes the last one, and is no fault.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`mux_out_of_range`).
+    pub mux_outside_takes_last: bool,
     /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
     pub cross_family_widening: bool,
     /// An untyped integer literal may stand for a REAL or LREAL.
@@ -189,6 +198,8 @@ impl Dialect {
             lengths_in_parentheses: false,
             ampersand_and_power: true,
             modulo_by_zero_is_zero: false,
+            division_stops: false,
+            mux_outside_takes_last: false,
             shift_counts: ShiftCounts::All,
             cross_family_widening: false,
             integer_literal_as_real: true,
@@ -352,6 +363,8 @@ impl Dialect {
             enumerations_as_integers: true,
             lengths_in_parentheses: true,
             modulo_by_zero_is_zero: true,
+            division_stops: true,
+            mux_outside_takes_last: true,
             shift_counts: ShiftCounts::LowBits,
             partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {

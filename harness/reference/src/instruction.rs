@@ -220,6 +220,8 @@ pub enum ArithmeticOperator {
     Multiply,
     /// `/`: integers toward zero; zero as an integer divisor faults with division-by-zero.
     Divide,
+    /// `/`, of which zero as a real divisor and a quotient of integers that does not fit fault with division-by-zero, too.
+    DivideOrStop,
     /// `MOD`: the remainder has the dividend's sign; zero as the divisor faults.
     Modulo,
     /// MOD, of which a divisor of zero gives 0 and no fault.

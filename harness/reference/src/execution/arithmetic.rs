@@ -14,7 +14,8 @@ const DAY: i64 = 86_400_000_000_000;
 /// The result of an operator on two raw forms of a type.
 ///
 /// # Errors
-/// `DivisionByZero` where the divisor of anything but a real number is zero.
+/// `DivisionByZero` where the divisor is zero; that of a real number only for [`ArithmeticOperator::DivideOrStop`], which also stops
+/// where a quotient does not fit.
 #[inline]
 pub fn arithmetic(
     operator: ArithmeticOperator,
@@ -23,6 +24,9 @@ pub fn arithmetic(
     right: u64,
 ) -> Result<u64, FaultKind> {
     match ty.family() {
+        _ if operator == ArithmeticOperator::DivideOrStop && has_no_quotient(ty, left, right) => {
+            Err(FaultKind::DivisionByZero)
+        }
         Family::Signed => signed(operator, left, right).map(|bits| narrow(bits, ty)),
         Family::Real if ty == ElementaryType::Real => {
             Ok(of_single(on_singles(operator, single(left), single(right))))
@@ -35,6 +39,18 @@ pub fn arithmetic(
     }
 }
 
+/// Returns whether a division has no quotient of the type: a real number by zero, or the least integer by -1.
+fn has_no_quotient(ty: ElementaryType, left: u64, right: u64) -> bool {
+    match ty {
+        ElementaryType::Real => single(right) == 0.0,
+        ElementaryType::Lreal => f64::from_bits(right) == 0.0,
+        _ => {
+            let least = ty.integer_range().map(|(least, _)| least);
+            ty.is_signed() && right.cast_signed() == -1 && least == Some(left.cast_signed().into())
+        }
+    }
+}
+
 /// Modulo 2^64, which holds the result modulo any smaller width. The least integer divided by -1 wraps to
 /// itself, and its remainder is 0.
 #[inline]
@@ -44,10 +60,12 @@ fn signed(operator: ArithmeticOperator, left: u64, right: u64) -> Result<u64, Fa
         ArithmeticOperator::Add => a.wrapping_add(b),
         ArithmeticOperator::Subtract => a.wrapping_sub(b),
         ArithmeticOperator::Multiply => a.wrapping_mul(b),
-        ArithmeticOperator::Divide | ArithmeticOperator::Modulo if b == 0 => {
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop | ArithmeticOperator::Modulo
+            if b == 0 =>
+        {
             return Err(FaultKind::DivisionByZero);
         }
-        ArithmeticOperator::Divide => a.wrapping_div(b),
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => a.wrapping_div(b),
         ArithmeticOperator::ModuloOrZero if b == 0 => 0,
         ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a.wrapping_rem(b),
     };
@@ -60,7 +78,9 @@ fn unsigned(operator: ArithmeticOperator, a: u64, b: u64) -> Result<u64, FaultKi
         ArithmeticOperator::Add => Ok(a.wrapping_add(b)),
         ArithmeticOperator::Subtract => Ok(a.wrapping_sub(b)),
         ArithmeticOperator::Multiply => Ok(a.wrapping_mul(b)),
-        ArithmeticOperator::Divide => a.checked_div(b).ok_or(FaultKind::DivisionByZero),
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => {
+            a.checked_div(b).ok_or(FaultKind::DivisionByZero)
+        }
         ArithmeticOperator::Modulo => a.checked_rem(b).ok_or(FaultKind::DivisionByZero),
         ArithmeticOperator::ModuloOrZero => Ok(a.checked_rem(b).unwrap_or(0)),
     }
@@ -71,7 +91,7 @@ fn on_singles(operator: ArithmeticOperator, a: f32, b: f32) -> f32 {
         ArithmeticOperator::Add => a + b,
         ArithmeticOperator::Subtract => a - b,
         ArithmeticOperator::Multiply => a * b,
-        ArithmeticOperator::Divide => a / b,
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => a / b,
         ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a % b,
     }
 }
@@ -81,7 +101,7 @@ fn on_doubles(operator: ArithmeticOperator, a: f64, b: f64) -> f64 {
         ArithmeticOperator::Add => a + b,
         ArithmeticOperator::Subtract => a - b,
         ArithmeticOperator::Multiply => a * b,
-        ArithmeticOperator::Divide => a / b,
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => a / b,
         ArithmeticOperator::Modulo | ArithmeticOperator::ModuloOrZero => a % b,
     }
 }
@@ -112,7 +132,9 @@ pub fn absolute(ty: ElementaryType, value: u64) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::instruction::ArithmeticOperator::{Add, Divide, Modulo, ModuloOrZero, Multiply, Subtract};
+    use crate::instruction::ArithmeticOperator::{
+        Add, Divide, DivideOrStop, Modulo, ModuloOrZero, Multiply, Subtract,
+    };
     use ElementaryType::{Dint, Int, Lint, Lreal, Real, Sint, Time, Tod, Udint, Uint, Ulint, Usint};
 
     /// Computes as the standard's arithmetic does, where nothing can overflow.
@@ -121,7 +143,7 @@ mod tests {
             Add => Some(a + b),
             Subtract => Some(a - b),
             Multiply => Some(a.wrapping_mul(b)),
-            Divide => a.checked_div(b),
+            Divide | DivideOrStop => a.checked_div(b),
             Modulo => a.checked_rem(b),
             ModuloOrZero => a.checked_rem(b).or(Some(0)),
         }
@@ -151,6 +173,20 @@ mod tests {
         let zero = 0.0_f64.to_bits();
         let quotient = arithmetic(Divide, Lreal, 1.0_f64.to_bits(), zero);
         assert_eq!(quotient, Ok(f64::INFINITY.to_bits()));
+    }
+
+    #[test]
+    fn a_division_may_stop_where_there_is_no_quotient() {
+        let stops = |ty, a, b| arithmetic(DivideOrStop, ty, a, b) == Err(FaultKind::DivisionByZero);
+        let (minus_one, zero) = (u64::MAX, (-0.0_f64).to_bits());
+        let least = i64::from(i32::MIN).cast_unsigned();
+        assert!(
+            stops(Dint, least, minus_one) && !stops(Dint, least + 1, minus_one) && !stops(Dint, least, 1)
+        );
+        assert!(!stops(Lint, least, minus_one) && stops(Lint, 1 << 63, minus_one));
+        assert!(!stops(Ulint, 1 << 63, minus_one) && stops(Ulint, 1, 0));
+        assert!(stops(Real, of_single(1.0), of_single(0.0)) && stops(Lreal, 1.0_f64.to_bits(), zero));
+        assert!(!stops(Real, of_single(0.0), of_single(1.0)));
     }
 
     #[test]

@@ -22,9 +22,13 @@ pub(super) fn scale(
 ) -> Result<u64, Halt> {
     match operator {
         ArithmeticOperator::Multiply if ty.is_real() => Ok(product(duration, real::decode(number, ty))),
-        ArithmeticOperator::Divide if ty.is_real() => Ok(quotient(duration, real::decode(number, ty))?),
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop if ty.is_real() => {
+            Ok(quotient(duration, real::decode(number, ty))?)
+        }
         ArithmeticOperator::Multiply => Ok(duration.wrapping_mul(number)),
-        ArithmeticOperator::Divide => Ok(integer_quotient(duration, ty.integer_value(number))?),
+        ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => {
+            Ok(integer_quotient(duration, ty.integer_value(number))?)
+        }
         _ => Err(Halt::Missing("meaning for this operator on a duration")),
     }
 }

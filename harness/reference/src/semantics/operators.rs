@@ -256,7 +256,7 @@ impl TypeRules<'_> {
         };
         let defined = match operator {
             ArithmeticOperator::Multiply => true,
-            ArithmeticOperator::Divide => !swapped,
+            ArithmeticOperator::Divide | ArithmeticOperator::DivideOrStop => !swapped,
             _ => false,
         };
         let number = match number {
@@ -370,6 +370,9 @@ impl TypeRules<'_> {
             BinaryOperator::Add => OperatorGroup::Arithmetic(ArithmeticOperator::Add),
             BinaryOperator::Subtract => OperatorGroup::Arithmetic(ArithmeticOperator::Subtract),
             BinaryOperator::Multiply => OperatorGroup::Arithmetic(ArithmeticOperator::Multiply),
+            BinaryOperator::Divide if self.dialect.division_stops => {
+                OperatorGroup::Arithmetic(ArithmeticOperator::DivideOrStop)
+            }
             BinaryOperator::Divide => OperatorGroup::Arithmetic(ArithmeticOperator::Divide),
             BinaryOperator::Modulo if self.dialect.modulo_by_zero_is_zero => {
                 OperatorGroup::Arithmetic(ArithmeticOperator::ModuloOrZero)

@@ -150,6 +150,7 @@ impl Lowering<'_> {
             }
             (_, Some(selector)) => {
                 self.integer_argument(selector);
+                self.bound_selector(common.len());
             }
             _ => {}
         }
@@ -167,6 +168,19 @@ impl Lowering<'_> {
         match function {
             StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
             _ => LoweredValue { ty, constant: None },
+        }
+    }
+
+    /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.
+    fn bound_selector(&mut self, inputs: usize) {
+        if self.model.source.dialect.mux_outside_takes_last {
+            self.emit(Instruction::Push(inputs as u64 - 1));
+            // A negative selector counts as larger than all.
+            self.emit(Instruction::Standard {
+                function: StandardFunction::Min,
+                of: ElementaryType::Ulint,
+                count: 2,
+            });
         }
     }
 
