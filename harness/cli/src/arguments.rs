@@ -6,6 +6,7 @@ mod engines;
 mod export;
 mod fuzz;
 mod numbers;
+mod record;
 mod reduce;
 mod reproduce;
 
@@ -14,6 +15,7 @@ pub use compare::CompareArguments;
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
+pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
 
@@ -84,6 +86,9 @@ pub enum Command {
     /// Show what a conversion function gives for boundary values, dialects side by side
     #[command(after_help = CONVERSIONS_EXAMPLES)]
     Conversions(ConversionsArguments),
+    /// Write a file with the conversions of an engine, to be shown where the engine is not at hand
+    #[command(after_help = record::RECORD_EXAMPLES)]
+    Record(RecordArguments),
     /// Compare every input of a conversion function with exact arithmetic
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArguments),
@@ -282,6 +287,9 @@ pub struct MatrixArguments {
     /// Only this dialect; may be repeated [default: all]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
+    /// Show the recordings of conformance-cases/recordings too, each beside the engines that are asked now
+    #[arg(long)]
+    pub recorded: bool,
 }
 
 /// `stickler conversions`.
@@ -303,6 +311,9 @@ pub struct ConversionsArguments {
     /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
+    /// Show the recordings of conformance-cases/recordings too, each beside the engines that are asked now
+    #[arg(long)]
+    pub recorded: bool,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

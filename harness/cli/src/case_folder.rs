@@ -12,8 +12,9 @@ use std::collections::BTreeSet;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
+use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
-use stickler_suite::{Case, Dialects, FileKind, Suite};
+use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Shard;
 
@@ -95,6 +96,31 @@ impl CaseFolder {
         let suite = Suite::load_with(&self.path, &defined(dialects));
         report_mistakes(&suite);
         suite
+    }
+
+    /// Reads the recordings of compilers, in the order of their files: each, or the mistake for which it is refused.
+    ///
+    /// # Errors
+    /// A folder or file that cannot be read.
+    pub fn recordings(&self) -> anyhow::Result<Vec<Result<Recording, RecordingError>>> {
+        let folder = self.path.join(RECORDINGS);
+        if !folder.is_dir() {
+            return Ok(Vec::new());
+        }
+        let unreadable = |path: &Path| format!("cannot read {}", path.display());
+        let entries = fs::read_dir(&folder).and_then(Iterator::collect::<Result<Vec<_>, _>>);
+        let mut paths: Vec<PathBuf> = entries
+            .with_context(|| unreadable(&folder))?
+            .into_iter()
+            .map(|entry| entry.path())
+            .filter(|path| path.extension().is_some_and(|extension| extension == "toml"))
+            .collect();
+        paths.sort();
+        let read = |path: PathBuf| {
+            let text = fs::read_to_string(&path).with_context(|| unreadable(&path))?;
+            Ok(Recording::parse(&path.display().to_string(), &text))
+        };
+        paths.into_iter().map(read).collect()
     }
 
     /// Reads what the cases may cite, and no case.

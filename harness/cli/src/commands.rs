@@ -16,6 +16,7 @@ mod list;
 mod matrix;
 mod merge;
 mod promote;
+mod record;
 mod reduce;
 mod render;
 mod reproduce;
@@ -49,6 +50,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Explain(arguments) => explain::execute(&arguments, out),
         Command::Matrix(arguments) => matrix::execute(&arguments, out),
         Command::Conversions(arguments) => conversions::execute(&arguments, out),
+        Command::Record(arguments) => record::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),
         Command::Compare(arguments) => compare::execute(&arguments, out),
         Command::Fuzz(arguments) => fuzz::execute(&arguments, out),

@@ -12,8 +12,11 @@ mod statements;
 mod table;
 mod values;
 
+pub use inputs::boundaries as boundary_calls;
 pub use json::write as write_json;
 pub use page::OverviewPage;
-pub use results::{AssertedResult, ComparedResult, DialectResults, ExpectedResult, SignatureResults, gather};
+pub use results::{
+    AnswerSource, AssertedResult, ComparedResult, DialectResults, ExpectedResult, SignatureResults, gather,
+};
 pub use statements::{CaseProgram, CaseStatement, QuestionNumber, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};

@@ -34,6 +34,8 @@ pub enum RefusalKind {
     Crashed,
     /// The engine's answer was malformed, or lacked values.
     Nonsense,
+    /// The call does not stand in the recording that was asked.
+    NotAsked,
 }
 
 impl fmt::Display for Refusal {
@@ -49,6 +51,16 @@ impl fmt::Display for Refusal {
 }
 
 impl RefusalKind {
+    /// The kinds that a recording holds, one for each [`RefusalKind::word`].
+    pub const STORED: [RefusalKind; 6] = [
+        RefusalKind::Unsupported,
+        RefusalKind::Rejected,
+        RefusalKind::Faulted,
+        RefusalKind::TimedOut,
+        RefusalKind::Crashed,
+        RefusalKind::Nonsense,
+    ];
+
     /// Returns the refusal's kind as the end of a sentence that names the engine: `rejected the program`, `crashed` …
     #[must_use]
     pub const fn as_str(self) -> &'static str {
@@ -60,6 +72,7 @@ impl RefusalKind {
             RefusalKind::TimedOut => "took too long",
             RefusalKind::Crashed => "crashed",
             RefusalKind::Nonsense => "answered nonsense",
+            RefusalKind::NotAsked => "was not asked",
         }
     }
 
@@ -73,13 +86,23 @@ impl RefusalKind {
             RefusalKind::TimedOut => "timed out",
             RefusalKind::Crashed => "crashed",
             RefusalKind::Nonsense => "error",
+            RefusalKind::NotAsked => "not asked",
         }
+    }
+
+    /// Returns the kind of a [`RefusalKind::word`] that a recording holds.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<RefusalKind> {
+        RefusalKind::STORED.into_iter().find(|kind| kind.word() == word)
     }
 
     /// Returns whether the refusal is a failure of the engine: neither a rejection nor something that it does not support.
     #[must_use]
     pub const fn is_failure(self) -> bool {
-        !matches!(self, RefusalKind::Unsupported | RefusalKind::Rejected)
+        !matches!(
+            self,
+            RefusalKind::Unsupported | RefusalKind::Rejected | RefusalKind::NotAsked
+        )
     }
 }
 

@@ -11,6 +11,9 @@ use crate::error::Mistake;
 /// The length of the longest case file that is read, in bytes.
 const MAX_FILE_LEN: u64 = 16 << 20;
 
+/// The folder of recordings of compilers below a root, whose tables are no case files.
+pub const RECORDINGS: &str = "recordings";
+
 /// The root of a suite.
 #[derive(Debug)]
 pub(crate) struct Root {
@@ -124,11 +127,12 @@ fn slashes(path: &Path) -> String {
     parts.join("/")
 }
 
-/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`, `places.toml`) and for all
+/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`, `places.toml`), for recordings and for all
 /// others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
         "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml" => None,
+        _ if is_recording(below_root) => None,
         _ if below_root.ends_with(".st") => Some(FileKind::Program),
         _ if below_root.ends_with(".toml") => Some(FileKind::Table),
         _ => None,
@@ -186,6 +190,12 @@ fn is_known(below_root: &str) -> bool {
         below_root,
         "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml"
     ) || below_root.ends_with(".md")
+        || is_recording(below_root)
+}
+
+fn is_recording(below_root: &str) -> bool {
+    let below = below_root.strip_prefix(RECORDINGS);
+    below.is_some_and(|below| below.starts_with('/') && below.ends_with(".toml"))
 }
 
 fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: &mut Listing) {

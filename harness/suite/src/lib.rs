@@ -50,7 +50,7 @@ pub use bases::{Bases, OR};
 pub use citations::NOT_STATED;
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
-pub use files::FileKind;
+pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, Severity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,

@@ -8,8 +8,10 @@ use crate::exit::Exit;
 use crate::interrupt;
 use crate::output;
 use std::io::Write;
-use stickler_conversions::overview::{self, OverviewPage, SignatureResults};
+use stickler_conversions::overview::{self, AnswerSource, OverviewPage, SignatureResults};
+use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
+use stickler_engines::Identity;
 use stickler_exact::Signature;
 use stickler_types::DialectName;
 
@@ -30,9 +32,20 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let mut asked = Vec::with_capacity(engines.len());
+    let recordings = match arguments.recorded {
+        true => recordings(arguments)?,
+        false => Vec::new(),
+    };
+    let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
+    let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
-        asked.push((named.engine.as_ref(), engines::spoken(named.identity(), &having)?));
+        let dialects = engines::spoken(named.identity(), &having)?;
+        asked.push((AnswerSource::Engine(named.engine.as_ref()), dialects));
+    }
+    for recording in &recordings {
+        let dialects = having.iter().copied();
+        let dialects = dialects.filter(|dialect| recording.dialects.contains(dialect));
+        asked.push((AnswerSource::Recording(recording), dialects.collect()));
     }
     let asserted = match CaseFolder::locate(arguments.cases.as_deref()) {
         Ok(folder) => documented::asserted_results(&folder.load_mentioning(&function), &function),
@@ -45,7 +58,11 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         }
     };
     let results = overview::gather(calls, &asked, &asserted)?;
-    let identities: Vec<_> = engines.iter().map(NamedEngine::identity).collect();
+    let identities: Vec<_> = engines
+        .iter()
+        .map(NamedEngine::identity)
+        .chain(&recorded)
+        .collect();
     if arguments.json {
         overview::write_json(&function, &results, &identities, out)?;
     } else {
@@ -53,7 +70,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             results: &results,
             lacking: &lacking,
             engines: &identities,
-            only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
+            only_reference: recordings.is_empty() && engines.iter().all(|named| named.asked_for == REFERENCE),
         };
         page.write(out)?;
     }
@@ -61,6 +78,16 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         true => Exit::Failures,
         false => Exit::AsExpected,
     })
+}
+
+/// Returns the recordings of the folder of cases.
+///
+/// # Errors
+/// No folder of cases, or a recording that is refused.
+fn recordings(arguments: &ConversionsArguments) -> anyhow::Result<Vec<Recording>> {
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let read = folder.recordings()?.into_iter();
+    Ok(read.collect::<Result<_, _>>()?)
 }
 
 /// Returns every signature that one of the dialects has, each once.

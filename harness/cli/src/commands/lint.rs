@@ -20,14 +20,20 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
     let engines = Compiler::ALL.map(Compiler::name);
     let findings = stickler_suite::lint(&folder.path, &engines);
     findings.iter().try_for_each(|finding| write(finding, out))?;
-    match findings.len() {
+    let recordings = folder.recordings()?;
+    let refused: Vec<_> = recordings.iter().filter_map(|read| read.as_ref().err()).collect();
+    for error in &refused {
+        writeln!(out, "{ERROR}error:{ERROR:#} {error}")?;
+    }
+    match findings.len() + refused.len() {
         0 => writeln!(out, "{}: nothing to complain about", folder.path.display())?,
         1 => writeln!(out, "\n1 finding")?,
         number => writeln!(out, "\n{number} findings")?,
     }
-    Ok(findings
-        .iter()
-        .map(|finding| exit(finding.severity))
+    let severities = findings.iter().map(|finding| finding.severity);
+    Ok(severities
+        .chain(refused.iter().map(|_| Severity::Error))
+        .map(exit)
         .fold(Exit::AsExpected, Exit::worst))
 }
 

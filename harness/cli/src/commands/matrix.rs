@@ -1,6 +1,5 @@
 //! `stickler matrix`: shows which types convert implicitly, by the documents and by engines.
 
-mod ask;
 mod table;
 
 use crate::arguments::{MatrixArguments, SelectionArguments};
@@ -11,6 +10,8 @@ use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
+use stickler_conversions::implicit::{self, TypePair};
+use stickler_conversions::recording::Recording;
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
 use table::{DialectMatrix, Documents, EngineAnswers};
@@ -54,6 +55,10 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     let Loaded { suite, .. } = folder.load_for(&case_folder::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
+    let recordings: Vec<Recording> = match arguments.recorded {
+        true => folder.recordings()?.into_iter().collect::<Result<_, _>>()?,
+        false => Vec::new(),
+    };
     let mut exit = case_folder::exit_of(&suite);
     if !suite.cases.iter().any(|case| case.cell.is_some()) {
         return Ok(case_folder::nothing_selected(&suite));
@@ -69,10 +74,15 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     for dialect in asked {
         let speaking = engines.iter().filter(|named| named.identity().speaks(*dialect));
         let speaking: Vec<&NamedEngine> = speaking.collect();
-        if speaking.is_empty() {
+        let recorded = recordings.iter();
+        let recorded: Vec<&Recording> = recorded
+            .filter(|recording| recording.dialects.contains(dialect))
+            .collect();
+        if speaking.is_empty() && recorded.is_empty() {
             continue;
         }
-        let matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
+        let mut matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
+        matrix.add_recorded(&recorded);
         matrix.write(out)?;
         // The next table may take a compiler a minute.
         out.flush()?;
@@ -80,7 +90,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
             exit = exit.worst(Exit::Failures);
         }
     }
-    legend(&engines, out)?;
+    legend(&engines, &recordings, out)?;
     Ok(exit)
 }
 
@@ -115,11 +125,11 @@ fn gather(
         .filter(|ty| TYPES.contains(ty) || named(ty))
         .collect();
     let of_row = |row: ElementaryType| types.iter().map(move |column| (row, *column));
-    let pairs: Vec<ask::TypePair> = types.iter().flat_map(|row| of_row(*row)).collect();
+    let pairs: Vec<TypePair> = types.iter().flat_map(|row| of_row(*row)).collect();
     let bar = Progress::new((pairs.len() * engines.len()) as u64);
     let mut columns = Vec::with_capacity(engines.len());
     for named in engines {
-        let answers = ask::answers(named.engine.as_ref(), dialect, &pairs, &|| bar.advance(0))?;
+        let answers = implicit::answers(named.engine.as_ref(), dialect, &pairs, 0, &|| bar.advance(0))?;
         columns.push(EngineAnswers {
             engine: named.identity().name.clone(),
             answers: pairs.iter().copied().zip(answers).collect(),
@@ -134,13 +144,14 @@ fn gather(
     })
 }
 
-fn legend(engines: &[NamedEngine], out: &mut dyn Write) -> io::Result<()> {
+fn legend(engines: &[NamedEngine], recordings: &[Recording], out: &mut dyn Write) -> io::Result<()> {
     writeln!(
         out,
         "A row is the value's type, a column the target's. In a cell, first the documents:"
     )?;
+    let alone = engines.len() == 1 && recordings.is_empty();
     match engines {
-        [named] => {
+        [named] if alone => {
             let engine = &named.identity().name;
             writeln!(
                 out,
@@ -152,11 +163,7 @@ fn legend(engines: &[NamedEngine], out: &mut dyn Write) -> io::Result<()> {
             "y yes, n no, = same type, ? open, blank not said; then the engines, as above:"
         )?,
     }
-    let differ = if engines.len() == 1 {
-        "they differ"
-    } else {
-        "one differs"
-    };
+    let differ = if alone { "they differ" } else { "one differs" };
     writeln!(
         out,
         "+ accepts, - rejects, ? cannot tell, x fails. ! stands where {differ}."

@@ -6,6 +6,7 @@ use super::values::CallOperands;
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::literals;
+use crate::session::RefusalKind;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::sync::Arc;
@@ -311,6 +312,7 @@ fn trouble(compared: &ComparedResult) -> Option<String> {
     match &compared.got {
         Ok(value) if compared.contradicts() => Some(format!("gives {}{must}", in_words(value))),
         Ok(_) => None,
+        Err(refusal) if refusal.kind == RefusalKind::NotAsked => None,
         Err(refusal) => Some(format!("{} ({}){must}", refusal.kind.word(), refusal.detail)),
     }
 }

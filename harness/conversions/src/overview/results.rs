@@ -1,6 +1,7 @@
 //! The results that engines give for the calls of a signature, each with the expected one.
 
 use super::values::CallOperands;
+use crate::recording::Recording;
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use std::sync::Arc;
 use stickler_engines::{Engine, EngineError};
@@ -16,6 +17,19 @@ pub struct SignatureResults {
     /// The results of each engine in each dialect.
     pub columns: Vec<DialectResults>,
 }
+
+/// A source of results: an engine that is asked now, or the recording of one that was asked before.
+#[derive(Clone, Copy)]
+pub enum AnswerSource<'a> {
+    /// An engine.
+    Engine(&'a dyn Engine),
+    /// A recording.
+    Recording(&'a Recording),
+}
+
+/// Gives the results of calls in a dialect.
+type Answers<'a> =
+    Box<dyn FnMut(DialectName, &Signature, &[CallOperands]) -> Vec<Result<Value, Refusal>> + 'a>;
 
 /// The results of one engine in one dialect.
 pub struct DialectResults {
@@ -87,7 +101,7 @@ impl ComparedResult {
     pub fn contradicts(&self) -> bool {
         let wrong = match &self.got {
             Ok(value) => *value != self.expected.value,
-            Err(refusal) => refusal.kind != RefusalKind::Unsupported,
+            Err(refusal) => !matches!(refusal.kind, RefusalKind::Unsupported | RefusalKind::NotAsked),
         };
         wrong && self.expected.basis.is_some()
     }
@@ -101,18 +115,19 @@ impl SignatureResults {
         results.any(ComparedResult::contradicts)
     }
 
-    fn ask(
+    /// Adds the column of an engine in a dialect, if the dialect has the signature. `answers` gives the results of the calls.
+    fn add(
         &mut self,
         engine: usize,
         dialect: DialectName,
-        session: &mut FunctionSession<'_>,
+        answers: &mut Answers<'_>,
         asserted: &[AssertedResult],
     ) {
         let SignatureResults { signature, calls, .. } = &*self;
         if !stickler_exact::signatures(&signature.function, dialect).contains(signature) {
             return;
         }
-        let got = session.results(dialect, signature, calls);
+        let got = answers(dialect, signature, calls);
         let asserted = |call: &CallOperands| {
             let is_same = |one: &&AssertedResult| {
                 one.dialect == dialect
@@ -135,14 +150,14 @@ impl SignatureResults {
     }
 }
 
-/// Asks each engine for the result of each call, in each of its dialects that have the signature. `asserted` are the results that cases
+/// Asks each engine or recording for the result of each call, in each of its dialects that have the signature. `asserted` are the results that cases
 /// assert of the function.
 ///
 /// # Errors
 /// [`EngineError`] where no session of an engine can be opened.
 pub fn gather(
     calls: Vec<(Signature, Vec<CallOperands>)>,
-    engines: &[(&dyn Engine, Vec<DialectName>)],
+    sources: &[(AnswerSource<'_>, Vec<DialectName>)],
     asserted: &[AssertedResult],
 ) -> Result<Vec<SignatureResults>, EngineError> {
     let mut all: Vec<SignatureResults> = calls
@@ -153,11 +168,19 @@ pub fn gather(
             columns: Vec::new(),
         })
         .collect();
-    for (index, (engine, dialects)) in engines.iter().enumerate() {
-        let mut session = FunctionSession::open(*engine)?;
+    for (index, (source, dialects)) in sources.iter().enumerate() {
+        let mut answers: Answers<'_> = match source {
+            AnswerSource::Engine(engine) => {
+                let mut session = FunctionSession::open(*engine)?;
+                Box::new(move |dialect, signature, calls| session.results(dialect, signature, calls))
+            }
+            AnswerSource::Recording(recording) => {
+                Box::new(|dialect, signature, calls| recording.results(dialect, signature, calls))
+            }
+        };
         for results in &mut all {
             for dialect in dialects {
-                results.ask(index, *dialect, &mut session, asserted);
+                results.add(index, *dialect, &mut answers, asserted);
             }
         }
     }

@@ -1,9 +1,10 @@
 //! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
-use super::ask::{MatrixAnswer, TypePair};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use stickler_conversions::implicit::{MatrixAnswer, TypePair};
+use stickler_conversions::recording::Recording;
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 const BOLD: Style = Style::new().bold();
@@ -75,6 +76,21 @@ impl DialectMatrix {
         self.engines
             .iter()
             .any(|engine| engine.differing(&self.documents) > 0)
+    }
+
+    /// Adds the answers of recordings for the types of the table.
+    pub fn add_recorded(&mut self, recordings: &[&Recording]) {
+        for recording in recordings {
+            let of_row = |row: &ElementaryType| {
+                let row = *row;
+                self.types.iter().map(move |column| (row, *column))
+            };
+            let pairs = self.types.iter().flat_map(of_row);
+            let answer = |pair| Some((pair, recording.implicit(self.dialect, pair)?));
+            let answers = pairs.filter_map(answer).collect();
+            let engine = recording.identity().name;
+            self.engines.push(EngineAnswers { engine, answers });
+        }
     }
 
     /// Writes the table, in pieces that fit the terminal.
@@ -190,7 +206,7 @@ fn sign(answer: MatrixAnswer) -> char {
 #[cfg(test)]
 mod tests {
     use super::{DialectMatrix, Documents, EngineAnswers};
-    use crate::commands::matrix::ask::MatrixAnswer;
+    use stickler_conversions::implicit::MatrixAnswer;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
     const WIDENING: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Int);

@@ -1,6 +1,6 @@
 //! Asks an engine which types it converts implicitly.
 
-use anyhow::Result;
+use crate::sweep::foreign::ForeignError;
 use stickler_engines::{Engine, EngineError, EngineSession, Outcome};
 use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
@@ -24,8 +24,39 @@ pub enum MatrixAnswer {
     Fails,
 }
 
-/// Returns the answer for each pair, in their order. Asks in several sessions at once, since compilers take their time to start;
-/// calls `answered` after each answer.
+impl MatrixAnswer {
+    /// Every answer.
+    pub const ALL: [MatrixAnswer; 5] = [
+        MatrixAnswer::Accepts,
+        MatrixAnswer::Warns,
+        MatrixAnswer::Rejects,
+        MatrixAnswer::Unsupported,
+        MatrixAnswer::Fails,
+    ];
+
+    /// Returns the word for the answer in a recording.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            MatrixAnswer::Accepts => "accepts",
+            MatrixAnswer::Warns => "warns",
+            MatrixAnswer::Rejects => "rejects",
+            MatrixAnswer::Unsupported => "unsupported",
+            MatrixAnswer::Fails => "fails",
+        }
+    }
+
+    /// Returns the answer for a word of a recording.
+    #[must_use]
+    pub fn from_word(word: &str) -> Option<MatrixAnswer> {
+        MatrixAnswer::ALL
+            .into_iter()
+            .find(|answer| answer.as_str() == word)
+    }
+}
+
+/// Returns the answer for each pair, in their order. Asks in several sessions at once, since compilers take their time to start,
+/// as many as `jobs` says (0: one a processor); calls `answered` after each answer.
 ///
 /// # Errors
 /// An engine that cannot be started.
@@ -33,11 +64,12 @@ pub fn answers(
     engine: &dyn Engine,
     dialect: DialectName,
     pairs: &[TypePair],
+    jobs: usize,
     answered: &(dyn Fn() + Sync),
-) -> Result<Vec<MatrixAnswer>> {
-    WorkerPool::new(0).map(
+) -> Result<Vec<MatrixAnswer>, ForeignError> {
+    WorkerPool::new(jobs).map(
         pairs.iter(),
-        || Ok(EngineSession::open(engine)?),
+        || Ok::<_, ForeignError>(EngineSession::open(engine)?),
         |session, pair| {
             let outcome = ask(session, dialect, *pair)?;
             answered();
@@ -106,7 +138,7 @@ mod tests {
         let count = || {
             answered.fetch_add(1, Ordering::Relaxed);
         };
-        let found = answers(&Reference::default(), DialectName::Matiec, &pairs, &count).unwrap();
+        let found = answers(&Reference::default(), DialectName::Matiec, &pairs, 0, &count).unwrap();
         // In matiec each type converts to itself only.
         for (pair, answer) in pairs.iter().zip(&found) {
             let expected = match pair.0 == pair.1 {

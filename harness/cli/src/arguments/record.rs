@@ -1,0 +1,44 @@
+//! The arguments of `stickler record`.
+
+use super::dialects;
+use super::numbers::whole;
+use clap::Args;
+use std::path::PathBuf;
+use stickler_types::DialectName;
+
+/// `stickler record`.
+#[derive(Args, Debug)]
+pub struct RecordArguments {
+    /// Ask this engine, as for `stickler run`
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: String,
+    /// Write FILE, such as conformance-cases/recordings/NAME.toml [default: stdout]
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Only this dialect; may be repeated [default: all that the engine speaks]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// The name of the compiler [default: that of the engine]
+    #[arg(long, value_name = "TEXT")]
+    pub product: Option<String>,
+    /// The version of the compiler [default: as the engine says]
+    #[arg(long, value_name = "TEXT")]
+    pub product_version: Option<String>,
+    /// The commit from which the compiler was built, where that is known
+    #[arg(long, value_name = "TEXT")]
+    pub commit: Option<String>,
+    /// Ask N programs at a time [default: one a processor]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
+    pub jobs: Option<u16>,
+}
+
+pub const RECORD_EXAMPLES: &str = "\
+Asks for the implicit conversion of every pair of elementary types, and for the
+results of the conversion functions of the dialect at the values that
+`stickler conversions FUNCTION` shows. An open compiler takes some minutes.
+`stickler matrix --recorded` and `stickler conversions --recorded` show the
+recordings of conformance-cases/recordings.
+
+Examples:
+  stickler record --engine matiec -o conformance-cases/recordings/matiec.toml
+  stickler record --engine 'cmd:my-adapter' --product MyPLC --product-version 2.1";
