@@ -287,7 +287,7 @@ pub struct MatrixArguments {
     /// Only this dialect; may be repeated [default: all]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
-    /// Show the recordings of conformance-cases/recordings too, each beside the engines that are asked now
+    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
     #[arg(long)]
     pub recorded: bool,
 }
@@ -311,7 +311,7 @@ pub struct ConversionsArguments {
     /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
-    /// Show the recordings of conformance-cases/recordings too, each beside the engines that are asked now
+    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
     #[arg(long)]
     pub recorded: bool,
     /// Print one JSON object

@@ -98,6 +98,16 @@ impl CaseFolder {
         suite
     }
 
+    /// Reads the recordings of compilers, and reports those that are refused on stderr.
+    ///
+    /// # Errors
+    /// A folder or file that cannot be read.
+    pub fn usable_recordings(&self) -> anyhow::Result<Vec<Recording>> {
+        let report =
+            |read: Result<Recording, RecordingError>| read.map_err(|error| output::error(&error.into())).ok();
+        Ok(self.recordings()?.into_iter().filter_map(report).collect())
+    }
+
     /// Reads the recordings of compilers, in the order of their files: each, or the mistake for which it is refused.
     ///
     /// # Errors

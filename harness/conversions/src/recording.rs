@@ -64,7 +64,7 @@ impl Recording {
         } = &self.origin;
         Identity {
             name: format!("{product} {version}"),
-            version: format!("recorded {date}"),
+            version: format!("(recorded {date})"),
             dialects: self.dialects.clone(),
             abilities: vec![Ability::Check, Ability::Execute],
             grade: Grade::Rejected,

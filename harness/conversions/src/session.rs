@@ -86,7 +86,7 @@ impl RefusalKind {
             RefusalKind::TimedOut => "timed out",
             RefusalKind::Crashed => "crashed",
             RefusalKind::Nonsense => "error",
-            RefusalKind::NotAsked => "not asked",
+            RefusalKind::NotAsked => "-",
         }
     }
 

@@ -8,7 +8,7 @@ use crate::exit::Exit;
 use crate::interrupt;
 use crate::output;
 use std::io::Write;
-use stickler_conversions::overview::{self, AnswerSource, OverviewPage, SignatureResults};
+use stickler_conversions::overview::{self, AnswerSource, AssertedResult, OverviewPage};
 use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_engines::Identity;
@@ -32,10 +32,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let recordings = match arguments.recorded {
-        true => recordings(arguments)?,
-        false => Vec::new(),
-    };
+    let (asserted, recordings) = known(arguments, &function)?;
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -47,16 +44,6 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         let dialects = dialects.filter(|dialect| recording.dialects.contains(dialect));
         asked.push((AnswerSource::Recording(recording), dialects.collect()));
     }
-    let asserted = match CaseFolder::locate(arguments.cases.as_deref()) {
-        Ok(folder) => documented::asserted_results(&folder.load_mentioning(&function), &function),
-        Err(error) if arguments.cases.is_some() => return Err(error),
-        Err(_) => {
-            output::note(
-                "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
-            );
-            Vec::new()
-        }
-    };
     let results = overview::gather(calls, &asked, &asserted)?;
     let identities: Vec<_> = engines
         .iter()
@@ -70,24 +57,42 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             results: &results,
             lacking: &lacking,
             engines: &identities,
-            only_reference: recordings.is_empty() && engines.iter().all(|named| named.asked_for == REFERENCE),
+            only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
         };
         page.write(out)?;
     }
-    Ok(match results.iter().any(SignatureResults::contradict) {
-        true => Exit::Failures,
-        false => Exit::AsExpected,
-    })
+    Ok(
+        match results.iter().any(|results| results.contradict(engines.len())) {
+            true => Exit::Failures,
+            false => Exit::AsExpected,
+        },
+    )
 }
 
-/// Returns the recordings of the folder of cases.
+/// Returns what cases assert of a function, and the recordings of compilers: both from the folder of cases, where there is one.
 ///
 /// # Errors
-/// No folder of cases, or a recording that is refused.
-fn recordings(arguments: &ConversionsArguments) -> anyhow::Result<Vec<Recording>> {
-    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let read = folder.recordings()?.into_iter();
-    Ok(read.collect::<Result<_, _>>()?)
+/// A folder of cases that was named and is not there, or a recording that cannot be read.
+fn known(
+    arguments: &ConversionsArguments,
+    function: &str,
+) -> anyhow::Result<(Vec<AssertedResult>, Vec<Recording>)> {
+    let folder = match CaseFolder::locate(arguments.cases.as_deref()) {
+        Ok(folder) => folder,
+        Err(error) if arguments.cases.is_some() => return Err(error),
+        Err(_) => {
+            output::note(
+                "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
+            );
+            return Ok((Vec::new(), Vec::new()));
+        }
+    };
+    let asserted = documented::asserted_results(&folder.load_mentioning(function), function);
+    let recordings = match arguments.recorded || arguments.engine.is_empty() {
+        true => folder.usable_recordings()?,
+        false => Vec::new(),
+    };
+    Ok((asserted, recordings))
 }
 
 /// Returns every signature that one of the dialects has, each once.

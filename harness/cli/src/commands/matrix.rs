@@ -55,8 +55,8 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     let Loaded { suite, .. } = folder.load_for(&case_folder::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let recordings: Vec<Recording> = match arguments.recorded {
-        true => folder.recordings()?.into_iter().collect::<Result<_, _>>()?,
+    let recordings: Vec<Recording> = match arguments.recorded || arguments.engine.is_empty() {
+        true => folder.usable_recordings()?,
         false => Vec::new(),
     };
     let mut exit = case_folder::exit_of(&suite);
@@ -132,6 +132,7 @@ fn gather(
         let answers = implicit::answers(named.engine.as_ref(), dialect, &pairs, 0, &|| bar.advance(0))?;
         columns.push(EngineAnswers {
             engine: named.identity().name.clone(),
+            is_recorded: false,
             answers: pairs.iter().copied().zip(answers).collect(),
         });
     }

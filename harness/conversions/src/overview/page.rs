@@ -43,7 +43,7 @@ pub struct OverviewPage<'p> {
     pub lacking: &'p [DialectName],
     /// The engines that were asked.
     pub engines: &'p [&'p Identity],
-    /// Whether only the reference was asked, which follows the rules that are listed below a table.
+    /// Whether no engine but the reference was asked, which follows the rules that are listed below a table; others may be recorded.
     pub only_reference: bool,
 }
 
@@ -85,14 +85,17 @@ impl OverviewPage<'_> {
     ) -> io::Result<()> {
         let signature = &results.signature;
         let engines: Vec<String> = self.engines.iter().map(|identity| title(identity)).collect();
-        writeln!(
-            out,
-            "{BOLD}{}({}) : {}{BOLD:#}  on {}\n",
+        let name = format!(
+            "{}({}) : {}",
             signature.function,
             inputs::types(signature),
-            signature.result,
-            engines.join(", ")
-        )?;
+            signature.result
+        );
+        let on = format!("on {}", engines.join(", "));
+        match name.len() + on.len() + 2 > table::WIDTH {
+            true => writeln!(out, "{BOLD}{name}{BOLD:#}\n{}\n", wrap_within(&on, table::WIDTH))?,
+            false => writeln!(out, "{BOLD}{name}{BOLD:#}  {on}\n")?,
+        }
         let left = operands(&results.calls, &signature.operands);
         let columns: Vec<table::Column> = groups(&results.columns)
             .iter()
@@ -106,7 +109,7 @@ impl OverviewPage<'_> {
             dialects.sort_unstable();
             dialects.dedup();
             writeln!(out)?;
-            if !self.only_reference {
+            if !self.only_reference || self.engines.len() > 1 {
                 writeln!(out, "{RULES}")?;
             }
             choices::write(signature, &dialects, out)?;
@@ -119,6 +122,8 @@ impl OverviewPage<'_> {
         let first = group.first();
         let engine = first.and_then(|column| match self.engines {
             [_] => None,
+            // The first engine is the reference, and the others are recorded.
+            _ if self.only_reference && column.engine == 0 => None,
             engines => engines.get(column.engine).map(|identity| identity.name.clone()),
         });
         let dialects: Vec<DialectName> = group.iter().map(|column| column.dialect).collect();
@@ -127,7 +132,10 @@ impl OverviewPage<'_> {
                 Ok(value) => untyped(value, result),
                 Err(refusal) => refusal.kind.word().to_owned(),
             },
-            note: notes.of(compared),
+            note: match &compared.got {
+                Err(refusal) if refusal.kind == RefusalKind::NotAsked => String::new(),
+                _ => notes.of(compared),
+            },
             style: match (compared.contradicts(), &compared.expected.basis) {
                 (true, _) => BAD,
                 (false, None) => DIM,

@@ -108,11 +108,13 @@ impl ComparedResult {
 }
 
 impl SignatureResults {
-    /// Returns whether any result of any engine contradicts a document.
+    /// Returns whether any result of the first `engines` engines contradicts a document.
     #[must_use]
-    pub fn contradict(&self) -> bool {
-        let mut results = self.columns.iter().flat_map(|column| &column.results);
-        results.any(ComparedResult::contradicts)
+    pub fn contradict(&self, engines: usize) -> bool {
+        let columns = self.columns.iter().filter(|column| column.engine < engines);
+        columns
+            .flat_map(|column| &column.results)
+            .any(ComparedResult::contradicts)
     }
 
     /// Adds the column of an engine in a dialect, if the dialect has the signature. `answers` gives the results of the calls.

@@ -3,12 +3,12 @@
 use super::{FunctionAnswers, Recording, RecordingOrigin, key};
 use crate::implicit::{self, TypePair};
 use crate::overview;
-use crate::session::{FunctionSession, Refusal, RefusalKind};
+use crate::session::FunctionSession;
 use crate::sweep::foreign::ForeignError;
 use std::collections::HashMap;
 use stickler_engines::Engine;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
+use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
 impl Recording {
@@ -79,20 +79,14 @@ fn of_function(
 ) -> FunctionAnswers {
     let calls = overview::boundary_calls(signature);
     let answers = session.results(dialect, signature, &calls);
-    let answers: Vec<_> = answers.into_iter().map(|got| storable(got, signature)).collect();
+    let answers: Vec<_> = answers
+        .into_iter()
+        .map(|got| got.map_err(|refusal| refusal.kind))
+        .collect();
     match &answers[..] {
         [Err(kind), rest @ ..] if rest.iter().all(|answer| *answer == Err(*kind)) => {
             FunctionAnswers::Refused(*kind)
         }
         _ => FunctionAnswers::Calls(calls.into_iter().zip(answers).collect()),
-    }
-}
-
-/// Returns an answer that a file can hold: no value that the result's type does not have, for which there is no literal.
-fn storable(got: Result<Value, Refusal>, signature: &Signature) -> Result<Value, RefusalKind> {
-    let value = got.map_err(|refusal| refusal.kind)?;
-    match WrittenValue::parse(signature.result, &value.literal()) {
-        Ok(written) if written.value == value => Ok(value),
-        _ => Err(RefusalKind::Nonsense),
     }
 }

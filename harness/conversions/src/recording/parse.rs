@@ -170,7 +170,7 @@ fn function_row(key: &str, row: &Row) -> Result<FunctionAnswers, String> {
             let values = typed.map(|(text, ty)| value(text, *ty));
             let answer = match RefusalKind::from_word(answer) {
                 Some(kind) => Err(kind),
-                None => Ok(value(answer, result).map_err(|_| no_answer(answer))?),
+                None => Ok(observed(answer, result).ok_or_else(|| no_answer(answer))?),
             };
             Ok((values.collect::<Result<_, _>>()?, answer))
         }
@@ -193,6 +193,16 @@ fn value(text: &str, ty: ElementaryType) -> Result<Value, String> {
     Ok(written
         .map_err(|error| format!("`{text}` is no value of type {ty}: {error}"))?
         .value)
+}
+
+/// Reads a result, which may be a value that its type does not have.
+fn observed(text: &str, ty: ElementaryType) -> Option<Value> {
+    let beyond = || {
+        Value::parse_observed(text)
+            .ok()
+            .filter(|value| value.type_name() == ty.name())
+    };
+    value(text, ty).ok().or_else(beyond)
 }
 
 fn no_answer(text: &str) -> String {

@@ -37,6 +37,8 @@ pub struct DialectMatrix {
 pub struct EngineAnswers {
     /// The name of the engine.
     pub engine: String,
+    /// Whether the answers were recorded, so that nothing that is here contradicts the documents.
+    pub is_recorded: bool,
     /// The answer for each pair.
     pub answers: BTreeMap<TypePair, MatrixAnswer>,
 }
@@ -71,11 +73,10 @@ impl EngineAnswers {
 }
 
 impl DialectMatrix {
-    /// Returns whether any engine contradicts the documents for any pair of types.
+    /// Returns whether any engine that was asked contradicts the documents for any pair of types.
     pub fn differs(&self) -> bool {
-        self.engines
-            .iter()
-            .any(|engine| engine.differing(&self.documents) > 0)
+        let mut asked = self.engines.iter().filter(|engine| !engine.is_recorded);
+        asked.any(|engine| engine.differing(&self.documents) > 0)
     }
 
     /// Adds the answers of recordings for the types of the table.
@@ -89,7 +90,11 @@ impl DialectMatrix {
             let answer = |pair| Some((pair, recording.implicit(self.dialect, pair)?));
             let answers = pairs.filter_map(answer).collect();
             let engine = recording.identity().name;
-            self.engines.push(EngineAnswers { engine, answers });
+            self.engines.push(EngineAnswers {
+                engine,
+                is_recorded: true,
+                answers,
+            });
         }
     }
 
@@ -224,6 +229,7 @@ mod tests {
     fn always(engine: &str, answer: MatrixAnswer) -> EngineAnswers {
         EngineAnswers {
             engine: engine.to_owned(),
+            is_recorded: false,
             answers: [WIDENING, SIGN, NARROWING].map(|pair| (pair, answer)).into(),
         }
     }
@@ -245,6 +251,21 @@ mod tests {
                 "{answer:?}"
             );
         }
+    }
+
+    #[test]
+    fn what_was_recorded_fails_nothing() {
+        let of = |is_recorded| DialectMatrix {
+            dialect: DialectName::Matiec,
+            types: vec![ElementaryType::Sint, ElementaryType::Int],
+            documents: documents(),
+            engines: vec![EngineAnswers {
+                is_recorded,
+                ..always("e", MatrixAnswer::Fails)
+            }],
+        };
+        assert!(of(false).differs());
+        assert!(!of(true).differs());
     }
 
     #[test]
