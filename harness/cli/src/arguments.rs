@@ -9,6 +9,7 @@ mod numbers;
 mod record;
 mod reduce;
 mod reproduce;
+mod site;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
@@ -18,6 +19,7 @@ pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
+pub use site::SiteArguments;
 
 use crate::exit::ExitCodeListing;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
@@ -95,6 +97,9 @@ pub enum Command {
     /// Show what a newer run does better or worse than an older one
     #[command(after_help = compare::COMPARE_EXAMPLES)]
     Compare(CompareArguments),
+    /// Build a static site of several runs: engines, their history, what each version fixed and broke
+    #[command(after_help = site::SITE_EXAMPLES)]
+    Site(SiteArguments),
     /// Search for programs on which an engine, or the reference, does not do what documents say
     #[command(after_help = fuzz::FUZZ_EXAMPLES)]
     Fuzz(FuzzArguments),

@@ -22,6 +22,7 @@ mod render;
 mod reproduce;
 mod run;
 mod show;
+mod site;
 mod sweep;
 
 use crate::arguments::{Arguments, Command, RunArguments};
@@ -53,6 +54,7 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Record(arguments) => record::execute(&arguments, out),
         Command::Sweep(arguments) => sweep::execute(&arguments, out),
         Command::Compare(arguments) => compare::execute(&arguments, out),
+        Command::Site(arguments) => site::execute(&arguments, out),
         Command::Fuzz(arguments) => fuzz::execute(&arguments, out),
         Command::Reduce(arguments) => reduce::execute(&arguments, out),
         Command::Reproduce(arguments) => reproduce::execute(&arguments, out),

@@ -67,7 +67,7 @@ fn endpoint(overview: &Overview) -> Endpoint {
             each.join(", ")
         }
     };
-    let worst = standings.iter().filter_map(|standing| per_mille(*standing)).min();
+    let worst = standings.iter().filter_map(|standing| standing.per_mille()).min();
     Endpoint {
         schema_version: 1,
         label: "Stickler",
@@ -76,18 +76,8 @@ fn endpoint(overview: &Overview) -> Endpoint {
     }
 }
 
-/// Returns the number of cases that a document decides and the engine supports.
-fn decided(standing: Standing) -> u64 {
-    standing.passed + standing.failed
-}
-
-/// Returns how many of a thousand decided cases pass, rounded down; `None` where there are none.
-fn per_mille(standing: Standing) -> Option<u64> {
-    (standing.passed * 1000).checked_div(decided(standing))
-}
-
 fn share(standing: Standing) -> String {
-    match per_mille(standing) {
+    match standing.per_mille() {
         Some(1000) => "100 %".to_owned(),
         Some(share) => format!("{}.{} %", share / 10, share % 10),
         None => "nothing tested".to_owned(),
@@ -96,7 +86,7 @@ fn share(standing: Standing) -> String {
 
 /// Returns the message about the only engine, which leaves its name to the page that shows the badge.
 fn single_engine(standing: Standing) -> String {
-    match decided(standing) {
+    match standing.decided() {
         0 => share(standing),
         cases => format!("{} of {}", share(standing), counted(cases, "case", "cases")),
     }

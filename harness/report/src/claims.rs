@@ -35,7 +35,17 @@ impl Standing {
         self.failed - self.known
     }
 
-    fn count(&mut self, event: &CaseEvent) {
+    /// Returns the number of cases that a document decides and the engine supports.
+    pub const fn decided(self) -> u64 {
+        self.passed + self.failed
+    }
+
+    /// Returns how many of a thousand decided cases pass, rounded down; `None` where there are none.
+    pub fn per_mille(self) -> Option<u64> {
+        (self.passed * 1000).checked_div(self.decided())
+    }
+
+    pub(crate) fn count(&mut self, event: &CaseEvent) {
         if event.verdict == Verdict::Xfail {
             self.known += 1;
         }
@@ -51,7 +61,7 @@ impl Standing {
         *counter += 1;
     }
 
-    fn add(&mut self, other: Standing) {
+    pub(crate) fn add(&mut self, other: Standing) {
         self.passed += other.passed;
         self.failed += other.failed;
         self.known += other.known;

@@ -230,7 +230,7 @@ fn page_name(number: usize, key: &ClusterKey) -> String {
 
 /// Returns a name that every file system accepts: a character other than a letter, digit, hyphen or dot becomes a hyphen,
 /// and so does a dot at the beginning, which would hide the file or lead elsewhere.
-fn file_name(name: &str) -> String {
+pub(crate) fn file_name(name: &str) -> String {
     let safe = |(at, character): (usize, char)| match character {
         'a'..='z' | 'A'..='Z' | '0'..='9' | '-' | '_' => character,
         '.' if at > 0 => character,

@@ -11,6 +11,7 @@
 //! | `discrepancies` | `discrepancies/ENGINE/*.md` | the authors of a compiler |
 //! | [`terminal`] | (the terminal) | the person who started the run |
 //! | [`comparison`] | (the terminal) | a person who compares a run with an older one |
+//! | [`site`] | (a folder of pages) | the public: several runs of several engines, and what changed between them |
 //!
 //! A format is a module of its own that takes [`Event`](stickler_run::Event)s by an exhaustive match, or a view of the
 //! [`Overview`] that such a match gathers; a new format is a new module and a line in [`Reports`].
@@ -42,6 +43,7 @@ mod pending;
 mod results;
 #[cfg(test)]
 mod sample;
+pub mod site;
 mod spool;
 pub mod summary;
 mod table;

@@ -22,6 +22,7 @@ use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use answers::{AnswersData, PageAnswers};
+pub(crate) use assets::STYLE;
 use cases::MissedCases;
 use serde::Serialize;
 use std::io::{self, Write};

@@ -1,7 +1,7 @@
 //! The parts of the page that are the same for every run.
 
 /// The style sheet.
-pub(super) const STYLE: &str = include_str!("page.css");
+pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// The scripts. Each file declares functions; the last one runs them.
 pub(super) const SCRIPTS: [&str; 14] = [

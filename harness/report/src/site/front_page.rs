@@ -1,0 +1,105 @@
+//! The first page of the site: a row an engine, a column an area, and the changes, newest first.
+
+use super::history::{History, Step};
+use super::html::{escaped, page as whole, share};
+use crate::comparison::Kind;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+
+/// Returns the page.
+pub(super) fn page(histories: &[History<'_>]) -> String {
+    let body = format!(
+        "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
+         supports.</p>\n{}<h2>Changes</h2>\n{}",
+        table(histories),
+        feed(histories)
+    );
+    whole("Stickler: conformance of IEC 61131-3 compilers", &body)
+}
+
+fn table(histories: &[History<'_>]) -> String {
+    let newest = histories.iter().filter_map(|history| {
+        let standings = &history.newest().run.standings;
+        standings.get(history.name)
+    });
+    let areas: BTreeSet<&str> = newest
+        .flat_map(|areas| areas.keys().map(String::as_str))
+        .collect();
+    let heads: String = areas
+        .iter()
+        .map(|area| format!("<th scope=\"col\">{}</th>", escaped(area)))
+        .collect();
+    let rows: String = histories.iter().map(|history| row(history, &areas)).collect();
+    format!(
+        "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Engines\"><table>\n<thead><tr><th scope=\"col\">Engine</th><th \
+         scope=\"col\">Version</th><th scope=\"col\">Date</th><th scope=\"col\">All</th>{heads}</tr></thead>\n<tbody>\n{rows}</tbody>\n</table></div>\n"
+    )
+}
+
+fn row(history: &History<'_>, areas: &BTreeSet<&str>) -> String {
+    let newest = history.newest();
+    let standings = newest.run.standings.get(history.name);
+    let cells: String = areas
+        .iter()
+        .map(|area| {
+            share(
+                standings
+                    .and_then(|areas| areas.get(*area))
+                    .copied()
+                    .unwrap_or_default(),
+            )
+        })
+        .collect();
+    format!(
+        "<tr><th scope=\"row\"><a href=\"engines/{}\">{}</a></th><td>{}</td><td>{}</td>{}{cells}</tr>\n",
+        history.file,
+        escaped(history.name),
+        escaped(newest.version),
+        escaped(date(&newest.run.header.started)),
+        share(newest.run.sum(history.name)),
+    )
+}
+
+/// Returns the day of a time such as `2026-09-01T12:00:00Z`.
+pub(super) fn date(started: &str) -> &str {
+    started.split_once('T').map_or(started, |(day, _)| day)
+}
+
+fn feed(histories: &[History<'_>]) -> String {
+    let each = histories.iter();
+    let mut steps: Vec<(&History<'_>, &Step<'_>)> = each
+        .flat_map(|history| history.steps.iter().map(move |step| (history, step)))
+        .collect();
+    steps.sort_by_key(|(_, step)| std::cmp::Reverse(step.new.run.number));
+    if steps.is_empty() {
+        return "<p>No engine has runs of two versions yet.</p>\n".to_owned();
+    }
+    let mut list = "<ul>\n".to_owned();
+    for (history, step) in steps {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            list,
+            "<li>{}: <a href=\"engines/{}\">{}</a> from {} to {}: {}</li>",
+            escaped(date(&step.new.run.header.started)),
+            history.file,
+            escaped(history.name),
+            escaped(step.old.version),
+            escaped(step.new.version),
+            numbers(step)
+        );
+    }
+    list + "</ul>\n"
+}
+
+/// Returns the numbers of a step: `2 fixed, 1 broken, 0 crashed`, or why there are none.
+pub(super) fn numbers(step: &Step<'_>) -> String {
+    match &step.changes {
+        Err(reason) => format!("not compared, since {}", escaped(reason)),
+        Ok(_) => format!(
+            "{} fixed, {} broken, {} crashed",
+            step.of_kind(Kind::Fixed).count(),
+            step.of_kind(Kind::Broken).count(),
+            step.of_kind(Kind::Crashed).count()
+        ),
+    }
+}

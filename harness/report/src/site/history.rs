@@ -1,0 +1,145 @@
+//! The history of an engine: its runs, and the changes from each version to the next.
+
+use super::SiteError;
+use super::run::SiteRun;
+use crate::comparison::{Change, Comparison, ComparisonError, Kind};
+use crate::discrepancies::file_name;
+use crate::events::Reader;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The runs of one engine, oldest first.
+pub(super) struct History<'r> {
+    pub(super) name: &'r str,
+    /// The file name of the engine's page.
+    pub(super) file: String,
+    pub(super) runs: Vec<VersionRun<'r>>,
+    /// The steps from version to version, oldest first.
+    pub(super) steps: Vec<Step<'r>>,
+}
+
+/// A run of an engine.
+#[derive(Clone, Copy)]
+pub(super) struct VersionRun<'r> {
+    pub(super) run: &'r SiteRun,
+    pub(super) version: &'r str,
+    /// Whether the next run has the same version and takes the place of this one.
+    pub(super) replaced: bool,
+}
+
+/// The changes of an engine from one version to the next.
+pub(super) struct Step<'r> {
+    pub(super) old: VersionRun<'r>,
+    pub(super) new: VersionRun<'r>,
+    /// The changes; the reason where the two runs cannot be compared.
+    pub(super) changes: Result<Vec<Change>, String>,
+}
+
+impl<'r> History<'r> {
+    /// Returns the history of every engine of the runs, by name.
+    pub(super) fn of_engines(runs: &'r [SiteRun]) -> Result<Vec<History<'r>>, SiteError> {
+        let mut by_engine: BTreeMap<&str, Vec<VersionRun<'r>>> = BTreeMap::new();
+        for run in runs {
+            for engine in &run.header.engines {
+                let runs = by_engine.entry(&engine.name).or_default();
+                if let Some(last) = runs.last_mut() {
+                    last.replaced = last.version == engine.version;
+                }
+                runs.push(VersionRun {
+                    run,
+                    version: &engine.version,
+                    replaced: false,
+                });
+            }
+        }
+        let mut files = BTreeSet::new();
+        let histories = by_engine.into_iter().map(|(name, runs)| {
+            Ok(History {
+                name,
+                file: page_name(name, &mut files),
+                steps: steps(name, &runs)?,
+                runs,
+            })
+        });
+        histories.collect()
+    }
+
+    /// Returns the newest run.
+    pub(super) fn newest(&self) -> VersionRun<'r> {
+        *self.runs.last().expect("an engine of the site is one of a run")
+    }
+
+    /// Returns the runs that count: of each version in turn, the newest.
+    pub(super) fn counted(&self) -> impl Iterator<Item = &VersionRun<'r>> {
+        self.runs.iter().filter(|run| !run.replaced)
+    }
+
+    /// Describes the runs that do not count.
+    pub(super) fn replaced(&self) -> Vec<String> {
+        let replaced = self.runs.iter().filter(|run| run.replaced);
+        let sentence = |run: &VersionRun<'_>| {
+            format!(
+                "{} is a run of {} {} as a later one is, which counts; the history lists it",
+                run.run.log.display(),
+                self.name,
+                run.version
+            )
+        };
+        replaced.map(sentence).collect()
+    }
+}
+
+impl Step<'_> {
+    /// Returns the changes of one kind.
+    pub(super) fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Change> {
+        let changes = self.changes.iter().flatten();
+        changes.filter(move |change| change.kind == kind)
+    }
+}
+
+/// Returns the file name of an engine's page, another one for each engine.
+fn page_name(engine: &str, taken: &mut BTreeSet<String>) -> String {
+    let name = file_name(engine);
+    let names = (1..).map(|number| match number {
+        1 => format!("{name}.html"),
+        _ => format!("{name}-{number}.html"),
+    });
+    // File systems exist that do not tell capitals from small letters.
+    let mut free = names.filter(|name| taken.insert(name.to_lowercase()));
+    free.next().expect("there is always a further number")
+}
+
+fn steps<'r>(engine: &str, runs: &[VersionRun<'r>]) -> Result<Vec<Step<'r>>, SiteError> {
+    let counted: Vec<VersionRun<'r>> = runs.iter().copied().filter(|run| !run.replaced).collect();
+    let pairs = counted.iter().zip(counted.iter().skip(1));
+    let step = |(old, new): (&VersionRun<'r>, &VersionRun<'r>)| {
+        Ok(Step {
+            old: *old,
+            new: *new,
+            changes: changes(engine, old.run, new.run)?,
+        })
+    };
+    pairs.map(step).collect()
+}
+
+fn changes(engine: &str, old: &SiteRun, new: &SiteRun) -> Result<Result<Vec<Change>, String>, SiteError> {
+    let open = |run: &SiteRun| {
+        Reader::open(&run.log).map_err(|source| SiteError::Log {
+            path: run.log.clone(),
+            source,
+        })
+    };
+    match Comparison::of(open(old)?, open(new)?) {
+        Ok(mut comparison) => {
+            comparison.changes.retain(|change| change.engine == engine);
+            Ok(Ok(comparison.changes))
+        }
+        Err(error @ (ComparisonError::Parts { .. } | ComparisonError::NoEngine { .. })) => {
+            Ok(Err(error.to_string()))
+        }
+        Err(source) => Err(SiteError::Comparison {
+            old: old.log.clone(),
+            new: new.log.clone(),
+            source: Box::new(source),
+        }),
+    }
+}

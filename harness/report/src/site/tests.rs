@@ -1,0 +1,174 @@
+//! Tests sites of small runs.
+
+use super::{SiteError, SiteSummary, write};
+use crate::events::{EventLog, NAME};
+use crate::sample;
+use std::fs;
+use std::path::{Path, PathBuf};
+use stickler_run::{CaseEvent, Event, Verdict};
+
+/// Writes a run of an engine's version, started on a day of September.
+fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>) -> PathBuf {
+    let mut events = sample::run_of(cases);
+    if let Event::Header(header) = &mut events[0] {
+        header.started = format!("2026-09-{day:02}T12:00:00Z");
+        header.engines[0].version = version.to_owned();
+    }
+    written(&folder.join(name), &events)
+}
+
+fn written(folder: &Path, events: &[Event]) -> PathBuf {
+    fs::create_dir_all(folder).expect("a folder");
+    let mut log = EventLog::create(folder.join(NAME)).expect("a log");
+    events.iter().for_each(|event| log.take(event).expect("written"));
+    log.flush().expect("written");
+    folder.to_owned()
+}
+
+fn cases(first: Verdict, second: Verdict) -> Vec<CaseEvent> {
+    vec![sample::case("first", first), sample::case("second", second)]
+}
+
+#[test]
+fn a_site_shows_the_newest_run_and_what_changed_since_the_version_before() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let new = run(
+        folder.path(),
+        "new",
+        9,
+        "2",
+        [
+            cases(Verdict::Pass, Verdict::Fail),
+            vec![sample::open_case("open"), sample::case("third", Verdict::Pass)],
+        ]
+        .concat(),
+    );
+    fs::write(new.join("index.html"), "the run's page").expect("written");
+    let old = run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
+    let site = folder.path().join("deep/site");
+    let summary = write(&[new, old], &site).expect("a site");
+    assert_eq!(
+        summary,
+        SiteSummary {
+            runs: 2,
+            engines: 1,
+            replaced: Vec::new()
+        }
+    );
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    for part in [
+        "<a href=\"engines/reference.html\">reference</a></th><td>2</td><td>2026-09-09</td>",
+        "<th scope=\"col\">widening</th>",
+        "2 of 3<span class=\"bar\"><span style=\"width: 66.6%\">",
+        "2026-09-09: <a href=\"engines/reference.html\">reference</a> from 1 to 2: 1 fixed, 1 broken, 0 crashed",
+    ] {
+        assert!(front.contains(part), "{part}\n{front}");
+    }
+    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
+    for part in [
+        "points=\"0,50.0 600,33.4\"",
+        "<h3>Broken</h3>\n<details><summary>ironplc-type-conversions: Integer widening: 1 case</summary><ul>\n<li><code>widening/second@ironplc-ed2</code>: pass → fail",
+        "<code>widening/first@ironplc-ed2</code>: fail → pass",
+        "<a href=\"../runs/2.html\">its page</a>",
+        "without a page",
+    ] {
+        assert!(engine.contains(part), "{part}\n{engine}");
+    }
+    let copy = fs::read_to_string(site.join("runs/2.html")).expect("the copied page");
+    assert_eq!(copy, "the run's page");
+}
+
+#[test]
+fn of_two_runs_of_one_version_the_newer_counts_and_the_other_is_listed_and_named() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let paths = [
+        run(folder.path(), "late", 2, "1", cases(Verdict::Pass, Verdict::Pass)),
+        run(
+            folder.path(),
+            "early",
+            1,
+            "1",
+            cases(Verdict::Fail, Verdict::Fail),
+        ),
+    ];
+    let site = folder.path().join("site");
+    let summary = write(&paths, &site).expect("a site");
+    assert_eq!(summary.replaced.len(), 1);
+    assert!(summary.replaced[0].contains("early"), "{summary:?}");
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert!(front.contains("2 of 2<span") && front.contains("No engine has runs of two versions yet."));
+    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
+    assert!(engine.contains("0 of 2<span") && engine.contains("a later run of this version counts"));
+}
+
+#[test]
+fn what_an_engine_says_of_itself_stays_text() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut events = sample::run_on(&["a/b", "a:b", "<b>"], Vec::new());
+    if let Event::Header(header) = &mut events[0] {
+        header.engines[0].version = "<script>alert(1)</script>".to_owned();
+    }
+    let run = written(&folder.path().join("run"), &events);
+    let site = folder.path().join("site");
+    write(&[run], &site).expect("a site");
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert!(front.contains("&lt;script&gt;alert") && !front.contains("<script") && !front.contains("<b>"));
+    assert_eq!(
+        sample::names(&site.join("engines")),
+        ["-b-.html", "a-b-2.html", "a-b.html"]
+    );
+}
+
+#[test]
+fn a_long_list_says_what_it_leaves_out() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let of = |verdict| -> Vec<CaseEvent> {
+        (0..25)
+            .map(|number| sample::case(&format!("t::a({number})"), verdict))
+            .collect()
+    };
+    let paths = [
+        run(folder.path(), "old", 1, "1", of(Verdict::Pass)),
+        run(folder.path(), "new", 2, "2", of(Verdict::Crash)),
+    ];
+    let site = folder.path().join("site");
+    write(&paths, &site).expect("a site");
+    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
+    assert!(engine.contains("<h3>Crashed</h3>") && engine.contains("and 5 more, which are not listed here"));
+}
+
+#[test]
+fn equal_runs_give_an_equal_site() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let paths = [
+        run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass)),
+        run(folder.path(), "new", 2, "2", cases(Verdict::Pass, Verdict::Fail)),
+    ];
+    for site in ["one", "other"] {
+        write(&paths, &folder.path().join(site)).expect("a site");
+    }
+    for page in ["index.html", "engines/reference.html"] {
+        let read = |site: &str| fs::read(folder.path().join(site).join(page)).expect("a page");
+        assert_eq!(read("one"), read("other"));
+    }
+}
+
+#[test]
+fn what_no_site_can_be_made_of_is_refused_with_its_place() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let site = folder.path().join("site");
+    assert!(matches!(write(&[], &site), Err(SiteError::NoRun)));
+    let whole = sample::run();
+    let cut = written(&folder.path().join("cut"), &whole[..whole.len() - 1]);
+    let error = write(&[cut], &site).expect_err("no whole run").to_string();
+    assert!(
+        error.contains("cut") && error.contains("after 4 cases"),
+        "{error}"
+    );
+    let missing = write(&[folder.path().join("missing")], &site).expect_err("no run");
+    assert!(missing.to_string().contains("missing"), "{missing}");
+    assert!(!site.exists(), "nothing is written of a site that is refused");
+    fs::write(&site, "a file").expect("written");
+    let run = written(&folder.path().join("run"), &whole);
+    assert!(matches!(write(&[run], &site), Err(SiteError::NoFolder(_))));
+}
