@@ -22,6 +22,19 @@ pub fn literal(value: &Value) -> String {
     }
 }
 
+/// Returns the literal of a value without its type where that is a number, for a variable of its type: some compilers read no sign behind
+/// the type.
+#[must_use]
+pub fn untyped_literal(value: &Value) -> String {
+    let typed = literal(value);
+    let is_number =
+        ElementaryType::from_name(value.type_name()).is_some_and(|ty| ty.is_integer() || ty.is_real());
+    match typed.split_once('#') {
+        Some((_, number)) if is_number => number.to_owned(),
+        _ => typed,
+    }
+}
+
 /// Returns whether a value has a literal; NaN and the infinities have none.
 #[must_use]
 pub fn has_literal(value: &Value) -> bool {

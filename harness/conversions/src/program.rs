@@ -1,6 +1,6 @@
 //! Writes programs that call a conversion function with a list of operands.
 
-use crate::literals::{self, literal};
+use crate::literals;
 use std::fmt::Write;
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Value};
@@ -19,12 +19,16 @@ pub struct ConversionProgram {
     pub ty: ElementaryType,
 }
 
-/// Writes a program that calls the function with each of these operands.
+/// Writes a program that calls the function with each of these operands, which `literal` writes as initial values.
 ///
 /// NaN and the infinities, which have no literal, are computed before the calls: an engine that computes them otherwise
 /// than IEC 60559 gives the function other operands.
 #[must_use]
-pub fn listed(signature: &Signature, calls: &[Vec<Value>]) -> ConversionProgram {
+pub fn listed(
+    signature: &Signature,
+    calls: &[Vec<Value>],
+    literal: fn(&Value) -> String,
+) -> ConversionProgram {
     let Signature { function, result, .. } = signature;
     let (mut declarations, mut statements) = infinity(calls);
     let mut observed = Vec::with_capacity(calls.len());

@@ -1,5 +1,6 @@
 //! A session of an engine that executes programs, and gives values or the reason why there are none.
 
+use crate::literals::{literal, untyped_literal};
 use crate::program::{self, ConversionProgram};
 use std::fmt;
 use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Observation, Outcome, RunRequest};
@@ -137,24 +138,42 @@ impl<'e> FunctionSession<'e> {
     }
 
     /// Returns the result of each call of a function. Runs all calls in one program, since compilers take their time to
-    /// start; where the engine gives no values for that, runs each call in a program of its own.
+    /// start; where the engine gives no values for that, runs each call in a program of its own. Where an engine rejects a program with a
+    /// sign behind the type of a literal, the types are left out, since the call is asked about and not the literal.
     pub fn results(
         &mut self,
         dialect: DialectName,
         signature: &Signature,
         calls: &[Vec<Value>],
     ) -> Vec<Result<Value, Refusal>> {
-        if let Ok(values) = self.run(dialect, &program::listed(signature, calls)) {
+        if let Ok(values) = self.list(dialect, signature, calls) {
             return values.into_iter().map(Ok).collect();
         }
         calls
             .iter()
             .map(|call| {
-                let program = program::listed(signature, std::slice::from_ref(call));
-                self.run(dialect, &program)
-                    .map(|mut values| values.swap_remove(0))
+                let values = self.list(dialect, signature, std::slice::from_ref(call));
+                values.map(|mut values| values.swap_remove(0))
             })
             .collect()
+    }
+
+    /// Runs one program with these calls.
+    fn list(
+        &mut self,
+        dialect: DialectName,
+        signature: &Signature,
+        calls: &[Vec<Value>],
+    ) -> Result<Vec<Value>, Refusal> {
+        let program = program::listed(signature, calls, literal);
+        let given = self.run(dialect, &program);
+        match &given {
+            Err(refusal) if refusal.kind == RefusalKind::Rejected && program.source.contains("#-") => {
+                let untyped = program::listed(signature, calls, untyped_literal);
+                self.run(dialect, &untyped).or(given)
+            }
+            _ => given,
+        }
     }
 }
 
@@ -225,7 +244,7 @@ fn line_of(diagnostics: &[Diagnostic], source: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::{FunctionSession, RefusalKind};
-    use stickler_engines::Reference;
+    use stickler_engines::{Engine, EngineError, Identity, Outcome, Reference, RunRequest, Session};
     use stickler_types::{DialectName, Value};
 
     fn value(literal: &str) -> Value {
@@ -242,6 +261,55 @@ mod tests {
         let results = session.results(DialectName::Matiec, signature, &calls);
         let expected = ["LREAL#NaN", "LREAL#Infinity", "LREAL#-Infinity", "LREAL#-0.0"];
         assert_eq!(results, expected.map(|literal| Ok(value(literal))));
+    }
+
+    /// The reference as a compiler that reads no sign behind the type of a literal.
+    struct NoSigns(Reference);
+
+    impl Engine for NoSigns {
+        fn identity(&self) -> &Identity {
+            self.0.identity()
+        }
+
+        fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+            Ok(Box::new(NoSignsSession(self.0.session()?)))
+        }
+    }
+
+    struct NoSignsSession<'e>(Box<dyn Session + 'e>);
+
+    impl Session for NoSignsSession<'_> {
+        fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+            match request.source.contains("#-") {
+                true => Outcome::Rejected {
+                    diagnostics: Vec::new(),
+                },
+                false => self.0.run(request),
+            }
+        }
+
+        fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
+            self.0.check(dialect, source)
+        }
+
+        fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+            self.0.render(dialect, source)
+        }
+    }
+
+    #[test]
+    fn a_sign_that_a_literal_cannot_have_hides_no_result() {
+        let engine = NoSigns(Reference::default());
+        let mut session = FunctionSession::open(&engine).unwrap();
+        for (function, operands, results) in [
+            ("REAL_TO_INT", ["REAL#-2.5", "REAL#1.0"], ["INT#-2", "INT#1"]),
+            ("SINT_TO_INT", ["SINT#-128", "SINT#5"], ["INT#-128", "INT#5"]),
+        ] {
+            let signature = &stickler_exact::signatures(function, DialectName::Matiec)[0];
+            let calls = operands.map(|operand| vec![value(operand)]);
+            let given = session.results(DialectName::Matiec, signature, &calls);
+            assert_eq!(given, results.map(|result| Ok(value(result))));
+        }
     }
 
     #[test]

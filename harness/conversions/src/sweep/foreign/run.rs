@@ -5,7 +5,7 @@ use super::plan::SweepPlan;
 use super::program;
 use super::queue::Queue;
 use super::worker::ForeignSweep;
-use crate::literals::has_literal;
+use crate::literals::{has_literal, literal};
 use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal};
 use crate::sweep::agenda::Sweep;
@@ -152,6 +152,6 @@ fn probes(sweep: &Sweep, plan: &SweepPlan) -> Vec<ConversionProgram> {
         .filter(|place| *place < length)
         .map(|place| sweep.domain.operands(place))
         .filter(|call| call.iter().all(has_literal))
-        .map(|call| listed(signature, &[call]))
+        .map(|call| listed(signature, &[call], literal))
         .collect()
 }

@@ -4,7 +4,7 @@ use super::findings::ForeignFindings;
 use super::plan::{Counting, SweepPlan};
 use super::program;
 use super::queue::{FIRST_COUNT, Queue};
-use crate::literals::has_literal;
+use crate::literals::{has_literal, literal};
 use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal, RefusalKind};
 use crate::sweep::agenda::Sweep;
@@ -191,7 +191,7 @@ impl ForeignSweep<'_> {
             .iter()
             .map(|place| self.sweep.domain.operands(*place))
             .collect();
-        match self.ask(session, &listed(&self.sweep.signature, &calls)) {
+        match self.ask(session, &listed(&self.sweep.signature, &calls, literal)) {
             Ok(given) => {
                 self.compare(places, given);
             }
