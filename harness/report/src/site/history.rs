@@ -129,6 +129,9 @@ fn changes(engine: &str, old: &SiteRun, new: &SiteRun) -> Result<Result<Vec<Chan
         })
     };
     match Comparison::of(open(old)?, open(new)?) {
+        Ok(comparison) if comparison.same == 0 && comparison.changes.is_empty() => {
+            Ok(Err("no case is in both runs".to_owned()))
+        }
         Ok(mut comparison) => {
             comparison.changes.retain(|change| change.engine == engine);
             Ok(Ok(comparison.changes))

@@ -138,6 +138,23 @@ fn a_long_list_says_what_it_leaves_out() {
 }
 
 #[test]
+fn versions_without_a_case_in_common_are_not_said_to_be_equal() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let of = |id| vec![sample::case(id, Verdict::Pass)];
+    let paths = [
+        run(folder.path(), "old", 1, "1", of("first")),
+        run(folder.path(), "new", 2, "2", of("second")),
+    ];
+    let site = folder.path().join("site");
+    write(&paths, &site).expect("a site");
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert!(
+        front.contains("from 1 to 2: not compared, since no case is in both runs"),
+        "{front}"
+    );
+}
+
+#[test]
 fn equal_runs_give_an_equal_site() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let paths = [
