@@ -468,6 +468,8 @@ fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
         dialect: event.dialect.clone(),
         basis: event.basis.clone(),
         about: event.title.clone(),
+        file: event.file.clone(),
+        line: event.line,
         program: smallest.program.clone(),
         expected: smallest.deviation.expected.clone(),
         got: smallest.deviation.got.clone(),

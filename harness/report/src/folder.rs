@@ -8,6 +8,7 @@ use crate::junit::Junit;
 use crate::overview::Overview;
 use crate::page::Page;
 use crate::results::Results;
+use crate::sarif::Sarif;
 use crate::summary::Summary;
 use std::fs;
 use std::path::Path;
@@ -21,6 +22,7 @@ pub struct Reports {
     junit: Junit,
     summary: Summary,
     badge: Badge,
+    sarif: Sarif,
     discrepancies: Discrepancies,
     page: Page,
 }
@@ -40,6 +42,7 @@ impl Reports {
             junit: Junit::create(folder.join("junit.xml"))?,
             summary: Summary::create(folder.join("summary.md"))?,
             badge: Badge::create(folder.join("badge.json"))?,
+            sarif: Sarif::create(folder.join("results.sarif"))?,
             discrepancies: Discrepancies::create(folder)?,
             page: Page::create(folder.join("index.html"), statements)?,
         })
@@ -69,6 +72,7 @@ impl Reports {
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
         self.badge.finish(overview)?;
+        self.sarif.finish(overview)?;
         self.page.finish(overview, groups)?;
         self.summary.finish(overview)
     }
@@ -104,6 +108,7 @@ mod tests {
             "index.html",
             "junit.xml",
             "results.json",
+            "results.sarif",
             "summary.md",
         ];
         assert_eq!(sample::names(&folder.path().join("deep/er")), expected);

@@ -7,6 +7,7 @@
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
 //! | `page` | `index.html` | everybody: one file that a browser opens |
+//! | `sarif` | `results.sarif` | code scanning services, editors |
 //! | `badge` | `badge.json` | the first page of a compiler's project |
 //! | `discrepancies` | `discrepancies/ENGINE/*.md` | the authors of a compiler |
 //! | [`terminal`] | (the terminal) | the person who started the run |
@@ -43,12 +44,14 @@ mod pending;
 mod results;
 #[cfg(test)]
 mod sample;
+mod sarif;
 pub mod site;
 mod spool;
 pub mod summary;
 mod table;
 pub mod terminal;
 mod text;
+mod unexpected;
 
 pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};

@@ -6,7 +6,7 @@ use crate::observations::Observations;
 use crate::text::clip_facts;
 use std::collections::BTreeMap;
 use stickler_run::{
-    CaseEvent, Cause, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals,
+    CaseEvent, Cause, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals, Verdict,
 };
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
@@ -66,6 +66,26 @@ impl Overview {
                 self.failures.push(kept(case));
             }
         }
+    }
+
+    /// Returns the causes of cases that are not as expected, those that explain most of these cases first.
+    pub(crate) fn unexpected_causes(&self) -> Vec<&Cause> {
+        let mut causes: Vec<&Cause> = self
+            .causes
+            .iter()
+            .filter(|cause| cause.unexpected() > 0)
+            .collect();
+        causes.sort_by_key(|cause| std::cmp::Reverse(cause.unexpected()));
+        causes
+    }
+
+    /// Returns the kept failing cases that no cause explains: no cause is searched for what passed unexpectedly, and of some
+    /// engines none is known.
+    pub(crate) fn unexplained_failures(&self) -> impl Iterator<Item = &CaseEvent> {
+        self.failures.iter().filter(|case| {
+            let is_known = |cause: &Cause| cause.engine == case.engine;
+            case.verdict == Verdict::Xpass || !self.causes.iter().any(is_known)
+        })
     }
 
     /// Returns the names of the engines, in the order of the run.

@@ -12,7 +12,7 @@ use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, Cause, DefinedHeader, Reduced, Totals};
+use stickler_run::{CaseEvent, DefinedHeader, Reduced, Totals};
 use stickler_types::{counted, grouped};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
@@ -198,8 +198,7 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
 
 /// Adds the causes that explain most of the cases that are not as expected, where causes were searched for.
 fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
-    let found = overview.causes.iter().filter(|cause| cause.unexpected() > 0);
-    let found: Vec<&Cause> = found.collect();
+    let found = overview.unexpected_causes();
     if found.is_empty() {
         return;
     }

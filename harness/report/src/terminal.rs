@@ -50,18 +50,9 @@ pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>)
 }
 
 fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
-    let is_explained = |case: &&CaseEvent| {
-        // No cause is searched for what passed unexpectedly.
-        case.verdict != Verdict::Xpass && overview.causes.iter().any(|cause| cause.engine == case.engine)
-    };
     let shown: Vec<&CaseEvent> = match around.failures {
         Some(number) => overview.failures.iter().take(number).collect(),
-        None => overview
-            .failures
-            .iter()
-            .filter(|case| !is_explained(case))
-            .take(SHOWN_FAILURES)
-            .collect(),
+        None => overview.unexplained_failures().take(SHOWN_FAILURES).collect(),
     };
     for case in &shown {
         failure::write(out, case, overview.engine(case), overview.totals.len() > 1)?;

@@ -202,6 +202,7 @@ fn the_parts_of_a_run_are_put_together_to_all_reports_of_the_whole() {
         "results.json",
         "junit.xml",
         "summary.md",
+        "results.sarif",
         "badge.json",
         "index.html",
     ] {

@@ -18,15 +18,10 @@ const MAX_TITLE: usize = 120;
 /// # Errors
 /// Returns the error of writing to `out`.
 pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
-    let mut causes: Vec<&Cause> = overview
-        .causes
-        .iter()
-        .filter(|cause| cause.unexpected() > 0)
-        .collect();
+    let causes = overview.unexpected_causes();
     if causes.is_empty() {
         return Ok(());
     }
-    causes.sort_by_key(|cause| std::cmp::Reverse(cause.unexpected()));
     let several = overview.engines().len() > 1;
     let widths = causes.iter().map(|cause| grouped(cause.unexpected()).len());
     let width = widths.max().unwrap_or_default().max("Cases".len());

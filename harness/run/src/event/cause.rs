@@ -49,6 +49,12 @@ pub struct Reproducer {
     pub basis: String,
     /// The title of the case.
     pub about: String,
+    /// The path of the case file; empty in a log of an earlier version.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub file: String,
+    /// The line of the case in the case file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<u32>,
     /// The program, without the header and the marks of the case.
     pub program: String,
     /// The expected facts; lines are those of the program.

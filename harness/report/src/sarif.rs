@@ -1,0 +1,202 @@
+//! `results.sarif`: the unexpected results of a run for code scanning services and editors. Each claim of the run is a rule; each
+//! cause of failing cases, and each failing case that no cause explains, is a result.
+//!
+//! Basis: SARIF 2.1.0 (OASIS), and what GitHub documents of the properties that its code scanning reads.
+
+mod document;
+
+use crate::ReportError;
+use crate::basis::Basis;
+use crate::overview::Overview;
+use crate::pending::PendingFile;
+use crate::text::outdated;
+use crate::unexpected::Unexpected;
+use document::{
+    Document, Driver, Fingerprints, Invocation, Level, Location, Message, Notification, Region, Rule,
+    SarifResult, SarifRun, Tool,
+};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+use std::path::PathBuf;
+use stickler_run::Header;
+use stickler_types::counted;
+
+/// The file, written when the run is over.
+pub(crate) struct Sarif {
+    file: PendingFile,
+}
+
+impl Sarif {
+    /// Creates the file.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the file cannot be created.
+    pub(crate) fn create(path: PathBuf) -> Result<Sarif, ReportError> {
+        Ok(Sarif {
+            file: PendingFile::create(path)?,
+        })
+    }
+
+    /// Writes the file; a run that was cut short gets none, since a service takes what is missing for mended.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the file cannot be written.
+    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+        let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
+            return Ok(());
+        };
+        let path = self.file.path().to_owned();
+        serde_json::to_writer(&mut self.file, &document(header, overview))
+            .map_err(|error| ReportError::writing(&path)(error.into()))?;
+        self.file.commit()
+    }
+}
+
+fn document(header: &Header, overview: &Overview) -> Document {
+    let rules = rules(overview);
+    let unexpected: Vec<Unexpected> = Unexpected::all(overview).collect();
+    let told: u64 = unexpected.iter().map(|one| one.cases).sum();
+    let results = unexpected.into_iter().map(|one| result(one, &rules)).collect();
+    Document::of(SarifRun {
+        tool: Tool {
+            driver: Driver {
+                name: "Stickler",
+                version: header.stickler.clone(),
+                rules: rules.into_values().collect(),
+            },
+        },
+        invocations: [Invocation {
+            execution_successful: true,
+            command_line: header.command.clone(),
+            start_time_utc: header.started.clone(),
+            tool_configuration_notifications: mistakes(header, overview),
+            tool_execution_notifications: left_out(overview.failed.saturating_sub(told)),
+        }],
+        results,
+    })
+}
+
+/// Returns a rule for each claim, by its basis, in the order of the texts.
+fn rules(overview: &Overview) -> BTreeMap<String, Rule> {
+    let claims = overview.claims.rows(&[]);
+    let claims = claims.into_iter().filter(|row| !row.sum);
+    let rules = claims.map(|row| {
+        let id = match row.section {
+            "" => row.source.to_owned(),
+            section => format!("{}: {section}", row.source),
+        };
+        (id.clone(), rule(id, overview))
+    });
+    rules.collect()
+}
+
+fn rule(id: String, overview: &Overview) -> Rule {
+    let Basis { source, section } = Basis::of(&id);
+    let source = overview.source(source);
+    let address = source
+        .map(|source| source.address_of(section))
+        .unwrap_or_default();
+    let described = match source {
+        Some(source) => format!("{id} ({} of {}: {})", source.kind, source.publisher, source.title),
+        None => id.clone(),
+    };
+    Rule {
+        short_description: Message { text: id.clone() },
+        full_description: Message {
+            text: described.clone(),
+        },
+        help: Message {
+            text: format!("{described} {address}").trim_end().to_owned(),
+        },
+        help_uri: web_address(&address),
+        id,
+    }
+}
+
+/// Returns an address of the web as a URI; `None` for a path.
+fn web_address(address: &str) -> Option<String> {
+    // The reserved characters of RFC 3986 without the square brackets, which stand only in the address of a host, and a percent
+    // sign, since what the address has encoded stays so.
+    let reserved = ":/?#@!$&'()*+,;=%";
+    let is_of_the_web = address.starts_with("https://") || address.starts_with("http://");
+    is_of_the_web.then(|| percent_encoded(address, reserved))
+}
+
+fn result(unexpected: Unexpected, rules: &BTreeMap<String, Rule>) -> SarifResult {
+    let Unexpected {
+        basis,
+        file,
+        line,
+        title,
+        text,
+        key,
+        ..
+    } = unexpected;
+    let place =
+        (!file.is_empty()).then(|| Location::of(uri(&file), line.map(|line| Region { start_line: line })));
+    SarifResult {
+        rule_index: rules.keys().position(|id| *id == basis),
+        rule_id: basis,
+        level: Level::Error,
+        message: Message {
+            text: format!("{title}\n\n{text}"),
+        },
+        locations: place.into_iter().collect(),
+        partial_fingerprints: Fingerprints {
+            primary_location_line_hash: key,
+        },
+    }
+}
+
+/// Returns a path as a reference of RFC 3986; an absolute one becomes an address of the scheme `file`.
+fn uri(path: &str) -> String {
+    let encoded = percent_encoded(&path.replace('\\', "/"), "/");
+    match encoded.starts_with('/') {
+        true => format!("file://{encoded}"),
+        false => encoded,
+    }
+}
+
+/// Encodes every byte that is neither unreserved in RFC 3986 nor in `kept`.
+fn percent_encoded(text: &str, kept: &str) -> String {
+    let mut encoded = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) || kept.as_bytes().contains(&byte) {
+            encoded.push(char::from(byte));
+        } else {
+            // Writing to a String cannot fail.
+            let _ = write!(encoded, "%{byte:02X}");
+        }
+    }
+    encoded
+}
+
+/// Returns the mistakes in case files and the entries of baselines that are out of date.
+fn mistakes(header: &Header, overview: &Overview) -> Vec<Notification> {
+    let broken = header.broken_files.iter();
+    let broken = broken.map(|mistake| format!("some cases were not run: {mistake}"));
+    let texts = broken.chain(overview.outdated().map(outdated));
+    texts
+        .map(|text| Notification {
+            level: Level::Error,
+            message: Message { text },
+        })
+        .collect()
+}
+
+/// Returns the note on cases that no result tells of; none where there is no such case.
+fn left_out(cases: u64) -> Vec<Notification> {
+    let note = (cases > 0).then(|| Notification {
+        level: Level::Warning,
+        message: Message {
+            text: format!(
+                "{} not as expected and left out here; results.json has all",
+                counted(cases, "more case is", "more cases are")
+            ),
+        },
+    });
+    note.into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests;

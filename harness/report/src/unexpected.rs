@@ -1,0 +1,117 @@
+//! The unexpected results of a run, each as one message with a place, for the formats that show a list of messages: the causes of
+//! failing cases, and the failing cases that no cause explains.
+
+use crate::overview::Overview;
+use crate::text::{shortened, visible};
+use crate::{compared, engine};
+use stickler_run::{CaseEvent, Cause, Fact, Verdict};
+use stickler_types::counted;
+
+/// The maximum number of characters of a title.
+const MAX_TITLE: usize = 200;
+
+/// A message about one thing that is not as expected.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Unexpected {
+    /// The claim that is not met: source and section.
+    pub(crate) basis: String,
+    /// The path of the case file; empty where an older log does not name it.
+    pub(crate) file: String,
+    /// The line of the case in its file, where it is known.
+    pub(crate) line: Option<u32>,
+    /// The message in one line.
+    pub(crate) title: String,
+    /// What was expected, what came, the program, and the command that runs it again.
+    pub(crate) text: String,
+    /// The same text for the same result in every run, and for no other result of a run.
+    pub(crate) key: String,
+    /// The number of cases that the message stands for.
+    pub(crate) cases: u64,
+}
+
+impl Unexpected {
+    /// Returns the messages of a run, the causes first, those that explain most cases at the top.
+    pub(crate) fn all(overview: &Overview) -> impl Iterator<Item = Unexpected> {
+        let causes = overview.unexpected_causes().into_iter();
+        let cases = overview.unexplained_failures();
+        causes
+            .map(|cause| of_cause(cause, overview))
+            .chain(cases.map(|case| of_case(case, overview)))
+    }
+}
+
+fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+    let shown = &cause.shown;
+    let cases = cause.unexpected();
+    let engines = &mut overview.header.iter().flat_map(|header| &header.engines);
+    let rerun = engines
+        .find(|engine| engine.name == cause.engine)
+        .map(|engine| engine.rerun(&shown.case, &shown.dialect))
+        .unwrap_or_default();
+    Unexpected {
+        basis: shown.basis.clone(),
+        file: shown.file.clone(),
+        line: shown.line,
+        title: title(
+            &cause.engine,
+            &format!("{} ({})", cause.title, counted(cases, "case", "cases")),
+        ),
+        text: text(
+            &shown.basis,
+            &Fact::text(&shown.expected),
+            &Fact::text(&shown.got),
+            &shown.program,
+            &rerun,
+        ),
+        key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
+        cases,
+    }
+}
+
+fn of_case(case: &CaseEvent, overview: &Overview) -> Unexpected {
+    let engine = overview.engine(case);
+    let (expected, got) = compared::texts(case, engine::strictness(engine));
+    let what = match case.verdict {
+        Verdict::Xpass => "passes, but its baseline expects it not to",
+        verdict => verdict.as_str(),
+    };
+    Unexpected {
+        basis: case.basis.clone(),
+        file: case.file.clone(),
+        line: case.line,
+        title: title(
+            &case.engine,
+            &format!("{}@{}: {what}: {}", case.id, case.dialect, case.title),
+        ),
+        text: text(
+            &case.basis,
+            &expected,
+            &got,
+            case.program.as_deref().unwrap_or_default(),
+            &engine::rerun(engine, case),
+        ),
+        key: format!("{}: {}@{}", case.engine, case.id, case.dialect),
+        cases: 1,
+    }
+}
+
+fn title(engine: &str, message: &str) -> String {
+    let line = visible(&format!("{engine}: {message}")).replace(['\n', '\t'], " ");
+    shortened(&line, MAX_TITLE)
+}
+
+fn text(basis: &str, expected: &str, got: &str, program: &str, rerun: &str) -> String {
+    let part = |name: &str, content: &str| match content.trim_end() {
+        "" => String::new(),
+        content => format!("{name}:\n{content}\n\n"),
+    };
+    let text = [
+        format!("basis: {basis}\n\n"),
+        part("expected", expected),
+        part("got", got),
+        part("program", program),
+        part("rerun", rerun),
+    ]
+    .concat();
+    visible(text.trim_end())
+}
