@@ -100,6 +100,7 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
 }
 
 datatest_stable::harness! {
-    // `dialects.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite; every other file of these kinds is a case file.
-    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|places|sources|suite)\.toml$).*\.(st|toml)$" },
+    // `dialects.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite, and `recordings` holds no cases; every other file of
+    // these kinds is a case file.
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|places|sources|suite)\.toml$|recordings[/\\]).*\.(st|toml)$" },
 }
