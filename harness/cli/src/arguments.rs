@@ -2,6 +2,7 @@
 
 mod bless;
 mod compare;
+mod completions;
 mod engines;
 mod export;
 mod fuzz;
@@ -13,6 +14,7 @@ mod site;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
+pub use completions::CompletionsArguments;
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
@@ -121,6 +123,9 @@ pub enum Command {
     /// Judge and report the results that exported pages left in their arrays
     #[command(after_help = export::IMPORT_EXAMPLES)]
     Import(ImportArguments),
+    /// Print the script by which a shell completes commands and options
+    #[command(after_help = completions::COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArguments),
 }
 
 /// The cases that a command works on.

@@ -3,6 +3,7 @@
 mod bless;
 mod check;
 mod compare;
+mod completions;
 mod conversions;
 mod engine;
 mod engines;
@@ -62,5 +63,6 @@ pub fn execute(arguments: Arguments, out: &mut dyn Write) -> anyhow::Result<Exit
         Command::Merge(arguments) => merge::execute(&arguments, out),
         Command::Export(arguments) => export::execute(&arguments, out),
         Command::Import(arguments) => import::execute(&arguments, out),
+        Command::Completions(arguments) => Ok(completions::execute(&arguments, out)?),
     }
 }

@@ -26,6 +26,28 @@ fn engine<'e>(events: &'e [Event], name: &str) -> &'e EngineHeader {
 }
 
 #[test]
+fn a_shell_completes_every_command() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let help = output(folder.path(), &["--help"]);
+    let help = text(&help.stdout);
+    let listed = help.split("Commands:\n").nth(1).expect("the commands");
+    let commands = listed.lines().take_while(|line| !line.is_empty());
+    // Further lines of a description are indented more.
+    let commands: Vec<&str> = commands
+        .filter_map(|line| line.strip_prefix("  ")?.split(' ').next())
+        .filter(|name| !name.is_empty())
+        .collect();
+    assert!(commands.len() > 20, "{commands:?}");
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let made = output(folder.path(), &["completions", shell]);
+        assert_eq!(made.status.code(), Some(0));
+        let script = text(&made.stdout);
+        let missing: Vec<_> = commands.iter().filter(|name| !script.contains(**name)).collect();
+        assert!(missing.is_empty(), "{shell}: {missing:?}");
+    }
+}
+
+#[test]
 fn a_run_writes_every_report_about_the_same_cases() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let run = output(folder.path(), &["run", "--cases", SUITE]);
