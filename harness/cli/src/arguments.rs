@@ -179,6 +179,9 @@ pub struct RunArguments {
     /// Show N failing cases whole [default: 40 of an engine whose causes are not known, none otherwise]
     #[arg(long, value_name = "N", value_parser = whole::<usize>(0, 500), allow_negative_numbers = true)]
     pub failures: Option<usize>,
+    /// Write unexpected results as annotations of a CI service [default: github in a job of GitHub, otherwise off]
+    #[arg(long, value_name = "CI", value_parser = annotations())]
+    pub annotate: Option<bool>,
     /// Do not search for the causes of failing cases, which asks the engines about smaller programs
     #[arg(long)]
     pub no_causes: bool,
@@ -356,6 +359,11 @@ pub struct SweepArguments {
     /// Use N threads [default: one a processor]
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
+}
+
+/// Reads the service for whose annotations unexpected results are written: `true` for GitHub, `false` for none.
+fn annotations() -> impl TypedValueParser<Value = bool> {
+    PossibleValuesParser::new(["github", "off"]).map(|name| name == "github")
 }
 
 fn grades() -> impl TypedValueParser<Value = Grade> {

@@ -23,6 +23,7 @@
 //! judges a case, or knows how an event came about.
 #![forbid(unsafe_code)]
 
+pub mod annotations;
 mod badge;
 pub mod basis;
 pub mod claims;

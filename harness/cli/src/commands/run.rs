@@ -12,12 +12,13 @@ use crate::{baselines, caches, engines, interrupt, shell};
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
+use std::env;
 use std::io::Write;
 use std::path::PathBuf;
 use stickler_causes::Search;
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Surroundings};
-use stickler_report::{Overview, ReportError, Reports};
+use stickler_report::{Overview, ReportError, Reports, annotations};
 use stickler_run::{AnswerStore, Baseline, Event, Plan, RunSummary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
@@ -69,6 +70,9 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     causes.finish(&search, &mut |event| sink.take(&event));
     caches.report_problems();
     let overview = sink.finish()?;
+    if annotates(arguments) {
+        annotations::write_github(&overview, out)?;
+    }
     let shown = report_folder.map(|folder| folder.display().to_string());
     terminal::write(
         out,
@@ -81,6 +85,12 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     let summary = summary?;
     caches::write_from_cache(out, summary.from_cache, summary.cases)?;
     Ok(exit(&summary).worst(case_folder::exit_of(&suite)))
+}
+
+/// Returns whether unexpected results are written as annotations of GitHub, whose jobs have a variable that says so.
+fn annotates(arguments: &RunArguments) -> bool {
+    let in_job = || env::var_os("GITHUB_ACTIONS").is_some_and(|value| value == "true");
+    arguments.annotate.unwrap_or_else(in_job)
 }
 
 /// # Errors

@@ -19,6 +19,8 @@ pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
         // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
         .env("CARGO_MANIFEST_DIR", "")
         .env("NO_COLOR", "1")
+        // The tests may run in a job of GitHub.
+        .env("GITHUB_ACTIONS", "")
         .current_dir(folder)
         .args(arguments)
         .stdin(Stdio::null());

@@ -9,6 +9,7 @@ fn each_command_prints_what_its_file_says() {
         // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
         .env("CARGO_MANIFEST_DIR", "")
         .env("NO_COLOR", "1")
+        .env("GITHUB_ACTIONS", "")
         .case("tests/cmd/*.trycmd")
         .case("tests/cmd/*.toml");
 }

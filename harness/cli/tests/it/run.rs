@@ -26,6 +26,31 @@ fn engine<'e>(events: &'e [Event], name: &str) -> &'e EngineHeader {
 }
 
 #[test]
+fn what_failed_is_annotated_in_a_job_of_github_or_on_request() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = ["run", "--cases", SUITE, "--no-report"];
+    let errors = |job: &str, more: &[&str]| {
+        let mut command = stickler(folder.path(), &[&run[..], more].concat());
+        let output = command
+            .env("GITHUB_ACTIONS", job)
+            .output()
+            .expect("the command runs");
+        let shown = text(&output.stdout);
+        let last = shown.lines().last().unwrap_or_default();
+        assert!(last.contains("not as expected"), "{shown}");
+        shown
+            .lines()
+            .filter(|line| line.starts_with("::error file="))
+            .count()
+    };
+    assert_eq!(errors("", &[]), 0);
+    let asked = errors("", &["--annotate", "github"]);
+    assert!(asked > 0);
+    assert_eq!(errors("true", &[]), asked);
+    assert_eq!(errors("true", &["--annotate", "off"]), 0);
+}
+
+#[test]
 fn a_shell_completes_every_command() {
     let folder = tempfile::tempdir().expect("a folder");
     let help = output(folder.path(), &["--help"]);
