@@ -16,6 +16,6 @@ mod run;
 pub use agenda::{AgendaError, Sweep, SweepMethod, agenda};
 pub use converter::Converter;
 pub use domain::{Domain, Operands, Sampling, TextOperands};
-pub use findings::{Difference, MAX_DIFFERENCES, SweepFindings};
+pub use findings::{Difference, MAX_DIFFERENCES, SweepFindings, SweepProgress};
 pub use reference::ReferenceFunction;
-pub use run::{SweepProgress, run};
+pub use run::run;

@@ -2,7 +2,6 @@
 //! with them, and takes them from here.
 
 use crate::basis::Basis;
-use crate::overview::entry;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
 
@@ -178,6 +177,15 @@ fn in_order<'a>(
     let mut sorted: Vec<_> = bases.into_iter().map(|basis| (basis, Basis::of(basis))).collect();
     sorted.sort_by_key(|(_, named)| *named);
     sorted.into_iter()
+}
+
+/// Returns the entry of a key, and creates it where it is missing. Unlike the map's own `entry`, it copies the key only
+/// then.
+pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str) -> &'m mut V {
+    if !map.contains_key(key) {
+        map.insert(key.to_owned(), V::default());
+    }
+    map.get_mut(key).expect("it is there or was just put there")
 }
 
 #[cfg(test)]

@@ -11,8 +11,9 @@ mod page;
 pub(crate) use cause_page::page as cause_page_of;
 
 use crate::ReportError;
+use crate::claims::entry;
 use crate::observations::probe;
-use crate::overview::{Overview, entry, kept};
+use crate::overview::{Overview, kept};
 use crate::pending::PendingFile;
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,6 +1,6 @@
 //! The overview of a run for people, gathered once for the terminal and the Markdown summary.
 
-use crate::claims::Claims;
+use crate::claims::{Claims, entry};
 use crate::engine;
 use crate::observations::Observations;
 use crate::text::clip_facts;
@@ -142,15 +142,6 @@ impl Overview {
         }
         sum
     }
-}
-
-/// Returns the entry of a key, and creates it where it is missing. Unlike the map's own `entry`, it copies the key only
-/// then.
-pub(crate) fn entry<'m, V: Default>(map: &'m mut BTreeMap<String, V>, key: &str) -> &'m mut V {
-    if !map.contains_key(key) {
-        map.insert(key.to_owned(), V::default());
-    }
-    map.get_mut(key).expect("it is there or was just put there")
 }
 
 /// Copies a case with no more of its texts than any view shows, since the texts of a foreign engine may have any length.

@@ -5,6 +5,7 @@ mod budget;
 mod cell;
 mod expand_matrix;
 mod expand_rows;
+mod expansion;
 mod inputs;
 mod keys;
 mod matrix;

@@ -12,6 +12,17 @@ pub struct Call {
     pub operands: Vec<WrittenValue>,
 }
 
+/// The result on which the asserting probes of a table agree for a call.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Agreed {
+    /// The result as a typed literal, or `open` where no document of a dialect states it; an empty text where no probe asserts one.
+    pub value: String,
+    /// The bases of the call, as the column `basis` has them: an empty text where those of the probes are right.
+    pub basis: String,
+    /// The dialects that ask the row, as the column `dialects` has them: an empty text where all dialects of the probes do.
+    pub dialects: String,
+}
+
 impl Call {
     /// Returns the call of `function` with these operands that gives a `to`, or nothing where no dialect has such a function whose documents state
     /// rules.

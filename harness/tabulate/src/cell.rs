@@ -1,7 +1,6 @@
 //! The columns of a table of calls.
 
-use crate::call::Call;
-use crate::claim::Agreed;
+use crate::call::{Agreed, Call};
 use stickler_types::{ElementaryType, WrittenValue};
 
 /// Writes the cell of a call, of which the table's probes say this.

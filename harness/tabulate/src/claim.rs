@@ -1,6 +1,6 @@
 //! Whether the documents say of a call what the probes of its table claim.
 
-use crate::call::Call;
+use crate::call::{Agreed, Call};
 use crate::table::{ProbeClaim, Table, TableProbe};
 use stickler_exact::{Expected, Operation};
 use stickler_types::{DialectName, ElementaryType};
@@ -20,17 +20,6 @@ const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcE
 
 /// The word of a row whose result no document states.
 const OPEN: &str = "open";
-
-/// The result on which the asserting probes of a table agree for a call.
-#[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Agreed {
-    /// The result as a typed literal, or `open` where no document of a dialect states it; an empty text where no probe asserts one.
-    pub value: String,
-    /// The bases of the call, as the column `basis` has them: an empty text where those of the probes are right.
-    pub basis: String,
-    /// The dialects that ask the row, as the column `dialects` has them: an empty text where all dialects of the probes do.
-    pub dialects: String,
-}
 
 impl Table {
     /// Returns what the asserting probes agree on.

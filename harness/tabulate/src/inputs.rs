@@ -7,6 +7,7 @@
 //! | `"powers-of-two"` | the list of that [name](lists::named) |
 
 use crate::lists;
+use crate::number::{halves, whole};
 use stickler_types::{ElementaryType, Value, WrittenValue};
 
 /// Returns the operands of a pair of types, numbers in ascending order, each once.
@@ -48,21 +49,6 @@ fn of_entry(entry: &str, from: ElementaryType, to: ElementaryType) -> Result<Vec
         return Err(format!("`{entry}` is no list of inputs"));
     }
     Ok(Value::parse(&format!("{from}#{entry}")).into_iter().collect())
-}
-
-/// Returns a number of an integer or bit string type, or nothing where the type does not hold it.
-pub(crate) fn whole(ty: ElementaryType, number: i128) -> Option<Value> {
-    let (least, greatest) = ty.integer_range()?;
-    let holds = ty != ElementaryType::Bool && (least..=greatest).contains(&number);
-    holds.then(|| Value::plain(ty, ty.wrap(number)))
-}
-
-/// Returns a real number that is a number of halves, rounded once, or nothing where it would be infinite.
-pub(crate) fn halves(ty: ElementaryType, halves: i128) -> Option<Value> {
-    let sign = if halves < 0 { "-" } else { "" };
-    let magnitude = halves.unsigned_abs();
-    let digit = if magnitude.is_multiple_of(2) { 0 } else { 5 };
-    Value::parse(&format!("{ty}#{sign}{}.{digit}", magnitude / 2)).ok()
 }
 
 /// Returns a number that grows with the value of an integer, a bit string or a real number; -0.0 comes before 0.0.

@@ -24,5 +24,6 @@ pub mod folder;
 pub mod generate;
 pub mod inputs;
 pub mod lists;
+mod number;
 pub mod suggestion;
 pub mod table;

@@ -1,6 +1,6 @@
 //! The lists of operands that have a name, because types or formats decide what is in them.
 
-use crate::inputs::{halves, whole};
+use crate::number::{halves, whole};
 use stickler_types::{ElementaryType, Family, Value};
 
 /// A list of operands for a source type and a target type; empty where it has none for the two.

@@ -1,8 +1,16 @@
 //! The findings of a sweep over the reference: the counts and the first differences.
 
-use crate::sweep::run::SweepProgress;
 use std::fmt;
 use stickler_types::Value;
+
+/// The progress of a sweep.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct SweepProgress {
+    /// The number of inputs that were compared so far.
+    pub done: u64,
+    /// The number of compared inputs that gave a wrong result.
+    pub mismatches: u64,
+}
 
 /// The maximum number of differences that are kept; all are counted.
 pub const MAX_DIFFERENCES: usize = 10;

@@ -3,18 +3,9 @@
 use crate::sweep::agenda::Sweep;
 use crate::sweep::comparison::SweepComparison;
 use crate::sweep::converter::Converter;
-use crate::sweep::findings::SweepFindings;
+use crate::sweep::findings::{SweepFindings, SweepProgress};
 use std::ops::Range;
 use stickler_workers::{Cancellation, SpawnError, WorkerPool};
-
-/// The progress of a sweep.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct SweepProgress {
-    /// The number of inputs that were compared so far.
-    pub done: u64,
-    /// The number of compared inputs that gave a wrong result.
-    pub mismatches: u64,
-}
 
 /// Compares the result of every input of the sweep with exact arithmetic, on the given number of threads (0: one for each
 /// processor).

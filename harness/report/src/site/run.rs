@@ -1,9 +1,8 @@
 //! A run of the site: its header, and the results of each engine by area.
 
 use super::SiteError;
-use crate::claims::Standing;
+use crate::claims::{Standing, entry};
 use crate::events::{self, Completeness, Reader};
-use crate::overview::entry;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use stickler_run::{Cause, Event, Header};

@@ -1,9 +1,10 @@
 //! Rewrites a baseline from the results of a run. Expectations are never touched: a baseline only states known deviations.
 
-use super::fold::{CaseKey, Folded, Universe};
+use super::fold::{CaseKey, Universe};
 use super::matched::EntryState;
 use super::owned::Owned;
-use super::{Baseline, Entry, write};
+use super::write::{self, Added, Fate};
+use super::{Baseline, Entry};
 use crate::Verdict;
 use crate::event::{CaseEvent, EngineHeader};
 use jiff::civil::Date;
@@ -86,21 +87,6 @@ pub enum ChangeKind {
     Narrowed,
     /// The entry lost its last day, which is past although the entry still holds.
     Undated,
-}
-
-/// The decision about an old entry.
-pub(super) enum Fate {
-    Kept,
-    Undated,
-    Narrowed(Vec<Folded>, String),
-    Removed(String),
-}
-
-/// An entry that is added to a baseline.
-pub(super) struct Added {
-    pub(super) folded: Folded,
-    pub(super) verdict: Verdict,
-    pub(super) reason: String,
 }
 
 /// Rewrites the baseline of an engine, whose text is `text` (empty where there was none), from a run on the cases of this

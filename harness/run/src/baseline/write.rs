@@ -1,8 +1,8 @@
 //! Writes the text of a rewritten baseline: entries that stay keep their text and comments unchanged.
 
 use super::Baseline;
-use super::bless::{Added, Fate};
 use super::fold::Folded;
+use crate::Verdict;
 use std::path::Path;
 use toml_edit::{ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
 
@@ -12,6 +12,21 @@ const HEAD: &str = "\
 # longer so. `stickler bless` writes down what a run found, and keeps the reasons, links and comments of what is still so.
 # The keys are explained in reports/README.md.
 ";
+
+/// The decision about an old entry.
+pub(super) enum Fate {
+    Kept,
+    Undated,
+    Narrowed(Vec<Folded>, String),
+    Removed(String),
+}
+
+/// An entry that is added to a baseline.
+pub(super) struct Added {
+    pub(super) folded: Folded,
+    pub(super) verdict: Verdict,
+    pub(super) reason: String,
+}
 
 /// Returns the new text, from the old one (empty where there was none) and the decision about each of its entries.
 pub(super) fn rewritten(

@@ -21,11 +21,11 @@ use crate::table::cell::{
     CELL, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TESTABLE, TYPED, TYPES, VALUE,
     declarations, one_of,
 };
+use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
 use crate::table::inputs;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MAX_MISTAKES, TableExpansion};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, RowInput, TypeInfo};
 

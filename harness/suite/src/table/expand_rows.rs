@@ -14,9 +14,9 @@ use crate::ident;
 use crate::mark::MarkWord;
 use crate::program::Remarks;
 use crate::table::budget::Budget;
+use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
 use crate::table::keys::TableRow;
 use crate::table::probe::{self, Placeholders, Probe};
-use crate::table::read::{MAX_MISTAKES, TableExpansion};
 
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]

@@ -1,30 +1,16 @@
 //! Reads a table file and expands it into its cases.
 
-use stickler_types::DialectName;
-
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::program::Remarks;
+use crate::table::expansion::TableExpansion;
 use crate::table::keys::TableFile;
 use crate::table::{cell, expand_matrix, expand_rows};
 use crate::template::{BasisTemplate, Template, TemplateMistake};
 use crate::toml_text;
 
-/// The number of mistakes in one file after which the rest is dropped, because they have one cause.
-pub(crate) const MAX_MISTAKES: usize = 50;
-
 /// The largest number of columns of a table; placeholders are searched linearly among them.
 const MAX_COLUMNS: usize = 100;
-
-/// A table file, as the expansions of both kinds of table use it.
-pub(crate) struct TableExpansion<'a> {
-    pub(crate) context: &'a FileContext<'a>,
-    pub(crate) file: &'a TableFile,
-    /// The dialects of the file; `None` if it does not name any.
-    pub(crate) dialects: Option<Vec<DialectName>>,
-    pub(crate) title: Template,
-    pub(crate) basis: Option<BasisTemplate>,
-}
 
 /// Reads a table file.
 pub(crate) fn read(context: &FileContext<'_>) -> Harvest {

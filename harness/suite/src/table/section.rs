@@ -6,9 +6,9 @@ use toml::Spanned;
 use crate::error::Mistake;
 use crate::ident;
 use crate::place::TextPlace;
+use crate::table::expansion::TableExpansion;
 use crate::table::keys::{MatrixKey, MatrixTable};
 use crate::table::matrix::Matrix;
-use crate::table::read::TableExpansion;
 use crate::template::{BasisTemplate, Template};
 
 /// One matrix of a file.

@@ -1,7 +1,7 @@
 //! The domain of a sweep: finds each input by its place, so that workers need not wait for each other.
 
 use super::operands::{Operands, TextOperands};
-use super::{sample, texts};
+use super::texts;
 use std::ops::Range;
 use stickler_types::boundaries::{BoundaryDetail, neighbourhoods};
 use stickler_types::{ElementaryType, SplitMix64, Value};
@@ -145,9 +145,4 @@ fn every(ty: ElementaryType, places: Range<u64>, raws: &mut [u64]) {
     for (place, raw) in places.zip(raws) {
         *raw = (place ^ sign).wrapping_sub(sign);
     }
-}
-
-/// Returns the raw form of the sampled value of a type at a place; see [`sample::raw`].
-pub(super) fn sampled(ty: ElementaryType, random: SplitMix64, place: u64) -> u64 {
-    sample::raw(ty, random.at(2 * place), random.at(2 * place + 1))
 }

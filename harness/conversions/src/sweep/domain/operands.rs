@@ -1,6 +1,6 @@
 //! Lists of chosen inputs followed by sampled ones, each found by its place.
 
-use super::choose::sampled;
+use super::sample::sampled;
 use super::texts;
 use stickler_types::{ElementaryType, SplitMix64, Value};
 

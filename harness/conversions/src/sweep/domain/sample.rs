@@ -1,15 +1,20 @@
 //! Turns random bits into values of a type, so that no magnitude is rare.
 
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, SplitMix64};
 
 const MILLISECOND: i64 = 1_000_000;
 const SECOND: i64 = 1_000 * MILLISECOND;
 const DAY: i64 = 86_400 * SECOND;
 
+/// Returns the raw form of the sampled value of a type at a place; the same source of random numbers gives the same value.
+#[must_use]
+pub fn sampled(ty: ElementaryType, random: SplitMix64, place: u64) -> u64 {
+    raw(ty, random.at(2 * place), random.at(2 * place + 1))
+}
+
 /// Returns the raw form of a value made from two random numbers, the first of which decides its kind and the other its digits;
 /// 0 for a text. Random bits alone would seldom give a small integer or a real number near the integers.
-#[must_use]
-pub fn raw(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
+fn raw(ty: ElementaryType, kind: u64, digits: u64) -> u64 {
     match ty.family() {
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Character => {
             ty.wrap(any_length(kind, digits).into())

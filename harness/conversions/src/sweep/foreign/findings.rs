@@ -1,8 +1,8 @@
 //! The findings of a sweep through programs.
 
 use crate::session::Refusal;
+use crate::sweep::findings::SweepProgress;
 use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
-use crate::sweep::run::SweepProgress;
 use stickler_types::Value;
 
 /// The maximum number of reasons that are kept apart, since a message may hold a number that is always another.

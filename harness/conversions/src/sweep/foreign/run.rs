@@ -9,7 +9,7 @@ use crate::literals::{has_literal, literal};
 use crate::program::{ConversionProgram, listed};
 use crate::session::{FunctionSession, Refusal};
 use crate::sweep::agenda::Sweep;
-use crate::sweep::run::SweepProgress;
+use crate::sweep::findings::SweepProgress;
 use std::sync::{Mutex, PoisonError};
 use stickler_engines::{Engine, EngineError};
 use stickler_types::DialectName;
