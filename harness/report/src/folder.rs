@@ -2,6 +2,7 @@
 
 use crate::ReportError;
 use crate::badge::Badge;
+use crate::code_quality::CodeQuality;
 use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
@@ -23,6 +24,7 @@ pub struct Reports {
     summary: Summary,
     badge: Badge,
     sarif: Sarif,
+    code_quality: CodeQuality,
     discrepancies: Discrepancies,
     page: Page,
 }
@@ -43,6 +45,7 @@ impl Reports {
             summary: Summary::create(folder.join("summary.md"))?,
             badge: Badge::create(folder.join("badge.json"))?,
             sarif: Sarif::create(folder.join("results.sarif"))?,
+            code_quality: CodeQuality::create(folder.join("gl-code-quality-report.json"))?,
             discrepancies: Discrepancies::create(folder)?,
             page: Page::create(folder.join("index.html"), statements)?,
         })
@@ -73,6 +76,7 @@ impl Reports {
         self.discrepancies.finish(overview)?;
         self.badge.finish(overview)?;
         self.sarif.finish(overview)?;
+        self.code_quality.finish(overview)?;
         self.page.finish(overview, groups)?;
         self.summary.finish(overview)
     }
@@ -105,6 +109,7 @@ mod tests {
         let expected = [
             "badge.json",
             "events.jsonl",
+            "gl-code-quality-report.json",
             "index.html",
             "junit.xml",
             "results.json",

@@ -8,6 +8,7 @@
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
 //! | `page` | `index.html` | everybody: one file that a browser opens |
 //! | `sarif` | `results.sarif` | code scanning services, editors |
+//! | `code_quality` | `gl-code-quality-report.json` | GitLab |
 //! | `badge` | `badge.json` | the first page of a compiler's project |
 //! | `discrepancies` | `discrepancies/ENGINE/*.md` | the authors of a compiler |
 //! | [`terminal`] | (the terminal) | the person who started the run |
@@ -27,6 +28,7 @@ pub mod annotations;
 mod badge;
 pub mod basis;
 pub mod claims;
+mod code_quality;
 mod compared;
 pub mod comparison;
 pub mod diff;

@@ -203,6 +203,7 @@ fn the_parts_of_a_run_are_put_together_to_all_reports_of_the_whole() {
         "junit.xml",
         "summary.md",
         "results.sarif",
+        "gl-code-quality-report.json",
         "badge.json",
         "index.html",
     ] {
