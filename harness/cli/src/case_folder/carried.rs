@@ -5,6 +5,7 @@ use flate2::read::GzDecoder;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 use tar::Archive;
 use walkdir::WalkDir;
 
@@ -17,6 +18,15 @@ const EDITION: &str = env!("STICKLER_CASES");
 /// The number of files in the archive, in digits.
 const FILES: &str = env!("STICKLER_CASE_FILES");
 
+/// The time after which the cases of another program are removed when no program has used them.
+const MAX_UNUSED: Duration = Duration::from_secs(30 * 24 * 60 * 60);
+
+/// The time for which a program does not note again that it uses its cases.
+const NOTED: Duration = Duration::from_secs(24 * 60 * 60);
+
+/// The extension of the empty file beside a folder of cases that is written when they are used.
+const USED: &str = "used";
+
 /// Returns the folder with the cases of the program, in the user's cache folder. Unpacks them unless they are there.
 ///
 /// # Errors
@@ -24,10 +34,13 @@ const FILES: &str = env!("STICKLER_CASE_FILES");
 pub fn unpacked() -> anyhow::Result<PathBuf> {
     let hint = "the cases inside the program cannot be used; name a folder of cases with --cases DIR";
     let cache = dirs::cache_dir().with_context(|| format!("there is no folder for caches: {hint}"))?;
-    let edition = cache.join("stickler").join("cases").join(EDITION);
+    let editions = cache.join("stickler").join("cases");
+    let edition = editions.join(EDITION);
     if !is_complete(&edition) {
         unpack(&edition).with_context(|| format!("cannot unpack into {}: {hint}", edition.display()))?;
+        remove_unused(&editions, SystemTime::now());
     }
+    note_use(&edition, SystemTime::now());
     Ok(edition.join(super::NAME))
 }
 
@@ -53,5 +66,86 @@ fn unpack(edition: &Path) -> io::Result<()> {
         // Another process may have been quicker.
         Err(error) if !is_complete(edition) => Err(error),
         _ => Ok(()),
+    }
+}
+
+/// Returns the file that tells by its time when a folder of cases was last used.
+fn note_of(edition: &Path) -> PathBuf {
+    // The name of an edition has points, so that an extension cannot be set.
+    let name = edition.file_name().unwrap_or_default().to_string_lossy();
+    edition.with_file_name(format!("{name}.{USED}"))
+}
+
+/// Returns the time since a file or folder was last changed; nothing where that is not known.
+fn age(path: &Path, now: SystemTime) -> Option<Duration> {
+    let changed = fs::symlink_metadata(path).ok()?.modified().ok()?;
+    now.duration_since(changed).ok()
+}
+
+/// Notes that the cases are used, unless that was noted a short time ago.
+fn note_use(edition: &Path, now: SystemTime) {
+    let note = note_of(edition);
+    if age(&note, now).is_none_or(|age| age > NOTED) {
+        // At worst the cases are unpacked once more.
+        let _ = fs::write(note, "");
+    }
+}
+
+/// Removes the cases of other programs, and what an unpacking that was stopped left, where they were not used for a long time. A program
+/// whose cases are removed unpacks them again. What cannot be removed stays.
+fn remove_unused(editions: &Path, now: SystemTime) {
+    let entries = fs::read_dir(editions).into_iter().flatten().flatten();
+    for path in entries.map(|entry| entry.path()) {
+        let note = note_of(&path);
+        let unused = age(&note, now).or_else(|| age(&path, now));
+        if !path.is_symlink() && path.is_dir() && unused.is_some_and(|age| age > MAX_UNUSED) {
+            let _ = remove(&path, editions);
+            let _ = fs::remove_file(note);
+        }
+    }
+}
+
+/// Removes a folder, which no other process ever sees without a part of its files.
+fn remove(folder: &Path, beside: &Path) -> io::Result<()> {
+    let aside = tempfile::tempdir_in(beside)?;
+    fs::rename(folder, aside.path().join("unused"))?;
+    aside.close()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MAX_UNUSED, NOTED, note_of, note_use, remove_unused};
+    use std::fs;
+    use std::time::{Duration, SystemTime};
+
+    #[test]
+    fn only_folders_that_no_program_has_used_for_long_are_removed() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let elsewhere = tempfile::tempdir().expect("a folder");
+        let path = |name: &str| folder.path().join(name);
+        for name in ["0.1.0-old", "0.1.0-used", ".tmpleft"] {
+            fs::create_dir(path(name)).expect("a folder");
+            fs::write(path(name).join("case.st"), "").expect("a file");
+        }
+        fs::write(path("a file"), "").expect("a file");
+        #[cfg(unix)]
+        std::os::unix::fs::symlink(elsewhere.path(), path("a link")).expect("a link");
+        let now = SystemTime::now();
+        let later = now + MAX_UNUSED + Duration::from_secs(60);
+        remove_unused(folder.path(), now);
+        assert!(path("0.1.0-old").is_dir() && path(".tmpleft").is_dir());
+        note_use(&path("0.1.0-used"), now);
+        let note = fs::File::options()
+            .append(true)
+            .open(note_of(&path("0.1.0-used")));
+        note.expect("the note")
+            .set_modified(later - NOTED)
+            .expect("a time");
+        remove_unused(folder.path(), later);
+        assert!(!path("0.1.0-old").exists() && !path(".tmpleft").exists());
+        assert!(path("0.1.0-used/case.st").is_file() && path("a file").is_file());
+        assert!(elsewhere.path().is_dir());
+        remove_unused(folder.path(), later + MAX_UNUSED);
+        assert!(!path("0.1.0-used").exists() && !note_of(&path("0.1.0-used")).exists());
     }
 }

@@ -43,7 +43,8 @@ impl Installed {
         let cases = ["home/.cache/stickler/cases", "home/Library/Caches/stickler/cases"];
         let found = cases.iter().find_map(|cases| fs::read_dir(self.path(cases)).ok());
         let entries = found.into_iter().flatten();
-        entries.map(|entry| entry.expect("an entry").path()).collect()
+        let paths = entries.map(|entry| entry.expect("an entry").path());
+        paths.filter(|path| path.is_dir()).collect()
     }
 }
 
