@@ -179,6 +179,15 @@ pub struct RunArguments {
     /// Show N failing cases whole [default: 40 of an engine whose causes are not known, none otherwise]
     #[arg(long, value_name = "N", value_parser = whole::<usize>(0, 500), allow_negative_numbers = true)]
     pub failures: Option<usize>,
+    /// After the run, run the cases of each case file that changes, until Ctrl-C; the reports stay those of the first run
+    #[arg(long)]
+    pub watch: bool,
+    /// Show only the result and the page's path, and no progress
+    #[arg(long, short, conflicts_with = "verbose")]
+    pub quiet: bool,
+    /// Show every source and every dialect in the tables of the summary
+    #[arg(long, short)]
+    pub verbose: bool,
     /// Write unexpected results as annotations of a CI service [default: github in a job of GitHub, otherwise off]
     #[arg(long, value_name = "CI", value_parser = annotations())]
     pub annotate: Option<bool>,
@@ -410,6 +419,7 @@ Examples:
   stickler run --filter '*(SINT,INT,*'              a pattern: only * is special
   stickler run --shard 1/4 --report reports/part-1  a quarter of the cases
   stickler run --cases my-cases --no-report         cases of your own
+  stickler run --filter widening/ --watch           and again what changes
   stickler run --engine 'cmd:my-adapter --quiet'    another compiler";
 
 const LIST_EXAMPLES: &str = "\

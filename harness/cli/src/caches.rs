@@ -1,7 +1,6 @@
 //! The caches of engines' answers from earlier runs, for engines whose fingerprint shows that they have not changed.
 
 use crate::output;
-use std::io::{self, Write};
 use std::path::Path;
 use stickler_cache::Cache;
 use stickler_engines::Engine;
@@ -44,19 +43,5 @@ impl Caches {
         for note in self.caches.iter().flatten().flat_map(Cache::notes) {
             output::note(note);
         }
-    }
-}
-
-/// Writes the number of a run's results that come from the cache; nothing where it is 0.
-///
-/// # Errors
-/// Errors of writing to `out`.
-pub fn write_from_cache(out: &mut dyn Write, from_cache: u64, cases: u64) -> io::Result<()> {
-    match from_cache {
-        0 => Ok(()),
-        _ => writeln!(
-            out,
-            "{from_cache} of {cases} results come from the cache of earlier runs; --no-cache asks everything anew."
-        ),
     }
 }

@@ -183,9 +183,26 @@ impl CaseFolder {
     /// # Errors
     /// A session of the reference that cannot be opened.
     pub fn load_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
-        let in_filters = plan.filters.iter().filter_map(Filter::dialect);
-        let named: Vec<DialectName> = plan.dialects.iter().copied().chain(in_filters).collect();
-        let mut suite = self.load_selected(plan, named.iter().copied());
+        let named = named_dialects(plan);
+        let suite = self.load_selected(plan, named.iter().copied());
+        self.prepared(plan, suite, named)
+    }
+
+    /// Loads the cases of one case file for a plan, as [`CaseFolder::load_for`] does; `id` is the path of the file below the folder, without
+    /// its extension.
+    ///
+    /// # Errors
+    /// A session of the reference that cannot be opened.
+    pub fn load_file_for(&self, plan: &Plan, id: &str, kind: FileKind) -> anyhow::Result<Loaded> {
+        let named = named_dialects(plan);
+        let defined = defined(named.iter().copied());
+        let suite = Suite::load_files(&self.path, &defined, |file, of| file == id && of == kind);
+        report_mistakes(&suite);
+        self.prepared(plan, suite, named)
+    }
+
+    /// Leaves out the selected inherited cases whose result an override may change, and reports their number on stderr.
+    fn prepared(&self, plan: &Plan, mut suite: Suite, named: Vec<DialectName>) -> anyhow::Result<Loaded> {
         if self.is_carried {
             suite.version.push_str(" inside the program");
         }
@@ -197,6 +214,12 @@ impl CaseFolder {
             left_out,
         })
     }
+}
+
+/// Returns the dialects that a plan or the end of a filter names.
+fn named_dialects(plan: &Plan) -> Vec<DialectName> {
+    let in_filters = plan.filters.iter().filter_map(Filter::dialect);
+    plan.dialects.iter().copied().chain(in_filters).collect()
 }
 
 /// Defines the variants of dialects that the suite has, so that the command line may name them. Does nothing where there is no folder of

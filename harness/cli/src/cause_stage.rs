@@ -13,6 +13,7 @@ use stickler_types::counted;
 pub struct CauseStage<'r> {
     failed: FailedCases<'r>,
     limits: Option<SearchLimits>,
+    shows_progress: bool,
     footer: Option<Event>,
 }
 
@@ -26,6 +27,7 @@ impl<'r> CauseStage<'r> {
         CauseStage {
             failed: FailedCases::new(plan, engines),
             limits: (!arguments.no_causes).then_some(limits),
+            shows_progress: !arguments.quiet,
             footer: None,
         }
     }
@@ -51,11 +53,13 @@ impl<'r> CauseStage<'r> {
     pub fn finish(self, search: &Search<'_>, sink: &mut dyn FnMut(Event)) {
         let Some(footer) = self.footer else { return };
         if self.limits.is_some() && !self.failed.is_empty() {
-            let progress = Progress::of_causes();
+            let progress = self.shows_progress.then(Progress::of_causes);
             let found = find(&self.failed, search, &mut |reported| {
-                progress.look_at(reported.done, reported.of)
+                progress
+                    .iter()
+                    .for_each(|bar| bar.look_at(reported.done, reported.of));
             });
-            progress.finish();
+            progress.iter().for_each(Progress::finish);
             let causes = found.unwrap_or_else(|error| {
                 output::note(format!("the causes could not be searched for: {error}"));
                 Vec::new()

@@ -1,6 +1,7 @@
 //! The two output streams: results on stdout, all else on stderr; colours only where the stream is a terminal.
 
 use anstyle::{AnsiColor, Style};
+use std::env;
 use std::fmt::Display;
 use std::io::{self, BufWriter, Write};
 
@@ -55,6 +56,14 @@ impl<W: Write> Write for WhileRead<W> {
         let attempt = self.inner.flush();
         self.unless_gone(attempt, ())
     }
+}
+
+/// Returns the number of columns for tables and sentences on stdout: what the variable `COLUMNS` says, or else the width of the terminal;
+/// `None` where stdout is none, so that no line of a log or pipe is broken.
+pub fn width() -> Option<usize> {
+    let said = env::var("COLUMNS").ok().and_then(|said| said.parse().ok());
+    let of_terminal = || terminal_size::terminal_size_of(io::stdout()).map(|(width, _)| usize::from(width.0));
+    said.filter(|columns| *columns > 0).or_else(of_terminal)
 }
 
 /// Returns standard error, which strips styles as [`stdout`] does.

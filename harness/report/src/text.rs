@@ -74,6 +74,29 @@ pub(crate) fn shortened(line: &str, characters: usize) -> String {
     }
 }
 
+/// Breaks a sentence between words, so that each line has so many characters at most where its words allow that.
+pub(crate) fn wrapped(sentence: &str, columns: Option<usize>) -> String {
+    let Some(columns) = columns else {
+        return sentence.to_owned();
+    };
+    let mut text = String::with_capacity(sentence.len());
+    let mut used = 0;
+    for word in sentence.split(' ') {
+        let length = word.chars().count();
+        let is_first = text.is_empty();
+        if !is_first && used + 1 + length > columns {
+            text.push('\n');
+            used = 0;
+        } else if !is_first {
+            text.push(' ');
+            used += 1;
+        }
+        text.push_str(word);
+        used += length;
+    }
+    text
+}
+
 fn clip_line(line: &str, characters: usize) -> String {
     let Some((end, _)) = line.char_indices().nth(characters) else {
         return line.to_owned();
@@ -134,7 +157,7 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{clip, duration, noted, shortened, visible};
+    use super::{clip, duration, noted, shortened, visible, wrapped};
     use crate::sample;
     use stickler_run::{BaselineNote, Verdict};
 
@@ -177,6 +200,13 @@ mod tests {
     #[test]
     fn a_line_that_is_shortened_is_as_long_as_its_column() {
         assert_eq!([shortened("äöüß", 4), shortened("äöüß?", 4)], ["äöüß", "äöü…"]);
+    }
+
+    #[test]
+    fn a_sentence_breaks_between_words_and_never_within_one() {
+        assert_eq!(wrapped("one two three", Some(7)), "one two\nthree");
+        assert_eq!(wrapped("one extraordinary", Some(7)), "one\nextraordinary");
+        assert_eq!(wrapped("one two three", None), "one two three");
     }
 
     #[test]

@@ -60,7 +60,8 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
     let shown = report.map(|folder| folder.display().to_string());
     let around = Surroundings {
         reports: shown.as_deref(),
-        failures: None,
+        width: output::width(),
+        ..Surroundings::default()
     };
     terminal::write(out, &overview, around)?;
     // The parts that were not understood follow the summary.

@@ -1,5 +1,7 @@
 //! `stickler run`: runs cases on engines, judges the outcomes, and writes the reports.
 
+mod watch;
+
 use crate::arguments::RunArguments;
 use crate::caches::Caches;
 use crate::case_folder::{self, CaseFolder, Loaded};
@@ -8,7 +10,8 @@ use crate::documented::statements;
 use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
-use crate::{baselines, caches, engines, interrupt, shell};
+use crate::{baselines, engines, interrupt, output, shell};
+use anyhow::bail;
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
@@ -17,12 +20,13 @@ use std::io::Write;
 use std::path::PathBuf;
 use stickler_causes::Search;
 use stickler_engines::Engine;
-use stickler_report::terminal::{self, Surroundings};
+use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
 use stickler_run::{AnswerStore, Baseline, Event, Plan, RunSummary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
+use watch::CaseWatch;
 
 /// Runs the selected cases, writes the reports, and shows a summary.
 ///
@@ -41,50 +45,93 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         baselines: baselines(arguments, &folder, &engines)?,
         ..plan(arguments)
     };
-    let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
-    let plan = Plan { defined, ..plan };
-    let selected = select(&plan, &suite.cases);
+    if arguments.watch && folder.is_carried {
+        bail!("the cases inside the program do not change; name a folder of cases with --cases DIR");
+    }
+    let caches = caches(arguments, &folder, &engines);
+    let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
+    let exit = run(arguments, &folder, &plan, &engines, &stores, out)?;
+    caches.report_problems();
+    if !arguments.watch || exit == Exit::Interrupted {
+        return Ok(exit);
+    }
+    let watch = CaseWatch {
+        folder: &folder,
+        plan: Plan {
+            baselines: Vec::new(),
+            ..plan
+        },
+        engines: &engines,
+        stores: &stores,
+        failures: arguments.failures,
+        cancel: interrupt::cancellation_ending_engines()?,
+    };
+    watch.watch(out)
+}
+
+/// Runs the cases once.
+///
+/// # Errors
+/// As [`execute`].
+fn run(
+    arguments: &RunArguments,
+    folder: &CaseFolder,
+    plan: &Plan,
+    engines: &[&dyn Engine],
+    stores: &[Option<&dyn AnswerStore>],
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let Loaded { suite, defined, .. } = folder.load_for(plan)?;
+    let plan = &Plan {
+        defined,
+        ..plan.clone()
+    };
+    let selected = select(plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
-    understood(&selected, &engines)?;
-    let report_folder = report_folder(arguments, &folder);
-    let caches = caches(arguments, &folder, &engines);
-    let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
+    understood(&selected, engines)?;
+    let report_folder = report_folder(arguments, folder);
     let cancel = interrupt::cancellation_ending_engines()?;
     let reports = report_folder
         .as_deref()
         .map(|folder| Reports::create(folder, statements(&selected)));
-    let mut sink = EventSink::new(reports.transpose()?, cancel);
-    let mut causes = CauseStage::new(arguments, &plan, &engines);
+    let mut sink = EventSink::new(reports.transpose()?, !arguments.quiet, cancel);
+    let mut causes = CauseStage::new(arguments, plan, engines);
     let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));
-    let summary = stickler_run::run_with(&plan, &suite, &engines, &stores, take, cancel);
+    let summary = stickler_run::run_with(plan, &suite, engines, stores, take, cancel);
     let search = Search {
-        plan: &plan,
+        plan,
         suite: &suite,
-        engines: &engines,
-        stores: &stores,
+        engines,
+        stores,
         limits: causes.limits(),
         cancel,
     };
     causes.finish(&search, &mut |event| sink.take(&event));
-    caches.report_problems();
     let overview = sink.finish()?;
     if annotates(arguments) {
         annotations::write_github(&overview, out)?;
     }
     let shown = report_folder.map(|folder| folder.display().to_string());
-    terminal::write(
-        out,
-        &overview,
-        Surroundings {
-            reports: shown.as_deref(),
-            failures: arguments.failures,
-        },
-    )?;
+    let around = Surroundings {
+        reports: shown.as_deref(),
+        failures: arguments.failures,
+        detail: detail(arguments),
+        width: output::width(),
+        from_cache: summary.as_ref().map_or(0, |summary| summary.from_cache),
+    };
+    terminal::write(out, &overview, around)?;
     let summary = summary?;
-    caches::write_from_cache(out, summary.from_cache, summary.cases)?;
     Ok(exit(&summary).worst(case_folder::exit_of(&suite)))
+}
+
+fn detail(arguments: &RunArguments) -> Detail {
+    match (arguments.quiet, arguments.verbose) {
+        (true, _) => Detail::Result,
+        (false, true) => Detail::Whole,
+        (false, false) => Detail::Summary,
+    }
 }
 
 /// Returns whether unexpected results are written as annotations of GitHub, whose jobs have a variable that says so.
@@ -194,6 +241,7 @@ fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBu
 struct EventSink<'c> {
     overview: Overview,
     reports: Option<Reports>,
+    shows_progress: bool,
     progress: Option<Progress>,
     /// The error after which the reports are no longer written.
     broken: Option<ReportError>,
@@ -201,10 +249,11 @@ struct EventSink<'c> {
 }
 
 impl<'c> EventSink<'c> {
-    fn new(reports: Option<Reports>, cancel: &'c Cancellation) -> EventSink<'c> {
+    fn new(reports: Option<Reports>, shows_progress: bool, cancel: &'c Cancellation) -> EventSink<'c> {
         EventSink {
             overview: Overview::default(),
             reports,
+            shows_progress,
             progress: None,
             broken: None,
             cancel,
@@ -214,7 +263,9 @@ impl<'c> EventSink<'c> {
     fn take(&mut self, event: &Event) {
         self.overview.take(event);
         match event {
-            Event::Header(header) => self.progress = Some(Progress::new(header.cases)),
+            Event::Header(header) => {
+                self.progress = self.shows_progress.then(|| Progress::new(header.cases));
+            }
             Event::Case(_) => self
                 .progress
                 .iter()

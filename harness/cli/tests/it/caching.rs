@@ -88,7 +88,7 @@ fn a_second_run_asks_only_what_crashed_and_reports_the_same() {
     assert!(first.events == second.events);
     let cases = first.calls;
     let line = format!(
-        "{} of {cases} results come from the cache of earlier runs; --no-cache asks everything anew.\n",
+        "{} of {cases} results come from the cache; see --no-cache.\n",
         cases - crashes
     );
     assert!(second.shown.contains(&line), "{}", second.shown);

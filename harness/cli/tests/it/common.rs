@@ -21,6 +21,8 @@ pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
         .env("NO_COLOR", "1")
         // The tests may run in a job of GitHub.
         .env("GITHUB_ACTIONS", "")
+        // No line of their output is broken, unless they ask for that.
+        .env("COLUMNS", "")
         .current_dir(folder)
         .args(arguments)
         .stdin(Stdio::null());

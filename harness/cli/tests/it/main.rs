@@ -5,6 +5,8 @@ mod bless;
 #[cfg(unix)]
 mod caching;
 mod carried;
+#[cfg(unix)]
+mod ci;
 mod common;
 mod compare;
 mod dialects;

@@ -51,6 +51,54 @@ fn what_failed_is_annotated_in_a_job_of_github_or_on_request() {
 }
 
 #[test]
+fn a_quiet_run_shows_its_result_and_its_page_and_a_verbose_one_every_source() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let shown = |more: &[&str]| {
+        let run = output(folder.path(), &[&["run", "--cases", SUITE], more].concat());
+        assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
+        text(&run.stdout)
+    };
+    let quiet = shown(&["--quiet"]);
+    let [result, page] = quiet.lines().collect::<Vec<_>>()[..] else {
+        panic!("{quiet}");
+    };
+    assert!(
+        result.starts_with("1 of 16 cases not as expected (1 fail), in "),
+        "{quiet}"
+    );
+    assert_eq!(page, "Page: reports/latest/index.html");
+    let verbose = shown(&["--verbose"]);
+    assert!(verbose.contains("\n  ironplc-type-conversions "), "{verbose}");
+    assert!(
+        verbose.ends_with("\nPage: reports/latest/index.html\n"),
+        "{verbose}"
+    );
+    let both = output(folder.path(), &["run", "--quiet", "--verbose"]);
+    assert_eq!(both.status.code(), Some(2));
+}
+
+#[test]
+fn the_tables_fit_the_columns_and_a_pipe_gets_no_control_character() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let whole = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
+    for width in [60, 100, 200] {
+        let arguments = ["run", "--cases", whole, "--filter", "language/", "--no-report"];
+        let mut command = stickler(folder.path(), &arguments);
+        let run = command.env("COLUMNS", width.to_string()).env_remove("NO_COLOR");
+        let run = run.output().expect("the command runs");
+        assert_eq!(run.status.code(), Some(0), "{}", text(&run.stderr));
+        let shown = text(&run.stdout);
+        let widest = shown.lines().map(|line| line.chars().count()).max();
+        assert!(widest <= Some(width) && shown.lines().count() <= 24, "{shown}");
+        let streams = format!("{shown}{}", text(&run.stderr));
+        assert!(
+            !streams.chars().any(|c| c.is_control() && c != '\n'),
+            "{streams:?}"
+        );
+    }
+}
+
+#[test]
 fn a_shell_completes_every_command() {
     let folder = tempfile::tempdir().expect("a folder");
     let help = output(folder.path(), &["--help"]);

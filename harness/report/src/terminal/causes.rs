@@ -12,12 +12,15 @@ use stickler_types::{counted, grouped};
 const MAX_SHOWN_CAUSES: usize = 20;
 /// The maximum number of characters of a title that are shown.
 const MAX_TITLE: usize = 120;
+/// The minimum number of characters of a title that are shown, however narrow the terminal is.
+const MIN_TITLE: usize = 20;
 
-/// Writes the causes that explain most of the cases that are not as expected; nothing where there is none.
+/// Writes the causes that explain most of the cases that are not as expected, with titles that fit the columns of the terminal;
+/// nothing where there is none.
 ///
 /// # Errors
 /// Returns the error of writing to `out`.
-pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<usize>) -> io::Result<()> {
     let causes = overview.unexpected_causes();
     if causes.is_empty() {
         return Ok(());
@@ -25,20 +28,31 @@ pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
     let several = overview.engines().len() > 1;
     let widths = causes.iter().map(|cause| grouped(cause.unexpected()).len());
     let width = widths.max().unwrap_or_default().max("Cases".len());
+    let room = columns.map_or(usize::MAX, |columns| {
+        columns.saturating_sub(width + 2).max(MIN_TITLE)
+    });
     writeln!(out, "{BOLD}{:>width$}  Cause{BOLD:#}", "Cases")?;
     for cause in causes.iter().take(MAX_SHOWN_CAUSES) {
-        let title = shortened(&visible(&cause.title), MAX_TITLE);
         let on = if several {
             format!(" on {}", visible(&cause.engine))
         } else {
             String::new()
         };
+        let of_title = room
+            .saturating_sub(on.chars().count())
+            .clamp(MIN_TITLE, MAX_TITLE);
+        let title = shortened(&visible(&cause.title), of_title);
         writeln!(
             out,
             "{BAD}{:>width$}{BAD:#}  {title}{on}",
             grouped(cause.unexpected())
         )?;
-        writeln!(out, "{:>width$}  {DIM}{}{DIM:#}", "", about(cause))?;
+        writeln!(
+            out,
+            "{:>width$}  {DIM}{}{DIM:#}",
+            "",
+            shortened(&about(cause), room)
+        )?;
     }
     let rest = &causes[causes.len().min(MAX_SHOWN_CAUSES)..];
     if !rest.is_empty() {
@@ -79,7 +93,7 @@ mod tests {
 
     fn shown(overview: &Overview) -> String {
         let mut bytes = Vec::new();
-        super::write(&mut bytes, overview).expect("written");
+        super::write(&mut bytes, overview, None).expect("written");
         anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string()
     }
 

@@ -1,71 +1,145 @@
-//! Writes the claims on the terminal: each source with its kind, and those of its sections that an engine does not meet.
+//! Writes the claims on the terminal: each source with its kind, and those of its sections that an engine does not meet; in a
+//! summary of many sources their kinds, and the sources that an engine does not meet.
 
-use super::{BAD, DIM};
+use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 use crate::table::{AlignedTable, Cell};
 use crate::text::{shortened, visible};
+use std::collections::BTreeMap;
 use std::io::{self, Write};
+use stickler_types::counted;
+
+/// The maximum number of sources and sections that a summary names because they are not met.
+const MAX_NAMED: usize = 20;
+
+/// The maximum number of characters of the name of a section.
+const MAX_SECTION: usize = 40;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
 ///
 /// # Errors
 /// Returns the error of writing to `out`.
-pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     let engines = overview.engines();
     let rows = overview.claims.rows(&engines);
-    match &engines[..] {
-        [_] => of_one_engine(out, overview, &rows),
-        _ => of_several_engines(out, overview, &rows, &engines),
-    }
-}
-
-/// Returns the head of the table with its first cells: the kinds of the sources stand there where the run names them.
-fn head(overview: &Overview) -> Vec<Cell> {
-    let kind = (!overview.sources().is_empty()).then(|| Cell::left("kind"));
-    [Cell::left("Claims")].into_iter().chain(kind).collect()
-}
-
-/// Returns the first cells of a row; `None` where the row is not shown, such as a section that every engine meets.
-fn names(overview: &Overview, row: &Row<'_>) -> Option<Vec<Cell>> {
-    let name = match row.sum {
-        true => Some(format!("  {}", row.source)),
-        false if row.failed() && !row.section.is_empty() => {
-            Some(format!("    {}", shortened(&visible(row.section), 40)))
-        }
-        false => None,
+    let sources = rows.iter().filter(|row| row.sum).count();
+    let has_kinds = !overview.sources().is_empty();
+    let lines = match around.detail {
+        Detail::Summary if has_kinds && sources > MAX_ROWS => by_kind(overview, &rows),
+        _ => by_source(overview, &rows),
     };
-    let mut cells = vec![Cell::left(name?)];
-    if !overview.sources().is_empty() {
-        let source = overview.source(row.source).filter(|_| row.sum);
-        cells.push(Cell::left(source.map_or("", |source| &source.kind)));
+    let second = match (has_kinds, lines.iter().any(|line| line.is_kind)) {
+        (false, _) => None,
+        (true, false) => Some(Cell::left("kind")),
+        (true, true) => Some(Cell::plain("sources")),
+    };
+    let mut table = AlignedTable::new([Cell::left("Claims")].into_iter().chain(second).collect());
+    let is_legend_needed = match &engines[..] {
+        [_] => {
+            of_one_engine(&mut table, &lines);
+            false
+        }
+        _ => of_several_engines(&mut table, &lines, &engines),
+    };
+    table.write(out, around.width)?;
+    if is_legend_needed {
+        writeln!(out, "  {DIM}n/m: n of m cases came out as the source says{DIM:#}")?;
     }
-    Some(cells)
+    let met = rows.iter().filter(|row| row.failed() && !row.sum).count();
+    if around.detail == Detail::Summary && met > MAX_NAMED && lines.iter().any(|line| line.is_kind) {
+        let sections = counted(met as u64, "section is not met", "sections are not met");
+        writeln!(out, "  {DIM}{sections}; --verbose and summary.md name all{DIM:#}")?;
+    }
+    writeln!(out)
 }
 
-/// Writes a table with engines as columns and claims as rows.
-fn of_several_engines(
-    out: &mut dyn Write,
-    overview: &Overview,
-    rows: &[Row<'_>],
-    engines: &[&str],
-) -> io::Result<()> {
-    let mut table = AlignedTable::new(head(overview));
+/// A row of the table.
+struct Line {
+    /// The first cells: the name, and what the run tells of its source.
+    names: Vec<Cell>,
+    /// The results of each engine.
+    standings: Vec<Standing>,
+    is_kind: bool,
+}
+
+/// Returns a line for each source, and below it those of its sections that an engine does not meet.
+fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
+    let is_shown = |row: &&Row<'_>| row.sum || (row.failed() && !row.section.is_empty());
+    let line = |row: &Row<'_>| {
+        let mut names = vec![name(row, "  ")];
+        if !overview.sources().is_empty() {
+            let source = overview.source(row.source).filter(|_| row.sum);
+            names.push(Cell::left(source.map_or("", |source| &source.kind)));
+        }
+        Line {
+            names,
+            standings: row.standings.clone(),
+            is_kind: false,
+        }
+    };
+    rows.iter().filter(is_shown).map(line).collect()
+}
+
+/// Returns a line for each kind of source, and below it the first sources and sections that an engine does not meet.
+fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
+    let kind = |row: &Row<'_>| overview.source(row.source).map_or("other", |source| &source.kind);
+    let mut kinds: BTreeMap<&str, Vec<&Row<'_>>> = BTreeMap::new();
+    rows.iter()
+        .for_each(|row| kinds.entry(kind(row)).or_default().push(row));
+    let mut lines = Vec::new();
+    let mut named = 0;
+    for (kind, rows) in kinds {
+        let sources: Vec<&&Row<'_>> = rows.iter().filter(|row| row.sum).collect();
+        let mut standings = vec![Standing::default(); sources.first().map_or(0, |row| row.standings.len())];
+        for row in &sources {
+            let sums = standings.iter_mut();
+            sums.zip(&row.standings)
+                .for_each(|(sum, standing)| sum.add(*standing));
+        }
+        lines.push(Line {
+            names: vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())],
+            standings,
+            is_kind: true,
+        });
+        let failed = rows.iter().filter(|row| row.failed());
+        for row in failed.filter(|row| row.sum || !row.section.is_empty()) {
+            named += 1;
+            if named <= MAX_NAMED {
+                lines.push(Line {
+                    names: vec![name(row, "    "), Cell::plain("")],
+                    standings: row.standings.clone(),
+                    is_kind: false,
+                });
+            }
+        }
+    }
+    lines
+}
+
+/// Returns the cell with the name of a source, or of a section, which is indented more.
+fn name(row: &Row<'_>, indent: &str) -> Cell {
+    match row.sum {
+        true => Cell::left(format!("{indent}{}", row.source)),
+        false => Cell::left(format!(
+            "{indent}  {}",
+            shortened(&visible(row.section), MAX_SECTION)
+        )),
+    }
+}
+
+/// Adds engines as columns; returns whether a cell needs to be explained.
+fn of_several_engines(table: &mut AlignedTable, lines: &[Line], engines: &[&str]) -> bool {
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
-    for row in rows {
-        let Some(mut cells) = names(overview, row) else {
-            continue;
-        };
-        cells.extend(row.standings.iter().map(|standing| standing_cell(*standing)));
-        table.row(cells);
+    for line in lines {
+        let standings = line.standings.iter();
+        let cells = standings.map(|standing| standing_cell(*standing));
+        table.row(line.names.iter().cloned().chain(cells).collect());
     }
-    table.write(out)?;
-    writeln!(
-        out,
-        "  {DIM}n/m: n of m cases came out as the source says{DIM:#}\n"
-    )
+    let mut standings = lines.iter().flat_map(|line| &line.standings);
+    standings.any(|standing| standing.failed > 0)
 }
 
 /// Formats an engine's results for a claim in one cell.
@@ -76,33 +150,36 @@ fn standing_cell(standing: Standing) -> Cell {
         (0, _) if standing.open > 0 => Cell::styled("open", DIM),
         (0, _) if standing.unsupported > 0 => Cell::styled("unsupported", DIM),
         (0, _) => Cell::styled("-", DIM),
-        (judged, 0) => Cell::plain(format!("{passed}/{judged}")),
+        (_, 0) => Cell::plain(passed),
         (judged, _) => Cell::styled(format!("{passed}/{judged}"), BAD),
     }
 }
 
-fn of_one_engine(out: &mut dyn Write, overview: &Overview, rows: &[Row<'_>]) -> io::Result<()> {
-    let any =
-        |count: fn(&Standing) -> u64| rows.iter().flat_map(|row| &row.standings).any(|of| count(of) > 0);
+/// Adds a column for each result that some claim has.
+fn of_one_engine(table: &mut AlignedTable, lines: &[Line]) {
+    let any = |count: fn(&Standing) -> u64| {
+        lines
+            .iter()
+            .flat_map(|line| &line.standings)
+            .any(|of| count(of) > 0)
+    };
     let differs = any(|standing| standing.differs);
     let unsupported = any(|standing| standing.unsupported);
-    let mut table = AlignedTable::new(head(overview));
-    table.head(Cell::plain("passed"));
-    table.head(Cell::plain("failed"));
-    if differs {
-        table.head(Cell::plain("differs"));
+    let heads = [
+        ("passed", true),
+        ("failed", true),
+        ("differs", differs),
+        ("open", true),
+        ("unsupported", unsupported),
+    ];
+    for (head, _) in heads.iter().filter(|(_, is_shown)| *is_shown) {
+        table.head(Cell::plain(head));
     }
-    table.head(Cell::plain("open"));
-    if unsupported {
-        table.head(Cell::plain("unsupported"));
-    }
-    for row in rows {
-        if let (Some(names), [standing]) = (names(overview, row), &row.standings[..]) {
-            table.row(claim_cells(names, *standing, differs, unsupported));
+    for line in lines {
+        if let [standing] = line.standings[..] {
+            table.row(claim_cells(line.names.clone(), standing, differs, unsupported));
         }
     }
-    table.write(out)?;
-    writeln!(out)
 }
 
 fn claim_cells(mut cells: Vec<Cell>, standing: Standing, differs: bool, unsupported: bool) -> Vec<Cell> {

@@ -1,17 +1,55 @@
-//! Writes the totals on the terminal: a row for each dialect, a column for each area.
+//! Writes the totals on the terminal, by dialect and area.
 
-use super::{BAD, DIM};
+use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
 use crate::overview::Overview;
 use crate::table::{AlignedTable, Cell};
+use crate::text::visible;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_run::Totals;
 
-/// Writes the table of totals. A variant of a dialect, whose name begins with that of the dialect, stands under it by what it
-/// adds, so that the table stays narrow.
+/// Writes the totals: a row for each dialect and a column for each area, or, in a summary of many dialects, a row for each area and
+/// a column for each engine.
 ///
 /// # Errors
 /// Returns the error of writing to `out`.
-pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
+pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
+    let dialects: usize = overview.totals.values().map(BTreeMap::len).sum();
+    let table = match around.detail {
+        Detail::Summary if dialects > MAX_ROWS => by_area(overview),
+        _ => by_dialect(overview),
+    };
+    table.write(out, around.width)?;
+    if overview.failed > 0 {
+        writeln!(out, "  {DIM}n/m: n of m cases are as expected{DIM:#}")?;
+    }
+    writeln!(out)
+}
+
+fn by_area(overview: &Overview) -> AlignedTable {
+    let mut table = AlignedTable::new(vec![Cell::left("Cases")]);
+    let engines = overview.totals.keys();
+    engines.for_each(|engine| table.head(Cell::plain(visible(engine))));
+    let mut areas: Vec<Option<&str>> = overview.areas().into_iter().map(Some).collect();
+    areas.push(None);
+    for area in areas {
+        let name = Cell::left(format!("  {}", area.unwrap_or("all")));
+        let of_engine = |dialects: &BTreeMap<String, BTreeMap<String, Totals>>| {
+            let mut sum = Totals::default();
+            let all = dialects.values().flatten();
+            let counted = all.filter(|(name, _)| area.is_none_or(|area| area == *name));
+            counted.for_each(|(_, totals)| sum += *totals);
+            total_cell(Some(&sum))
+        };
+        let cells = overview.totals.values().map(of_engine);
+        table.row([name].into_iter().chain(cells).collect());
+    }
+    table
+}
+
+/// Returns the table of dialects. A variant of a dialect, whose name begins with that of the dialect, stands under it by what it
+/// adds, so that the table stays narrow.
+fn by_dialect(overview: &Overview) -> AlignedTable {
     let areas = overview.areas();
     let mut table = AlignedTable::new(vec![Cell::left("Cases")]);
     areas.iter().for_each(|area| table.head(Cell::plain(area)));
@@ -38,11 +76,7 @@ pub fn write(out: &mut dyn Write, overview: &Overview) -> io::Result<()> {
             table.row(cells);
         }
     }
-    table.write(out)?;
-    if overview.failed > 0 {
-        writeln!(out, "  {DIM}n/m: n of m cases are as expected{DIM:#}")?;
-    }
-    writeln!(out)
+    table
 }
 
 /// Returns what the name of a variant adds to that of its base, such as `+partial-access`; `None` for any other dialect.
@@ -64,7 +98,7 @@ fn total_cell(totals: Option<&Totals>) -> Cell {
 
 #[cfg(test)]
 mod tests {
-    use super::write;
+    use super::{Surroundings, write};
     use crate::overview::Overview;
     use crate::sample;
     use stickler_run::{CaseEvent, Verdict};
@@ -88,7 +122,7 @@ mod tests {
             overview.take(&event);
         }
         let mut bytes = Vec::new();
-        write(&mut bytes, &overview).expect("written");
+        write(&mut bytes, &overview, Surroundings::default()).expect("written");
         let text = anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string();
         assert_eq!(
             text,

@@ -42,7 +42,8 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
         &overview,
         Surroundings {
             reports: Some(&shown),
-            failures: None,
+            width: output::width(),
+            ..Surroundings::default()
         },
     )?;
     // The list of missing parts follows the summary.

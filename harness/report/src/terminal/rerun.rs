@@ -1,0 +1,67 @@
+//! Writes what came of the cases of one file that were run again, since the file has changed.
+
+use super::{BAD, GOOD, failure};
+use crate::overview::Overview;
+use crate::text::visible;
+use std::io::{self, Write};
+use stickler_run::{EngineHeader, Totals, Verdict};
+use stickler_types::counted;
+
+/// The maximum number of failures of a file that are shown whole.
+const MAX_SHOWN: usize = 10;
+
+/// Writes the cases that are not as expected, and for each engine how many cases had which verdict.
+///
+/// # Errors
+/// Returns the error of writing to `out`.
+pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) -> io::Result<()> {
+    let engines: &[EngineHeader] = overview.header.as_ref().map_or(&[], |header| &header.engines);
+    for case in overview.failures.iter().take(failures.unwrap_or(MAX_SHOWN)) {
+        failure::write(out, case, overview.engine(case), engines.len() > 1)?;
+    }
+    for engine in engines {
+        let mut sum = Totals::default();
+        let dialects = overview.totals.get(&engine.name).into_iter();
+        let areas = dialects
+            .flat_map(|dialects| dialects.values())
+            .flat_map(|areas| areas.values());
+        areas.for_each(|totals| sum += *totals);
+        let of = |verdict: &Verdict| sum.of(*verdict);
+        let verdicts: Vec<String> = Verdict::ALL
+            .iter()
+            .filter(|verdict| of(verdict) > 0)
+            .map(|verdict| format!("{} {verdict}", of(verdict)))
+            .collect();
+        let style = if sum.unexpected() > 0 { BAD } else { GOOD };
+        let cases = counted(sum.all(), "case", "cases");
+        let (name, verdicts) = (visible(&engine.name), verdicts.join(", "));
+        writeln!(out, "{style}{cases} on {name}: {verdicts}{style:#}")?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Overview, sample};
+    use stickler_run::Verdict;
+
+    #[test]
+    fn what_failed_is_shown_whole_and_each_verdict_counted() {
+        let mut overview = Overview::default();
+        sample::run().iter().for_each(|event| overview.take(event));
+        let mut bytes = Vec::new();
+        super::write(&mut bytes, &overview, None).expect("written");
+        let text = anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string();
+        assert!(text.starts_with("FAIL widening/broken@ironplc-ed2\n"), "{text}");
+        assert!(
+            text.ends_with("\n\n4 cases on reference: 3 pass, 1 fail\n"),
+            "{text}"
+        );
+        let mut overview = Overview::default();
+        let passed = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
+        passed.iter().for_each(|event| overview.take(event));
+        let mut bytes = Vec::new();
+        super::write(&mut bytes, &overview, Some(0)).expect("written");
+        assert!(String::from_utf8_lossy(&bytes).contains("1 case on reference: 1 pass"));
+    }
+}
