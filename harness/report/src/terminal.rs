@@ -29,15 +29,15 @@ const SHOWN_FAILURES: usize = 40;
 /// The maximum number of rows of a table of claims or totals in a summary; with more, rows are summed up.
 const MAX_ROWS: usize = 6;
 
-/// How much of a run the terminal shows.
+/// Amount of detail that the terminal shows of a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Detail {
     /// The result and the path of the page.
     Result,
-    /// What is not as expected, and tables that are summed up where they would not fit a screen.
+    /// Shows the unexpected cases, and sums up tables that would not fit a screen.
     #[default]
     Summary,
-    /// What is not as expected, and every source and dialect.
+    /// Shows the unexpected cases, and a row for every source and dialect.
     Whole,
 }
 
@@ -48,7 +48,7 @@ pub struct Surroundings<'a> {
     pub reports: Option<&'a str>,
     /// The maximum number of failures that are shown whole; `None` shows some of engines whose causes are not known.
     pub failures: Option<usize>,
-    /// How much is shown.
+    /// Amount of detail that the terminal shows.
     pub detail: Detail,
     /// The number of columns that tables and sentences have room in; `None` where lines may have any length.
     pub width: Option<usize>,

@@ -15,7 +15,7 @@ const SUITE: &str = concat!(
     "/tests/cmd/suite.in/conformance-cases"
 );
 
-/// A copy of a small suite, of which some files change.
+/// Folder with a small suite in which the tests change case files.
 struct Changing {
     folder: TempDir,
 }
