@@ -1,5 +1,7 @@
 //! Collects the statements of documents about the conversions that the cases of a run ask for, for the page of the run.
 
+use crate::case_folder::CaseFolder;
+use crate::output;
 use std::collections::BTreeSet;
 use stickler_conversions::overview::{
     AssertedResult, CaseProgram, CaseStatement, Statements, StatementsBuilder,
@@ -12,8 +14,9 @@ use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 pub const IMPLICIT_PROBE: &str = "assignment";
 
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
-/// boundary values of these functions.
-pub fn statements(cases: &[&Case]) -> Statements {
+/// boundary values of these functions; and what the recorded compilers of the folder answer. A folder or file of recordings that cannot be
+/// read is reported on stderr.
+pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
     let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
     let mut builder = StatementsBuilder::new(dialects.into_iter().collect());
     for case in cases.iter().filter(|case| case.placement.is_none()) {
@@ -42,7 +45,15 @@ pub fn statements(cases: &[&Case]) -> Statements {
             });
         }
     }
-    builder.finish()
+    // A run of a single case does without the recordings, whose files take longer to read than the case.
+    let recordings = match builder.is_empty() {
+        true => Vec::new(),
+        false => folder.usable_recordings().unwrap_or_else(|error| {
+            output::error(&error);
+            Vec::new()
+        }),
+    };
+    builder.finish(&recordings)
 }
 
 fn statement(case: &Case, word: MatrixWord) -> CaseStatement<'_> {

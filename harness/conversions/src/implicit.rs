@@ -1,8 +1,8 @@
 //! Asks an engine which types it converts implicitly.
 
 use crate::sweep::foreign::ForeignError;
-use stickler_engines::{Engine, EngineError, EngineSession, Outcome};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_engines::{Engine, EngineSession, Outcome};
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
 use stickler_workers::WorkerPool;
 
 /// The type of a value, and the type of the variable to which it is assigned.
@@ -46,6 +46,21 @@ impl MatrixAnswer {
         }
     }
 
+    /// Returns whether the answer contradicts the word of the documents. An engine that does not support the request contradicts nothing,
+    /// and nothing contradicts a word that leaves the conversion open.
+    #[must_use]
+    pub fn contradicts(self, word: Option<MatrixWord>) -> bool {
+        match (word, self) {
+            (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
+            // Nobody promises that there is no warning.
+            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => {
+                !matches!(answer, MatrixAnswer::Accepts | MatrixAnswer::Warns)
+            }
+            (Some(MatrixWord::Warn), answer) => answer != MatrixAnswer::Warns,
+            (Some(MatrixWord::No), answer) => answer != MatrixAnswer::Rejects,
+        }
+    }
+
     /// Returns the answer for a word of a recording.
     #[must_use]
     pub fn from_word(word: &str) -> Option<MatrixAnswer> {
@@ -67,30 +82,42 @@ pub fn answers(
     jobs: usize,
     answered: &(dyn Fn() + Sync),
 ) -> Result<Vec<MatrixAnswer>, ForeignError> {
+    let sources: Vec<String> = pairs.iter().map(|pair| source(*pair)).collect();
+    accepted(engine, dialect, &sources, jobs, answered)
+}
+
+/// Returns the reaction of an engine to each program, as [`answers`] does for pairs.
+///
+/// # Errors
+/// An engine that cannot be started.
+pub(crate) fn accepted(
+    engine: &dyn Engine,
+    dialect: DialectName,
+    sources: &[String],
+    jobs: usize,
+    answered: &(dyn Fn() + Sync),
+) -> Result<Vec<MatrixAnswer>, ForeignError> {
     WorkerPool::new(jobs).map(
-        pairs.iter(),
+        sources.iter(),
         || Ok::<_, ForeignError>(EngineSession::open(engine)?),
-        |session, pair| {
-            let outcome = ask(session, dialect, *pair)?;
+        |session, source| {
+            let outcome = session.check(dialect, source)?;
             answered();
             Ok(answer(&outcome))
         },
     )
 }
 
-fn ask(
-    session: &mut EngineSession<'_>,
-    dialect: DialectName,
-    (from, into): TypePair,
-) -> Result<Outcome, EngineError> {
+/// Returns the program that assigns a value of one type to a variable of another.
+pub(crate) fn source((from, into): TypePair) -> String {
     // No name of the program is a keyword of any edition, as `from` is in sequential function charts.
-    let source = format!(
+    format!(
         "PROGRAM main\nVAR\n    given : {from};\n    taken : {into};\nEND_VAR\n    taken := given;\nEND_PROGRAM\n"
-    );
-    session.check(dialect, &source)
+    )
 }
 
-fn answer(outcome: &Outcome) -> MatrixAnswer {
+/// Returns the reaction that an outcome of checking a program shows.
+pub(crate) fn answer(outcome: &Outcome) -> MatrixAnswer {
     match outcome {
         Outcome::Accepted { warnings } if warnings.is_empty() => MatrixAnswer::Accepts,
         Outcome::Accepted { .. } => MatrixAnswer::Warns,

@@ -7,6 +7,7 @@ mod choices;
 mod inputs;
 mod json;
 mod page;
+mod recorded;
 mod results;
 mod statements;
 mod table;
@@ -15,8 +16,10 @@ mod values;
 pub use inputs::boundaries as boundary_calls;
 pub use json::write as write_json;
 pub use page::OverviewPage;
+pub use recorded::{RecordedAnswer, RecordedAnswers};
 pub use results::{
-    AnswerSource, AssertedResult, ComparedResult, DialectResults, ExpectedResult, SignatureResults, gather,
+    AnswerSource, AssertedResult, ComparedResult, DialectResults, ExpectedResult, OtherStatement,
+    SignatureResults, gather,
 };
 pub use statements::{CaseProgram, CaseStatement, QuestionNumber, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};

@@ -1,10 +1,13 @@
-//! Recordings: what a compiler answered to implicit conversions and conversion functions, with its product, version and date,
-//! to be shown where the compiler itself is not at hand.
+//! Recordings: what a compiler answered to implicit conversions, bit access, comparisons and conversion functions, with its product,
+//! version and date, to be shown where the compiler itself is not at hand.
 //!
-//! [`Recording::ask`] asks an engine, [`Recording::write`] writes the file, and [`Recording::parse`] reads it.
+//! [`Recording::ask`] asks an engine, and a [`RecordingBuilder`] takes what a person copied out of an editor; [`Recording::write`]
+//! writes the file, and [`Recording::parse`] reads it. A [`Question`] is what is asked.
 
 mod ask;
+mod imported;
 mod parse;
+mod questions;
 mod write;
 
 use crate::implicit::{MatrixAnswer, TypePair};
@@ -12,23 +15,32 @@ use crate::session::{Refusal, RefusalKind};
 use std::collections::HashMap;
 use stickler_engines::{Ability, Grade, Identity};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 
+pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
+pub use questions::{Question, extreme};
 
 /// The answers of one version of a compiler.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Recording {
+    /// The name of its file without the ending, by which runs name the engine.
+    pub name: String,
     /// The origin of the answers.
     pub origin: RecordingOrigin,
     /// The dialects in which the compiler was asked.
     pub dialects: Vec<DialectName>,
     implicit: HashMap<(DialectName, TypePair), MatrixAnswer>,
+    parts: HashMap<(DialectName, ElementaryType, String), MatrixAnswer>,
+    comparisons: HashMap<(DialectName, TypePair), ComparisonAnswer>,
     functions: HashMap<(DialectName, String), FunctionAnswers>,
 }
 
+/// Whether the [`extreme`] value of one type is less than that of another, or why there is no answer.
+pub type ComparisonAnswer = Result<bool, RefusalKind>;
+
 /// The origin of a recording.
-#[derive(Clone, PartialEq, Eq, Debug, serde::Deserialize)]
+#[derive(Clone, PartialEq, Eq, Debug, serde::Deserialize, serde::Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct RecordingOrigin {
     /// The name of the compiler.
@@ -52,7 +64,112 @@ enum FunctionAnswers {
     Calls(Vec<(Vec<Value>, Result<Value, RefusalKind>)>),
 }
 
+/// A section of the answers of a recording.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum RecordedSection {
+    /// Which types convert implicitly.
+    Implicit,
+    /// Which bits and parts of a type can be read.
+    Bits,
+    /// What comparisons of different types give.
+    Comparisons,
+    /// What conversion functions give.
+    Functions,
+}
+
+impl RecordedSection {
+    /// Every section, in the order in which a file has them.
+    pub const ALL: [RecordedSection; 4] = [
+        RecordedSection::Implicit,
+        RecordedSection::Bits,
+        RecordedSection::Comparisons,
+        RecordedSection::Functions,
+    ];
+
+    /// Returns the name of the section in a file.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            RecordedSection::Implicit => "implicit",
+            RecordedSection::Bits => "bits",
+            RecordedSection::Comparisons => "comparisons",
+            RecordedSection::Functions => "functions",
+        }
+    }
+}
+
+impl RecordingOrigin {
+    /// Returns what is wrong with the origin, and what to do, as a fragment; `None` where it says what a recording must say.
+    #[must_use]
+    pub fn mistake(&self) -> Option<String> {
+        let said = [
+            ("product", &self.product),
+            ("version", &self.version),
+            ("platform", &self.platform),
+            ("date", &self.date),
+        ];
+        if let Some((key, _)) = said.iter().find(|(_, text)| text.trim().is_empty()) {
+            return Some(format!(
+                "`{key}` is empty; say there what was recorded, for answers differ with it"
+            ));
+        }
+        let is_date =
+            Value::parse(&format!("DATE#{}", self.date)).is_ok() && self.date.len() == "2026-11-24".len();
+        (!is_date).then(|| format!("`{}` is no date such as 2026-11-24", self.date))
+    }
+}
+
+impl FunctionAnswers {
+    /// Returns the answers to calls, as one word where all were refused in the same way.
+    fn of(calls: Vec<(Vec<Value>, Result<Value, RefusalKind>)>) -> FunctionAnswers {
+        match &calls[..] {
+            [(_, Err(kind)), rest @ ..] if rest.iter().all(|(_, answer)| *answer == Err(*kind)) => {
+                FunctionAnswers::Refused(*kind)
+            }
+            _ => FunctionAnswers::Calls(calls),
+        }
+    }
+}
+
 impl Recording {
+    /// Returns a recording without answers.
+    fn empty(name: &str, origin: RecordingOrigin, dialects: Vec<DialectName>) -> Recording {
+        Recording {
+            name: name.to_owned(),
+            origin,
+            dialects,
+            implicit: HashMap::new(),
+            parts: HashMap::new(),
+            comparisons: HashMap::new(),
+            functions: HashMap::new(),
+        }
+    }
+
+    /// Adds the answers of an older recording of the same compiler where this one has none.
+    pub fn complete_from(&mut self, older: Recording) {
+        for dialect in older.dialects {
+            if !self.dialects.contains(&dialect) {
+                self.dialects.push(dialect);
+            }
+        }
+        complete(&mut self.implicit, older.implicit);
+        complete(&mut self.parts, older.parts);
+        complete(&mut self.comparisons, older.comparisons);
+        for (key, answers) in older.functions {
+            match (self.functions.get_mut(&key), answers) {
+                (None, answers) => {
+                    self.functions.insert(key, answers);
+                }
+                (Some(FunctionAnswers::Calls(known)), FunctionAnswers::Calls(calls)) => {
+                    let is_new = |call: &(Vec<Value>, _)| known.iter().all(|(known, _)| *known != call.0);
+                    let new: Vec<_> = calls.into_iter().filter(is_new).collect();
+                    known.extend(new);
+                }
+                (Some(_), _) => {}
+            }
+        }
+    }
+
     /// Returns the identity under which the answers are shown beside those of engines.
     #[must_use]
     pub fn identity(&self) -> Identity {
@@ -76,6 +193,34 @@ impl Recording {
     #[must_use]
     pub fn implicit(&self, dialect: DialectName, pair: TypePair) -> Option<MatrixAnswer> {
         self.implicit.get(&(dialect, pair)).copied()
+    }
+
+    /// Returns the recorded reaction to a program that reads a bit or a part of a variable, such as `7` or `%B1`; `None` where it was not
+    /// asked.
+    #[must_use]
+    pub fn part(&self, dialect: DialectName, ty: ElementaryType, part: &str) -> Option<MatrixAnswer> {
+        self.parts.get(&(dialect, ty, part.to_owned())).copied()
+    }
+
+    /// Returns whether the [`extreme`] value of the first type is less than that of the second; `None` where it was not asked.
+    #[must_use]
+    pub fn comparison(&self, dialect: DialectName, pair: TypePair) -> Option<ComparisonAnswer> {
+        self.comparisons.get(&(dialect, pair)).copied()
+    }
+
+    /// Returns each pair of types of which a comparison was asked, in order, with the word of the answer: `true`, `false`, `rejected` …
+    #[must_use]
+    pub fn all_comparisons(&self, dialect: DialectName) -> Vec<(TypePair, &'static str)> {
+        let pairs = questions::pairs_compared().into_iter();
+        let answered = pairs.filter_map(|pair| {
+            let word = match self.comparison(dialect, pair)? {
+                Ok(true) => "true",
+                Ok(false) => "false",
+                Err(kind) => kind.word(),
+            };
+            Some((pair, word))
+        });
+        answered.collect()
     }
 
     /// Returns the recorded result of each call of a function. A call that was not recorded is a refusal of the kind
@@ -105,6 +250,12 @@ impl Recording {
     }
 }
 
+fn complete<K: Eq + std::hash::Hash, A>(known: &mut HashMap<K, A>, older: HashMap<K, A>) {
+    for (key, answer) in older {
+        known.entry(key).or_insert(answer);
+    }
+}
+
 /// Returns the key of a signature in a file: `REAL_TO_INT(REAL) : INT`.
 fn key(signature: &Signature) -> String {
     let operands: Vec<&str> = signature.operands.iter().map(|ty| ty.name()).collect();
@@ -118,7 +269,7 @@ fn key(signature: &Signature) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Recording, RecordingOrigin};
+    use super::{RecordedSection, Recording, RecordingOrigin};
     use crate::implicit::MatrixAnswer;
     use crate::session::RefusalKind;
     use stickler_engines::Reference;
@@ -129,7 +280,7 @@ mod tests {
     const ANSWERS: &str = "[[answers]]\ndialects = [\"matiec\"]\n";
 
     fn parsed(text: &str) -> Result<Recording, String> {
-        Recording::parse("r.toml", text).map_err(|error| error.to_string())
+        Recording::parse("reference.toml", text).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -141,13 +292,28 @@ mod tests {
         };
         let dialects = [DialectName::Matiec, DialectName::IronplcEd2];
         let reference = Reference::default();
-        let recording = Recording::ask(&reference, with_commit, &dialects, 0, &|| {}).unwrap();
+        let sections = &RecordedSection::ALL;
+        let recording = Recording::ask(&reference, with_commit, &dialects, sections, 0, &|| {}).unwrap();
         let mut text = Vec::new();
         recording.write(&mut text).unwrap();
         let mut read = parsed(std::str::from_utf8(&text).unwrap()).unwrap();
         read.dialects
             .sort_by_key(|dialect| *dialect != DialectName::Matiec);
         assert_eq!(read, recording);
+    }
+
+    #[test]
+    fn what_an_older_recording_knows_stays_where_the_new_one_has_no_answer() {
+        let of = |answers: &str| parsed(&format!("{ORIGIN}{ANSWERS}{answers}")).unwrap();
+        let mut new = of("[answers.bits]\nINT = { accepts = \"0\" }\n\
+             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"]]\n");
+        new.complete_from(of("[answers.bits]\nINT = { rejects = \"0 16\" }\n\
+             [answers.comparisons]\nINT = { false = \"UINT\", \"timed out\" = \"REAL\" }\n\
+             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"7\"], [\"2\", \"2\"]]\n"));
+        let expected = of("[answers.bits]\nINT = { accepts = \"0\", rejects = \"16\" }\n\
+             [answers.comparisons]\nINT = { false = \"UINT\", \"timed out\" = \"REAL\" }\n\
+             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"], [\"2\", \"2\"]]\n");
+        assert_eq!(new, expected);
     }
 
     #[test]
@@ -234,10 +400,25 @@ mod tests {
                 "`x` is no value of type INT",
             ),
             (function("\"F(INT) : INT\" = [[\"1\"]]"), 9, "a list of 2 texts"),
+            (
+                row("bits", "INT = { accepts = \"0 %Q1\" }"),
+                9,
+                "`%Q1` is no bit or part such as `7`, `%X7` or `%B1`",
+            ),
+            (
+                row("comparisons", "INT = { maybe = \"DINT\" }"),
+                9,
+                "`maybe` is neither `true` nor `false` nor one of unsupported, ",
+            ),
+            (
+                ORIGIN.replace("2026-11-24", "24.11.2026"),
+                1,
+                "`24.11.2026` is no date such as 2026-11-24",
+            ),
         ] {
             let message = parsed(&text).unwrap_err();
             assert!(
-                message.starts_with(&format!("r.toml:{line}: ")) && message.contains(part),
+                message.starts_with(&format!("reference.toml:{line}: ")) && message.contains(part),
                 "{message}\nfor {text}"
             );
         }

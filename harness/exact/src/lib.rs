@@ -10,6 +10,7 @@
 //! |---|---|
 //! | which functions does a dialect have, and between which types? | [`functions`], [`signatures`] |
 //! | what must a call give, and which document says so? | [`expected`] |
+//! | what does the vendor's page say where recordings say something else? | [`stated_by_vendor`] |
 //! | what would it give by other rules? | [`value()`] with other choices than [`choices_of`] the dialect |
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit()`] |
@@ -52,6 +53,7 @@ mod real;
 mod signature;
 mod text;
 mod value;
+mod vendor_page;
 
 pub use basis::{Expected, expected, is_overridden};
 pub use bulk::Bulk;
@@ -62,3 +64,4 @@ pub use implicit_result::{ImplicitResult, implicit_result};
 pub use program_call::{PartAccess, ProgramCall, call_of_program, part_of_program};
 pub use signature::{Operation, Signature};
 pub use value::value;
+pub use vendor_page::stated_by_vendor;

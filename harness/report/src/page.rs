@@ -7,7 +7,7 @@
 //! | element | data |
 //! |---|---|
 //! | `run` | header, totals, claims, causes, observations on which engines disagree: small, read at once |
-//! | `conversions` | what documents state about conversions, which the caller hands over, and what engines answered: read when it is shown |
+//! | `conversions` | what documents state about conversions and recorded compilers answered, which the caller hands over, and what engines answered: read when it is shown |
 //! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases |
 
 mod answers;
@@ -27,7 +27,7 @@ use cases::MissedCases;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_conversions::overview::Statements;
+use stickler_conversions::overview::{RecordedAnswers, Statements};
 use stickler_run::{Event, Totals, Verdict};
 
 /// The page of a run, gathered until it is written.
@@ -92,6 +92,17 @@ impl Page {
         };
         let path = self.file.path().to_owned();
         let cases = self.cases.into_data(groups, &self.totals);
+        // What an engine answers now is worth more than what it answered once.
+        let engines = overview.engines();
+        let ran = |recorded: &RecordedAnswers| engines.iter().any(|engine| recorded.is_of(engine));
+        for recorded in self
+            .statements
+            .recorded()
+            .iter()
+            .filter(|recorded| !ran(recorded))
+        {
+            self.answers.add_recorded(recorded);
+        }
         let conversions = ConversionsData {
             statements: &self.statements,
             answers: self.answers.into_data(),

@@ -3,7 +3,9 @@
 use super::dialects;
 use super::numbers::whole;
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
+use stickler_conversions::recording::RecordedSection;
 use stickler_types::DialectName;
 
 /// `stickler record`.
@@ -18,11 +20,14 @@ pub struct RecordArguments {
     /// Only this dialect; may be repeated [default: all that the engine speaks]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
+    /// Only this section: implicit, bits, comparisons or functions; may be repeated [default: all]. What FILE holds of the others stays
+    #[arg(long, value_name = "SECTION", value_parser = sections(), hide_possible_values = true)]
+    pub only: Vec<RecordedSection>,
     /// The name of the compiler [default: that of the engine]
     #[arg(long, value_name = "TEXT")]
     pub product: Option<String>,
     /// The version of the compiler [default: as the engine says]
-    #[arg(long, value_name = "TEXT")]
+    #[arg(long, value_name = "TEXT", alias = "version")]
     pub product_version: Option<String>,
     /// The commit from which the compiler was built, where that is known
     #[arg(long, value_name = "TEXT")]
@@ -32,12 +37,24 @@ pub struct RecordArguments {
     pub jobs: Option<u16>,
 }
 
+fn sections() -> impl TypedValueParser<Value = RecordedSection> {
+    PossibleValuesParser::new(RecordedSection::ALL.map(RecordedSection::as_str)).map(|word| {
+        let mut sections = RecordedSection::ALL.into_iter();
+        let named = sections.find(|section| section.as_str() == word);
+        named.unwrap_or(RecordedSection::Functions)
+    })
+}
+
 pub const RECORD_EXAMPLES: &str = "\
-Asks for the implicit conversion of every pair of elementary types, and for the
+Asks for the implicit conversion of every pair of elementary types, for the bits
+and parts of each type, for comparisons of different types, and for the
 results of the conversion functions of the dialect at the values that
 `stickler conversions FUNCTION` shows. An open compiler takes some minutes.
 `stickler matrix --recorded` and `stickler conversions --recorded` show the
 recordings of conformance-cases/recordings.
+
+A compiler behind an editor is recorded by `stickler export --recording` and
+`stickler import --record`.
 
 Examples:
   stickler record --engine matiec -o conformance-cases/recordings/matiec.toml

@@ -10,11 +10,12 @@ use crate::exit::Exit;
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
+use std::sync::Arc;
 use stickler_conversions::implicit::{self, TypePair};
 use stickler_conversions::recording::Recording;
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-use table::{DialectMatrix, Documents, EngineAnswers};
+use table::{Bases, DialectMatrix, Documents, EngineAnswers};
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
 const TYPES: [ElementaryType; 20] = [
@@ -83,6 +84,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
         }
         let mut matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
         matrix.add_recorded(&recorded);
+        matrix.bases = bases(&suite.cases, *dialect);
         matrix.write(out)?;
         // The next table may take a compiler a minute.
         out.flush()?;
@@ -110,6 +112,20 @@ fn documents(cases: &[Case], dialect: DialectName) -> Documents {
         .collect()
 }
 
+/// Returns the source and section from which the documents' word for each pair comes.
+fn bases(cases: &[Case], dialect: DialectName) -> Bases {
+    let cases = cases.iter().filter(|case| case.dialect == dialect);
+    let of_case = |case: &Case| {
+        let cell = case.cell.as_deref().filter(|cell| &*cell.probe == PROBE)?;
+        let pair = (
+            ElementaryType::from_name(&cell.row)?,
+            ElementaryType::from_name(&cell.column)?,
+        );
+        Some((pair, Arc::clone(&case.basis)))
+    };
+    cases.filter_map(of_case).collect()
+}
+
 /// Asks each engine for every pair of the types that are shown.
 ///
 /// # Errors
@@ -132,7 +148,7 @@ fn gather(
         let answers = implicit::answers(named.engine.as_ref(), dialect, &pairs, 0, &|| bar.advance(0))?;
         columns.push(EngineAnswers {
             engine: named.identity().name.clone(),
-            is_recorded: false,
+            recorded: None,
             answers: pairs.iter().copied().zip(answers).collect(),
         });
     }
@@ -141,6 +157,7 @@ fn gather(
         dialect,
         types,
         documents,
+        bases: Bases::new(),
         engines: columns,
     })
 }

@@ -9,8 +9,9 @@ use jiff::Timestamp;
 use jiff::tz::TimeZone;
 use std::env::consts;
 use std::fs;
-use std::io::Write;
-use stickler_conversions::recording::{Recording, RecordingOrigin};
+use std::io::{ErrorKind, Write};
+use std::path::Path;
+use stickler_conversions::recording::{RecordedSection, Recording, RecordingOrigin};
 use stickler_engines::Identity;
 use stickler_types::DialectName;
 
@@ -27,19 +28,67 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     let dialects = engines::spoken(engine.identity(), asked)?;
     let origin = origin(arguments, engine.identity())?;
-    let bar = Progress::new(Recording::questions(&dialects) as u64);
+    let sections = match &arguments.only[..] {
+        [] => &RecordedSection::ALL[..],
+        named => named,
+    };
+    // A file that cannot be completed is seen before the compiler is asked for minutes.
+    let older = match &arguments.output {
+        Some(path) if !arguments.only.is_empty() => older(path, &origin)?,
+        _ => None,
+    };
+    let bar = Progress::new(Recording::questions(&dialects, sections) as u64);
     let jobs = arguments.jobs.map_or(0, usize::from);
-    let recording = Recording::ask(engine.as_ref(), origin, &dialects, jobs, &|| bar.advance(0))?;
+    let mut recording = Recording::ask(engine.as_ref(), origin, &dialects, sections, jobs, &|| {
+        bar.advance(0)
+    })?;
     bar.finish();
+    if let Some(older) = older {
+        recording.complete_from(older);
+    }
     match &arguments.output {
         None => recording.write(out)?,
-        Some(path) => {
-            let mut text = Vec::new();
-            recording.write(&mut text)?;
-            fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))?;
-        }
+        Some(path) => write(&recording, path)?,
     }
     Ok(Exit::AsExpected)
+}
+
+/// Returns the recording that a file holds already; `None` where there is no such file.
+///
+/// # Errors
+/// A file that cannot be read, is no recording, or is one of another product or version.
+pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Recording>> {
+    let shown = path.display();
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error).with_context(|| format!("cannot read {shown}")),
+    };
+    let older = Recording::parse(&shown.to_string(), &text)?;
+    let RecordingOrigin { product, version, .. } = &older.origin;
+    if (product, version) != (&origin.product, &origin.version) {
+        bail!(
+            "{shown} is a recording of {product} {version}, not of {} {}; name another file",
+            origin.product,
+            origin.version
+        );
+    }
+    Ok(Some(older))
+}
+
+/// Writes a recording to a file.
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn write(recording: &Recording, path: &Path) -> anyhow::Result<()> {
+    let mut text = Vec::new();
+    recording.write(&mut text)?;
+    fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+/// Returns today's date, as a recording has it.
+pub fn today() -> String {
+    Timestamp::now().to_zoned(TimeZone::UTC).date().to_string()
 }
 
 fn origin(arguments: &RecordArguments, identity: &Identity) -> anyhow::Result<RecordingOrigin> {
@@ -61,6 +110,6 @@ fn origin(arguments: &RecordArguments, identity: &Identity) -> anyhow::Result<Re
         version,
         commit: arguments.commit.clone(),
         platform: format!("{} {}", consts::OS, consts::ARCH),
-        date: Timestamp::now().to_zoned(TimeZone::UTC).date().to_string(),
+        date: today(),
     })
 }

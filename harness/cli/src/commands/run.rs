@@ -95,7 +95,7 @@ fn run(
     let cancel = interrupt::cancellation_ending_engines()?;
     let reports = report_folder
         .as_deref()
-        .map(|folder| Reports::create(folder, statements(&selected)));
+        .map(|to| Reports::create(to, statements(&selected, folder)));
     let mut sink = EventSink::new(reports.transpose()?, !arguments.quiet, cancel);
     let mut causes = CauseStage::new(arguments, plan, engines);
     let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));

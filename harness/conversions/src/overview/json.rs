@@ -54,6 +54,16 @@ struct CallResult<'a> {
     expected: Option<String>,
     /// Whether the engine contradicts the document.
     contradicts: bool,
+    /// What another source of the same system says, where that is another value.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    otherwise: Option<JsonStatement<'a>>,
+}
+
+/// The value that a source states.
+#[derive(Serialize)]
+struct JsonStatement<'a> {
+    basis: &'a str,
+    value: String,
 }
 
 /// Writes the JSON object of a function, and a line feed.
@@ -120,5 +130,9 @@ fn result<'a>(
             .as_ref()
             .map(|_| compared.expected.value.to_string()),
         contradicts: compared.contradicts(),
+        otherwise: compared.expected.otherwise.as_ref().map(|other| JsonStatement {
+            basis: &other.basis,
+            value: other.value.to_string(),
+        }),
     }
 }

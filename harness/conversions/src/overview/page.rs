@@ -1,6 +1,6 @@
 //! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
-use super::results::{ComparedResult, DialectResults, SignatureResults};
+use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureResults};
 use super::table::{self, Align, NotedCell};
 use super::values::CallOperands;
 use super::{choices, inputs};
@@ -19,6 +19,9 @@ const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// The note of a cell about which no source says anything.
 const OPEN: &str = "?";
+
+/// The mark of a cell of which two sources of one system state different values.
+const DISPUTED: &str = "≠";
 
 /// The maximum number of contradictions that are described below a table.
 const MAX_TROUBLES: usize = 8;
@@ -161,10 +164,17 @@ impl OverviewPage<'_> {
         let mut troubles = Vec::new();
         for column in &results.columns {
             for (call, compared) in results.calls.iter().zip(&column.results) {
+                let operands: Vec<String> = call.iter().map(in_words).collect();
+                let call = format!("{function}({})", operands.join(", "));
                 if let Some(trouble) = trouble(compared) {
-                    let operands: Vec<String> = call.iter().map(in_words).collect();
-                    let operands = operands.join(", ");
-                    troubles.push(format!("{}: {function}({operands}) {trouble}", name(column)));
+                    troubles.push(format!("{}: {call} {trouble}", name(column)));
+                }
+                // What two sources say of a dialect is said once, however many engines speak it.
+                if let Some(disputed) = disputed(&compared.expected) {
+                    let disputed = format!("{}: {call} {disputed}", column.dialect);
+                    if !troubles.contains(&disputed) {
+                        troubles.push(disputed);
+                    }
                 }
             }
         }
@@ -188,12 +198,19 @@ struct Notes {
     bases: Vec<Arc<str>>,
     open: bool,
     contradicted: bool,
+    disputed: bool,
 }
 
 impl Notes {
     fn of(&mut self, compared: &ComparedResult) -> String {
-        let mark = if compared.contradicts() { "!" } else { "" };
+        let is_disputed = compared.expected.otherwise.is_some();
+        let mark = match (compared.contradicts(), is_disputed) {
+            (true, _) => "!",
+            (false, true) => DISPUTED,
+            (false, false) => "",
+        };
         self.contradicted |= compared.contradicts();
+        self.disputed |= is_disputed;
         match &compared.expected.basis {
             Some(basis) => format!("{}{mark}", self.letter(basis)),
             None => {
@@ -229,6 +246,9 @@ impl Notes {
         }
         if self.contradicted {
             writeln!(out, "!  not what the source says")?;
+        }
+        if self.disputed {
+            writeln!(out, "{DISPUTED}  not what another source of the same system says")?;
         }
         Ok(())
     }
@@ -312,8 +332,11 @@ fn in_words(value: &Value) -> String {
 /// Returns a fragment that says how a result contradicts a document, or why there is no result; `None` where nothing is wrong.
 fn trouble(compared: &ComparedResult) -> Option<String> {
     let must = match &compared.expected.basis {
-        Some(_) if compared.contradicts() => {
-            format!(", and must give {}", in_words(&compared.expected.value))
+        Some(basis) if compared.contradicts() => {
+            format!(
+                ", and must give {} by {basis}",
+                in_words(&compared.expected.value)
+            )
         }
         _ => String::new(),
     };
@@ -323,6 +346,17 @@ fn trouble(compared: &ComparedResult) -> Option<String> {
         Err(refusal) if refusal.kind == RefusalKind::NotAsked => None,
         Err(refusal) => Some(format!("{} ({}){must}", refusal.kind.word(), refusal.detail)),
     }
+}
+
+/// Returns a fragment that names the two values that sources state of a result; `None` where they state one.
+fn disputed(expected: &ExpectedResult) -> Option<String> {
+    let (basis, other) = (expected.basis.as_ref()?, expected.otherwise.as_ref()?);
+    Some(format!(
+        "gives {} by {basis}, but {} by {}",
+        in_words(&expected.value),
+        in_words(&other.value),
+        other.basis
+    ))
 }
 
 /// Shortens a text to [`MAX_VALUE_LEN`] characters.

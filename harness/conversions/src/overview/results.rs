@@ -57,6 +57,17 @@ pub struct ExpectedResult {
     pub value: Value,
     /// The source and section that demand the value, as the suite writes a basis; `None` where the result is open.
     pub basis: Option<Arc<str>>,
+    /// What another source of the same system says, where that is another value.
+    pub otherwise: Option<OtherStatement>,
+}
+
+/// What a vendor's page states of a result that was recorded otherwise.
+#[derive(Clone, PartialEq, Debug)]
+pub struct OtherStatement {
+    /// The value.
+    pub value: Value,
+    /// The source and section that state it.
+    pub basis: Arc<str>,
 }
 
 /// A result that a case of the suite asserts for one operand.
@@ -83,13 +94,24 @@ impl ExpectedResult {
     ) -> ExpectedResult {
         let exact = stickler_exact::expected(signature, call, dialect);
         match (exact.basis, asserted) {
-            (None, Some((value, basis))) => ExpectedResult {
-                value: value.clone(),
-                basis: Some(Arc::clone(basis)),
-            },
+            (None, Some((value, basis))) => {
+                let page = stickler_exact::stated_by_vendor(signature, call, dialect);
+                let stated = page
+                    .basis
+                    .filter(|stated| page.value != *value && **stated != **basis);
+                ExpectedResult {
+                    value: value.clone(),
+                    basis: Some(Arc::clone(basis)),
+                    otherwise: stated.map(|stated| OtherStatement {
+                        value: page.value.clone(),
+                        basis: stated.into(),
+                    }),
+                }
+            }
             (basis, _) => ExpectedResult {
                 value: exact.value,
                 basis: basis.map(Arc::from),
+                otherwise: None,
             },
         }
     }
@@ -117,7 +139,7 @@ impl SignatureResults {
             .any(ComparedResult::contradicts)
     }
 
-    /// Adds the column of an engine in a dialect, if the dialect has the signature. `answers` gives the results of the calls.
+    /// Adds the column of an engine in a dialect, if the dialect has the signature and a recording at least one of the calls. `answers` gives the results of the calls.
     fn add(
         &mut self,
         engine: usize,
@@ -130,6 +152,11 @@ impl SignatureResults {
             return;
         }
         let got = answers(dialect, signature, calls);
+        let is_not_asked =
+            |got: &Result<_, Refusal>| matches!(got, Err(refusal) if refusal.kind == RefusalKind::NotAsked);
+        if got.iter().all(is_not_asked) {
+            return;
+        }
         let asserted = |call: &CallOperands| {
             let is_same = |one: &&AssertedResult| {
                 one.dialect == dialect
@@ -203,6 +230,7 @@ mod tests {
             expected: ExpectedResult {
                 value,
                 basis: basis.map(Into::into),
+                otherwise: None,
             },
         }
     }
@@ -241,7 +269,14 @@ mod tests {
             (codesys.value, codesys.basis),
             (recorded.clone(), Some(source.clone()))
         );
+        // The page of the vendor rounds as was not recorded here.
+        let page = codesys.otherwise.expect("another statement");
+        assert_eq!(
+            (page.value.to_string().as_str(), &*page.basis),
+            ("INT#3", "codesys-real-to: Conversions: REAL, LREAL")
+        );
         let matiec = of(DialectName::Matiec);
+        assert_eq!(matiec.otherwise, None);
         assert_eq!(matiec.value.to_string(), "INT#2");
         assert!(matiec.basis.is_some_and(|basis| basis.starts_with("forgeiec")));
     }

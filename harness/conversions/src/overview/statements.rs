@@ -5,8 +5,10 @@
 //! everything else is a number.
 
 use super::inputs;
+use super::recorded::{RecordedAnswers, RecordedColumn};
 use super::results::ExpectedResult;
-use serde::Serialize;
+use crate::recording::Recording;
+use serde::{Serialize, Serializer};
 use std::collections::HashMap;
 use std::sync::Arc;
 use stickler_exact::{Signature, call_of_program, signatures};
@@ -31,9 +33,15 @@ pub struct Statements {
     /// The bases of calls, which most have in common: by the dialects of the function, the number of a word; `null` where no
     /// document states the result.
     bases: Vec<Vec<Option<u32>>>,
+    /// The calls of which a vendor's page states another value than was recorded: the number of the call, the index of the dialect
+    /// among all, the word of that value and the word of its basis.
+    disputed: Vec<(usize, usize, u32, u32)>,
     /// The number of the question of each case that asks one, by the id of the case.
     #[serde(skip)]
     questions: HashMap<Arc<str>, QuestionNumber>,
+    /// The answers of recordings, by recording and dialect.
+    #[serde(skip)]
+    recorded: Vec<RecordedAnswers>,
 }
 
 /// A statement of documents about two words, such as a pair of types: whether a program with them is accepted.
@@ -42,7 +50,19 @@ struct Accepted {
     from: u32,
     to: u32,
     /// By dialect, the word of the documents and the basis; `null` where none speaks of it.
-    stated: Vec<Option<(&'static str, u32)>>,
+    #[serde(serialize_with = "stated_words")]
+    stated: Vec<Option<(MatrixWord, u32)>>,
+}
+
+fn stated_words<S: Serializer>(
+    stated: &[Option<(MatrixWord, u32)>],
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(
+        stated
+            .iter()
+            .map(|one| one.map(|(word, basis)| (word.as_str(), basis))),
+    )
 }
 
 /// A function with the types of one of its signatures.
@@ -105,6 +125,12 @@ impl Statements {
         self.questions.get(case).copied()
     }
 
+    /// Returns the answers of recordings to the questions, by recording and dialect.
+    #[must_use]
+    pub fn recorded(&self) -> &[RecordedAnswers] {
+        &self.recorded
+    }
+
     /// Returns whether there is no question.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -161,7 +187,7 @@ impl AcceptedTable {
         }
         let stated = &mut self.all[number].stated[dialect];
         if stated.is_none() {
-            *stated = Some((statement.word.as_str(), basis));
+            *stated = Some((statement.word, basis));
         }
         self.cases.push((Arc::clone(statement.case), number));
     }
@@ -229,19 +255,58 @@ impl StatementsBuilder {
         }
     }
 
-    /// Returns the table, with what documents state of each call.
+    /// Returns whether no case has asked a question yet.
     #[must_use]
-    pub fn finish(mut self) -> Statements {
+    pub fn is_empty(&self) -> bool {
+        self.pairs.all.is_empty() && self.parts.all.is_empty() && self.functions.is_empty()
+    }
+
+    /// Returns the table, with what documents state of each call, and what the recorded compilers answer.
+    #[must_use]
+    pub fn finish(mut self, recordings: &[Recording]) -> Statements {
+        let mut recorded = RecordedColumn::all(recordings, &self.dialects);
         let mut all = Statements {
             dialects: self.dialects.iter().map(|dialect| dialect.as_str()).collect(),
             pairs: self.pairs.all,
             parts: self.parts.all,
             ..Statements::default()
         };
+        let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
+        let first_part = all.pairs.len();
+        let first_call = first_part + all.parts.len();
+        for (question, pair) in all.pairs.iter().enumerate() {
+            let ty = |word: u32| ElementaryType::from_name(self.words.all().get(word as usize)?);
+            if let (Some(from), Some(to)) = (ty(pair.from), ty(pair.to)) {
+                for column in &mut recorded {
+                    let word = pair.stated[column.dialect()].map(|(word, _)| word);
+                    column.add_pair(number(question), (from, to), word);
+                }
+            }
+        }
+        for (question, part) in (first_part..).zip(&all.parts) {
+            let word = |word: u32| self.words.all().get(word as usize);
+            let ty = word(part.from).and_then(|name| ElementaryType::from_name(name));
+            if let (Some(ty), Some(named)) = (ty, word(part.to)) {
+                for column in &mut recorded {
+                    let word = part.stated[column.dialect()].map(|(word, _)| word);
+                    column.add_part(number(question), ty, named, word);
+                }
+            }
+        }
         let mut first_calls = Vec::with_capacity(self.functions.len());
         let mut known_bases = HashMap::new();
         for function in &self.functions {
-            first_calls.push(all.calls.operands.len());
+            let first = all.calls.operands.len();
+            first_calls.push(first);
+            for column in &mut recorded {
+                if function.dialects.contains(&column.dialect()) {
+                    let dialect = (column.dialect(), self.dialects[column.dialect()]);
+                    let calls = 0..function.calls.len();
+                    let expected = calls.map(|call| function.expected(call, dialect)).collect();
+                    let first = number(first_call + first);
+                    column.add_calls(first, &function.signature, &function.calls, expected);
+                }
+            }
             let signature = &function.signature;
             let types = signature.operands.iter().map(|ty| self.words.number(ty.name()));
             let operands = types.collect();
@@ -257,6 +322,14 @@ impl StatementsBuilder {
                 let texts = call.iter().map(|value| self.words.number(&value.to_string()));
                 all.calls.operands.push(texts.collect());
                 let (bases, values) = function.stated(number, &self.dialects, &mut self.words);
+                for dialect in &function.dialects {
+                    let expected = function.expected(number, (*dialect, self.dialects[*dialect]));
+                    if let Some(other) = expected.otherwise {
+                        let value = self.words.number(&other.value.to_string());
+                        let basis = self.words.number(&other.basis);
+                        all.disputed.push((first + number, *dialect, value, basis));
+                    }
+                }
                 let next = all.bases.len();
                 let number = *known_bases.entry(bases.clone()).or_insert(next);
                 if number == next {
@@ -266,9 +339,6 @@ impl StatementsBuilder {
                 all.calls.values.push(values);
             }
         }
-        let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
-        let first_part = all.pairs.len();
-        let first_call = first_part + all.parts.len();
         let pairs = self.pairs.cases.into_iter();
         all.questions = pairs.map(|(case, pair)| (case, number(pair))).collect();
         let parts = self.parts.cases.into_iter();
@@ -279,6 +349,7 @@ impl StatementsBuilder {
             calls.map(|(case, function, call)| (case, number(first_call + first_calls[function] + call))),
         );
         all.words = self.words.all().to_vec();
+        all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
         all
     }
 }
@@ -327,6 +398,13 @@ impl StatedFunction {
         number
     }
 
+    /// Returns the expected result of a call in a dialect, which is given with its index.
+    fn expected(&self, number: usize, (index, dialect): (usize, DialectName)) -> ExpectedResult {
+        let asserted = self.asserted.get(&(number, index));
+        let asserted = asserted.map(|(value, basis)| (value, basis));
+        ExpectedResult::of(&self.signature, &self.calls[number], dialect, asserted)
+    }
+
     /// Returns the basis of a call by dialect, and the stated values: one where all are equal.
     fn stated(
         &self,
@@ -337,13 +415,7 @@ impl StatedFunction {
         let mut values = Vec::new();
         let mut bases = Vec::with_capacity(self.dialects.len());
         for dialect in &self.dialects {
-            let asserted = self.asserted.get(&(number, *dialect));
-            let stated = ExpectedResult::of(
-                &self.signature,
-                &self.calls[number],
-                dialects[*dialect],
-                asserted.map(|(value, basis)| (value, basis)),
-            );
+            let stated = self.expected(number, (*dialect, dialects[*dialect]));
             bases.push(stated.basis.as_ref().map(|basis| words.number(basis)));
             if stated.basis.is_some() {
                 values.push(words.number(&stated.value.to_string()));
@@ -402,7 +474,7 @@ mod tests {
             source: "PROGRAM main END_PROGRAM",
             ..program
         });
-        builder.finish()
+        builder.finish(&[])
     }
 
     #[test]

@@ -1,10 +1,11 @@
 //! Reads the file of a recording.
 
-use super::{FunctionAnswers, Recording, RecordingOrigin};
+use super::{ComparisonAnswer, FunctionAnswers, Recording, RecordingOrigin};
 use crate::implicit::{MatrixAnswer, TypePair};
 use crate::session::RefusalKind;
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap};
+use std::path::Path;
 use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
 use toml::Spanned;
 
@@ -33,10 +34,17 @@ struct File {
 struct Answers {
     dialects: Vec<String>,
     #[serde(default)]
-    implicit: BTreeMap<Spanned<String>, BTreeMap<String, String>>,
+    implicit: WordRows,
+    #[serde(default)]
+    bits: WordRows,
+    #[serde(default)]
+    comparisons: WordRows,
     #[serde(default)]
     functions: BTreeMap<Spanned<String>, Row>,
 }
+
+/// Rows by the type of their value; in a row, the words of answers, each with a list of those that it is the answer to.
+type WordRows = BTreeMap<Spanned<String>, BTreeMap<String, String>>;
 
 #[derive(Deserialize)]
 #[serde(untagged)]
@@ -54,7 +62,9 @@ impl Recording {
     /// # Errors
     /// A file that is no recording, or lacks product, version, platform or date.
     pub fn parse(file: &str, text: &str) -> Result<Recording, RecordingError> {
-        read(text).map_err(|(offset, message)| RecordingError {
+        let stem = Path::new(file).file_stem();
+        let name = stem.map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        read(name, text).map_err(|(offset, message)| RecordingError {
             file: file.to_owned(),
             line: 1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count(),
             message,
@@ -62,7 +72,7 @@ impl Recording {
     }
 }
 
-fn read(text: &str) -> Result<Recording, Mistake> {
+fn read(name: String, text: &str) -> Result<Recording, Mistake> {
     let File { recording, answers } = toml::from_str(text).map_err(|error| {
         let offset = error.span().map_or(0, |span| span.start);
         let message = error.message().trim_end().replace('\n', "; ");
@@ -74,24 +84,10 @@ fn read(text: &str) -> Result<Recording, Mistake> {
     })?;
     let offset = recording.span().start;
     let origin = recording.into_inner();
-    for (name, text) in [
-        ("product", &origin.product),
-        ("version", &origin.version),
-        ("platform", &origin.platform),
-        ("date", &origin.date),
-    ] {
-        if text.trim().is_empty() {
-            let message =
-                format!("`{name}` is empty; say there what was recorded, for answers differ with it");
-            return Err((offset, message));
-        }
+    if let Some(message) = origin.mistake() {
+        return Err((offset, message));
     }
-    let mut read = Recording {
-        origin,
-        dialects: Vec::new(),
-        implicit: HashMap::new(),
-        functions: HashMap::new(),
-    };
+    let mut read = Recording::empty(&name, origin, Vec::new());
     answers
         .into_iter()
         .try_for_each(|answers| add(&mut read, answers))?;
@@ -103,6 +99,8 @@ fn add(recording: &mut Recording, answers: Spanned<Answers>) -> Result<(), Mista
     let Answers {
         dialects,
         implicit,
+        bits,
+        comparisons,
         functions,
     } = answers.into_inner();
     let dialects: Vec<DialectName> = dialects
@@ -115,11 +113,19 @@ fn add(recording: &mut Recording, answers: Spanned<Answers>) -> Result<(), Mista
         }
     }
     for (row, columns) in implicit {
-        let offset = row.span().start;
-        let pairs = implicit_row(row.get_ref(), &columns).map_err(|message| (offset, message))?;
-        for dialect in &dialects {
-            let keyed = pairs.iter().map(|(pair, answer)| ((*dialect, *pair), *answer));
-            recording.implicit.extend(keyed);
+        let answers = word_row(&row, &columns, matrix_answer, type_of)?;
+        let pairs = answers.map(|(from, into, answer)| ((from, into), answer));
+        extend(&mut recording.implicit, &dialects, pairs);
+    }
+    for (row, columns) in comparisons {
+        let answers = word_row(&row, &columns, comparison_answer, type_of)?;
+        let pairs = answers.map(|(from, into, answer)| ((from, into), answer));
+        extend(&mut recording.comparisons, &dialects, pairs);
+    }
+    for (row, columns) in bits {
+        for (ty, part, answer) in word_row(&row, &columns, matrix_answer, part_of)? {
+            let keys = dialects.iter().map(|dialect| (*dialect, ty, part.clone()));
+            recording.parts.extend(keys.map(|key| (key, answer)));
         }
     }
     for (key, row) in functions {
@@ -133,22 +139,65 @@ fn add(recording: &mut Recording, answers: Spanned<Answers>) -> Result<(), Mista
     Ok(())
 }
 
-fn implicit_row(
-    row: &str,
+/// Adds answers about pairs of types in each of the dialects.
+fn extend<A: Copy>(
+    known: &mut HashMap<(DialectName, TypePair), A>,
+    dialects: &[DialectName],
+    pairs: impl Iterator<Item = (TypePair, A)>,
+) {
+    for (pair, answer) in pairs {
+        known.extend(dialects.iter().map(|dialect| ((*dialect, pair), answer)));
+    }
+}
+
+/// Reads a row: its type, and for each listed text the answer by whose word it stands.
+fn word_row<C, A: Copy>(
+    row: &Spanned<String>,
     columns: &BTreeMap<String, String>,
-) -> Result<Vec<(TypePair, MatrixAnswer)>, String> {
-    let from = type_of(row)?;
-    let mut pairs = Vec::new();
-    for (word, types) in columns {
-        let answer = MatrixAnswer::from_word(word).ok_or_else(|| {
-            let known = MatrixAnswer::ALL.map(MatrixAnswer::as_str).join(", ");
-            format!("`{word}` is no answer of a compiler; one of {known} is")
-        })?;
-        for name in types.split_whitespace() {
-            pairs.push(((from, type_of(name)?), answer));
+    answer_of: fn(&str) -> Result<A, String>,
+    column_of: fn(&str) -> Result<C, String>,
+) -> Result<impl Iterator<Item = (ElementaryType, C, A)> + use<C, A>, Mistake> {
+    let at = |message| (row.span().start, message);
+    let from = type_of(row.get_ref()).map_err(at)?;
+    let mut read = Vec::new();
+    for (word, listed) in columns {
+        let answer = answer_of(word).map_err(at)?;
+        for text in listed.split_whitespace() {
+            read.push((from, column_of(text).map_err(at)?, answer));
         }
     }
-    Ok(pairs)
+    Ok(read.into_iter())
+}
+
+fn matrix_answer(word: &str) -> Result<MatrixAnswer, String> {
+    MatrixAnswer::from_word(word).ok_or_else(|| {
+        let known = MatrixAnswer::ALL.map(MatrixAnswer::as_str).join(", ");
+        format!("`{word}` is no answer of a compiler; one of {known} is")
+    })
+}
+
+fn comparison_answer(word: &str) -> Result<ComparisonAnswer, String> {
+    match word {
+        "true" => Ok(Ok(true)),
+        "false" => Ok(Ok(false)),
+        _ => RefusalKind::from_word(word).map(Err).ok_or_else(|| {
+            let known = RefusalKind::STORED.map(RefusalKind::word).join(", ");
+            format!("`{word}` is neither `true` nor `false` nor one of {known}")
+        }),
+    }
+}
+
+/// Reads a bit or a part of a variable.
+fn part_of(text: &str) -> Result<String, String> {
+    let index = match text.strip_prefix('%') {
+        Some(sized) => sized.strip_prefix(['X', 'B', 'W', 'D', 'L']),
+        None => Some(text),
+    };
+    let is_index = |index: &&str| !index.is_empty() && index.bytes().all(|byte| byte.is_ascii_digit());
+    match index.filter(is_index) {
+        Some(_) => Ok(text.to_owned()),
+        None => Err(format!("`{text}` is no bit or part such as `7`, `%X7` or `%B1`")),
+    }
 }
 
 fn function_row(key: &str, row: &Row) -> Result<FunctionAnswers, String> {

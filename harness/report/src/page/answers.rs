@@ -1,8 +1,10 @@
-//! The answers of engines to the questions about conversions that the cases of a run ask.
+//! The answers of engines to the questions about conversions that the cases of a run ask, and those of recorded compilers.
 
 use serde::Serialize;
-use std::collections::HashMap;
-use stickler_conversions::overview::QuestionNumber;
+use std::collections::{BTreeMap, HashMap};
+use stickler_conversions::implicit::TypePair;
+use stickler_conversions::overview::{QuestionNumber, RecordedAnswer, RecordedAnswers};
+use stickler_conversions::recording::{RecordingOrigin, extreme};
 use stickler_run::{CaseEvent, Fact, Observed, Verdict};
 use stickler_types::{Diagnostic, Value, WordTable};
 
@@ -22,6 +24,9 @@ pub(super) struct PageAnswers {
 struct AnswerColumn {
     engine: u32,
     dialect: u32,
+    /// The origin of the answers where they were recorded before the run.
+    recording: Option<RecordingOrigin>,
+    comparisons: Vec<(TypePair, &'static str)>,
     answers: HashMap<QuestionNumber, EngineAnswer>,
 }
 
@@ -41,6 +46,9 @@ enum EngineAnswer {
 pub(super) struct AnswersData {
     words: Vec<String>,
     columns: Vec<ColumnData>,
+    /// The values that recordings compare, by their type; empty where there are none.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    compared: BTreeMap<&'static str, String>,
 }
 
 /// The answers of an engine in a dialect, in the order of the questions.
@@ -48,6 +56,11 @@ pub(super) struct AnswersData {
 struct ColumnData {
     engine: u32,
     dialect: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    recording: Option<RecordingOrigin>,
+    /// Of a recording, the types in the order of their comparisons: by the type at the left and the word of the answer, the types at the right.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    comparisons: BTreeMap<&'static str, BTreeMap<&'static str, Vec<&'static str>>>,
     /// The questions that were answered as a source says; each number is the distance from the one before.
     met: Vec<QuestionNumber>,
     /// The questions with recorded answers, in the same way, and the words of the answers.
@@ -74,6 +87,8 @@ impl PageAnswers {
             self.columns.push(AnswerColumn {
                 engine: key.0,
                 dialect: key.1,
+                recording: None,
+                comparisons: Vec::new(),
                 answers: HashMap::new(),
             });
         }
@@ -81,9 +96,34 @@ impl PageAnswers {
         *known = answer.max(*known);
     }
 
+    /// Adds the answers of a recorded compiler in a dialect.
+    pub(super) fn add_recorded(&mut self, recorded: &RecordedAnswers) {
+        let RecordingOrigin { product, version, .. } = &recorded.origin;
+        let words = &mut self.words;
+        let mut answer = |answer: &RecordedAnswer| match answer {
+            RecordedAnswer::Met => EngineAnswer::Met,
+            RecordedAnswer::Open(text) => EngineAnswer::Recorded(words.number(shortened(text))),
+            RecordedAnswer::Other(text) => EngineAnswer::Other(words.number(shortened(text)), None),
+        };
+        let answers = recorded.answers.iter();
+        let answers = answers
+            .map(|(question, given)| (*question, answer(given)))
+            .collect();
+        self.columns.push(AnswerColumn {
+            engine: self.words.number(&format!("{product} {version}")),
+            dialect: self.words.number(recorded.dialect.as_str()),
+            recording: Some(recorded.origin.clone()),
+            comparisons: recorded.comparisons.clone(),
+            answers,
+        });
+    }
+
     /// Returns the data for the page.
     pub(super) fn into_data(self) -> AnswersData {
+        let pairs = self.columns.iter().flat_map(|column| &column.comparisons);
+        let compared = pairs.map(|((left, _), _)| (left.name(), extreme(*left).to_string()));
         AnswersData {
+            compared: compared.collect(),
             columns: self.columns.into_iter().map(AnswerColumn::into_data).collect(),
             words: self.words.all().to_vec(),
         }
@@ -94,9 +134,16 @@ impl AnswerColumn {
     fn into_data(self) -> ColumnData {
         let mut answers: Vec<(QuestionNumber, EngineAnswer)> = self.answers.into_iter().collect();
         answers.sort_unstable();
+        let mut comparisons: BTreeMap<_, BTreeMap<_, Vec<_>>> = BTreeMap::new();
+        for ((left, right), word) in self.comparisons {
+            let of_left = comparisons.entry(left.name()).or_default();
+            of_left.entry(word).or_default().push(right.name());
+        }
         let mut data = ColumnData {
             engine: self.engine,
             dialect: self.dialect,
+            recording: self.recording,
+            comparisons,
             met: Vec::new(),
             recorded: (Vec::new(), Vec::new()),
             other: (Vec::new(), Vec::new(), Vec::new()),

@@ -21,7 +21,7 @@ function showBits(main, query) {
   add(main, el("div.filters", {}, el("label", {}, "type", el("select", { change: (event) => { location.hash = addressOf("bits", { type: event.target.value }); } },
     types.map((word) => el("option", { selected: word === type }, word))))),
   type in WIDTHS ? el("p", {}, `${type} has bits 0 to ${WIDTHS[type] - 1}; bit 0 is the least significant one.`) : el("p", {}, `${type} has no bits.`),
-  el("p.dim", {}, "✓ accepted, ! accepted with a warning, ✕ rejected, ? no document decides, blank: no case of this run asks. Behind ≠ stands what engines do otherwise. Only the parts that cases ask for are shown; ",
+  el("p.dim", {}, "✓ accepted, ! accepted with a warning, ✕ rejected, ? no document decides, blank: no case of this run asks. Behind ≠ stands what engines and recorded compilers do otherwise. Only the parts that cases ask for are shown; ",
     "those outside the type have a broken edge."));
   for (const [prefix, title, bits] of FORMS) {
     const shown = parts.filter((one) => one.type === type && (prefix === "" ? /^\d+$/ : new RegExp(`^${prefix}\\d+$`)).test(one.part))
@@ -32,7 +32,8 @@ function showBits(main, query) {
 
 /** Returns the strip of a form: a row for each dialect, a column for each index, from the least one. */
 function strip(data, type, title, bits, shown) {
-  const names = data.statements.dialects.map((name, index) => ({ name, index })).filter(({ index }) => shown.some((one) => one.stated[index] !== null));
+  const names = data.statements.dialects.map((name, index) => ({ name, index })).filter(({ name, index }) => shown.some((one) => one.stated[index] !== null
+    || data.columns.some((column) => column.dialect === name && answerOf(column, one.number) !== undefined)));
   const isOutside = (one) => !(type in WIDTHS) || (one.index + 1) * bits > WIDTHS[type];
   return el("section", { "aria-label": title }, el("h3", {}, el("code", {}, title)),
     el("div.scroll", { tabindex: "0", role: "region", "aria-label": `${title} of ${type}` }, el("table.matrix.bits", {},

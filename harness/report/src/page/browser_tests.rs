@@ -13,6 +13,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
 use stickler_conversions::overview::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
+use stickler_conversions::recording::Recording;
 use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 
@@ -86,6 +87,7 @@ fn statements() -> Statements {
         DialectName::IronplcEd2,
         DialectName::Plcnext,
         DialectName::Strucpp,
+        DialectName::Codesys,
     ]);
     let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
     let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
@@ -132,8 +134,34 @@ fn statements() -> Statements {
         result: Some(&Value::parse("INT#7").expect("a literal")),
         basis: &Arc::from("builds: 2026"),
     });
-    builder.finish()
+    let call = CALL.replace("REAL", "LREAL").replace("INT", "DINT");
+    builder.add_program(&CaseProgram {
+        case: &Arc::from("widening/c::variable(LREAL,DINT,-3.0E9)"),
+        dialect: DialectName::Codesys,
+        source: &call.replace("2.25", "-3.0E9"),
+        result: Some(&Value::parse("DINT#-2147483648").expect("a literal")),
+        basis: &Arc::from("builds: 2026"),
+    });
+    builder.finish(&RECORDINGS.map(|(file, text)| Recording::parse(file, text).expect("a recording")))
 }
+
+/// A recorded compiler that is no engine of the run, and one that is, by the name of its file.
+const RECORDINGS: [(&str, &str); 2] = [
+    (
+        "strucpp.toml",
+        "[recording]\nproduct = \"STruC++\"\nversion = \"0.6.1\"\nplatform = \"linux\"\ndate = \"2026-11-24\"\n\
+         [[answers]]\ndialects = [\"ironplc-ed2\"]\n\
+         [answers.implicit]\nINT = { accepts = \"SINT USINT\", rejects = \"UINT\" }\n\
+         [answers.bits]\nBYTE = { accepts = \"8\" }\n\
+         [answers.comparisons]\nINT = { false = \"USINT\" }\nUSINT = { rejected = \"INT\" }\n\
+         [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"7\"], [\"2.25\", \"crashed\"]]\n",
+    ),
+    (
+        "reference.toml",
+        "[recording]\nproduct = \"An older reference\"\nversion = \"0.0.1\"\nplatform = \"linux\"\ndate = \"2026-11-24\"\n\
+         [[answers]]\ndialects = [\"ironplc-ed2\"]\n[answers.implicit]\nINT = { accepts = \"SINT\" }\n",
+    ),
+];
 
 /// Writes the page of a run with an engine that fails in each part.
 pub(super) fn write(folder: &Path) -> PathBuf {
@@ -244,14 +272,20 @@ fn every_part_of_the_page_opens_by_its_address() {
         pair.contains("Does INT become SINT without a function?") && pair.contains("✗ yes"),
         "{pair}"
     );
-    assert!(pair.contains("No case asks in plcnext, strucpp."), "{pair}");
+    assert!(
+        pair.contains("No case asks in plcnext, strucpp, codesys."),
+        "{pair}"
+    );
 
     for (label, cell) in [
         (
-            "INT to USINT: yes, with a warning; reference: yes, no warning",
-            "!<b>≠✓</b></a>",
+            "INT to USINT: yes, with a warning; reference: yes, no warning; STruC++ 0.6.1: yes, no warning",
+            "!<b>≠R✓</b><b>≠S✓</b></a>",
         ),
-        ("INT to UINT: yes, with a warning", "!</a>"),
+        (
+            "INT to UINT: yes, with a warning; STruC++ 0.6.1: no",
+            "!<b>≠S✕</b></a>",
+        ),
     ] {
         let (_, named) = matrix
             .split_once(&format!("aria-label=\"{label} ("))
@@ -306,6 +340,63 @@ fn every_part_of_the_page_opens_by_its_address() {
     assert!(
         unknown.contains("No case of this run calls a function REAL_TO_NOTHING"),
         "{unknown}"
+    );
+}
+
+#[test]
+fn a_recorded_compiler_is_a_column_like_an_engine_unless_it_ran() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let page = write(folder.path());
+    let dom = |address: &str| open(&browser, &page, address, "--dump-dom");
+    let values = dom("#REAL_TO_INT?value=2.5");
+    assert!(
+        values.contains("STruC++ 0.6.1<div class=\"dim\">recorded 2026-11-24</div>"),
+        "{values}"
+    );
+    let (_, row) = values
+        .split_once("class=\"wanted\"")
+        .expect("the row of the value");
+    let (row, _) = row.split_once("</tr>").expect("its end");
+    assert!(row.contains("✗ 7"), "{row}");
+    let pair = dom("#convert?from=INT&to=SINT");
+    assert!(pair.contains("✗ yes</span> STruC++ 0.6.1"), "{pair}");
+    let matrix = dom("#matrix");
+    assert!(
+        matrix.contains(
+            "INT to USINT: yes, with a warning; reference: yes, no warning; STruC++ 0.6.1: yes, no warning"
+        ) && matrix.contains("Engines: R reference, S STruC++ 0.6.1 (recorded 2026-11-24)"),
+        "{matrix}"
+    );
+    let compared = dom("#convert?from=INT&to=USINT");
+    assert!(
+        compared.contains("<code>INT#-1 &lt; USINT#255</code> is true of the numbers.")
+            && compared.contains("≠ false</span> STruC++ 0.6.1 (ironplc-ed2)"),
+        "{compared}"
+    );
+    let bits = dom("#bits?type=BYTE");
+    assert!(
+        bits.contains("BYTE: variable.8 in ironplc-ed2: no; STruC++ 0.6.1: yes"),
+        "{bits}"
+    );
+    for shown in [&values, &pair, &matrix] {
+        assert!(!shown.contains("An older reference"), "the run counts");
+    }
+}
+
+#[test]
+fn a_page_of_the_vendor_stands_beside_a_recording_that_contradicts_it() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let page = write(folder.path());
+    let values = open(&browser, &page, "#LREAL_TO_DINT?value=-3E9", "--dump-dom");
+    let (_, row) = values
+        .split_once("class=\"wanted\"")
+        .expect("the row of the value");
+    let (row, _) = row.split_once("</tr>").expect("its end");
+    assert!(
+        row.contains("-2147483648") && row.contains("≠ 1294967296") && row.contains("by codesys-real-to"),
+        "{row}"
     );
 }
 

@@ -34,8 +34,19 @@ function prepare(data) {
   data.types = typesInOrder(new Set(pairs.flatMap((pair) => [words[pair.from], words[pair.to]])
     .concat(data.functions.flatMap((one) => [...one.operands, one.result]))));
   data.columns = data.answers.columns.map((column) => ({
-    engine: data.answers.words[column.engine], dialect: data.answers.words[column.dialect], packed: column, answers: null,
+    engine: data.answers.words[column.engine], dialect: data.answers.words[column.dialect], recording: column.recording || null, packed: column, answers: null,
   }));
+}
+
+/** Returns the names of all that have answers: the engines of the run, and behind them the recorded compilers, with their versions. */
+function answererNames() {
+  const recorded = conversions().columns.filter((column) => column.recording !== null).map((column) => column.engine);
+  return [...new Set([...engineNames(), ...recorded])];
+}
+
+/** Returns when and where answers were recorded; empty for those of this run. */
+function recordedWhen(recording) {
+  return recording === null ? "" : `recorded ${recording.date}`;
 }
 
 /** The order in which types are shown; others follow. */
@@ -77,12 +88,19 @@ function statedOf(one, index) {
   const call = one.first - pairs.length - parts.length + index;
   const values = calls.values[call].map((word) => words[word]);
   let next = 0;
-  const stated = bases[calls.bases[call]].map((basis) => {
+  const stated = bases[calls.bases[call]].map((basis, column) => {
     if (basis === null) return null;
     const value = values.length === 1 ? values[0] : values[next++];
-    return { value, basis: words[basis] };
+    return { value, basis: words[basis], otherwise: disputedOf(call, one.dialects[column]) };
   });
   return { operands: calls.operands[call].map((word) => words[word]), stated };
+}
+
+/** Returns what a vendor's page states of a call otherwise than was recorded, with its basis; null where there is no such statement. */
+function disputedOf(call, dialect) {
+  const { words, disputed } = conversions().statements;
+  const found = disputed.find(([of, at]) => of === call && at === dialect);
+  return found === undefined ? null : { value: words[found[2]], basis: words[found[3]] };
 }
 
 /** Returns a typed literal without its type. */

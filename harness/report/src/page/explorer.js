@@ -63,7 +63,7 @@ function wantedAddress(data, text, from, to) {
 
 /** Shows whether a type becomes another implicitly, and the functions that convert it. */
 function showPair(main, data, from, to, value) {
-  add(main, el("h3", {}, `Does ${from} become ${to} without a function?`), implicitTable(data, from, to));
+  add(main, el("h3", {}, `Does ${from} become ${to} without a function?`), implicitTable(data, from, to), comparisonView(data, from, to));
   const functions = data.functions.filter((one) => one.operands.length === 1 && one.operands[0] === from && one.result === to);
   functions.sort((one, other) => Number(other.name === `${from}_TO_${to}`) - Number(one.name === `${from}_TO_${to}`) || one.calls < other.calls);
   if (functions.length === 0) {
@@ -101,8 +101,9 @@ function implicitAnswer(answer, word) {
   if (answer === undefined || answer.state === "met") return null;
   if (answer.state === "recorded") {
     // Where a value is open, the program is accepted all the same.
-    const text = answer.text === "rejected" ? "no" : "yes";
-    return text === word || word === "=" ? null : { text, mark: IMPLICIT[text].mark, contradicts: false };
+    const text = answer.text === "rejected" ? "no" : answer.text === "warned" ? "warn" : "yes";
+    if (text === word || (word === "=" && text === "yes")) return null;
+    return { text: IMPLICIT[text].text, mark: IMPLICIT[text].mark, contradicts: false };
   }
   if (["unsupported", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, mark: "–", contradicts: answer.text === "crashed" };
   const is = (kind, text) => ({ text, mark: IMPLICIT[kind].mark, contradicts: true });
@@ -112,7 +113,7 @@ function implicitAnswer(answer, word) {
   return is("yes", word === "no" ? "yes" : `yes, but ${bare(answer.text)}`);
 }
 
-/** Returns the table of a pair: a row for each dialect, a column for the documents and one for each engine. */
+/** Returns the table of a pair: a row for each dialect, a column for the documents, one for each engine, and one for the recorded compilers. */
 function implicitTable(data, from, to) {
   const pair = data.pairs.get(`${from} ${to}`);
   if (pair === undefined) return el("p", {}, from === to ? "It is the same type." : "No case of this run asks.");
@@ -120,7 +121,8 @@ function implicitTable(data, from, to) {
     const column = data.columns.find((one) => one.engine === engine && one.dialect === dialect);
     return column === undefined ? undefined : answerOf(column, pair.number);
   };
-  const isAsked = (dialect, index) => pair.stated[index] !== null || engineNames().some((engine) => answerIn(engine, dialect) !== undefined);
+  const isAsked = (dialect, index) => pair.stated[index] !== null || answererNames().some((engine) => answerIn(engine, dialect) !== undefined);
+  const recorded = data.columns.filter((column) => column.recording !== null);
   const unasked = data.statements.dialects.filter((dialect, index) => !isAsked(dialect, index));
   const rows = data.statements.dialects.flatMap((dialect, index) => {
     if (!isAsked(dialect, index)) return [];
@@ -131,15 +133,37 @@ function implicitTable(data, from, to) {
       stated === null ? el("span.dim", {}, "no case asks") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
       ...engineNames().map((engine) => {
         const answer = answerIn(engine, dialect);
-        if (answer === undefined) return el("span.dim", {}, "–");
-        const departs = implicitAnswer(answer, word);
-        if (departs === null) return el("span.tag.pass", {}, "✓ as said");
-        return answerTag(departs.text, departs.contradicts, answer.number);
-      })]];
+        return answer === undefined ? el("span.dim", {}, "–") : implicitTag(answer, word);
+      }),
+      recorded.length === 0 ? null : el("span", {}, recorded.filter((column) => column.dialect === dialect).map((column) => {
+        const answer = answerOf(column, pair.number);
+        return answer === undefined ? null : el("div", { title: `${recordedWhen(column.recording)} on ${column.recording.platform}` }, implicitTag(answer, word), ` ${column.engine}`);
+      }))].filter((cell) => cell !== null)];
   });
-  return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, ["dialect", "documents", ...engineNames()], rows),
+  const heads = ["dialect", "documents", ...engineNames(), ...(recorded.length === 0 ? [] : ["recorded compilers"])];
+  return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, heads, rows),
     unasked.length > 0 ? el("p.dim", {}, `No case asks in ${unasked.join(", ")}.`) : null,
     el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")));
+}
+
+/** Returns what recorded compilers answer to a comparison of the two types, or null where none was asked. */
+function comparisonView(data, from, to) {
+  const { compared } = data.answers;
+  const wordOf = (column) => Object.entries((column.packed.comparisons || {})[from] || {}).find(([, types]) => types.includes(to))?.[0];
+  const answers = data.columns.filter((column) => wordOf(column) !== undefined);
+  if (answers.length === 0) return null;
+  const isLess = compareLiterals(compared[from], compared[to]) < 0;
+  return el("p", {}, el("code", {}, `${compared[from]} < ${compared[to]}`), ` is ${isLess ? "true" : "false"} of the numbers. `, answers.map((column) => {
+    const word = wordOf(column);
+    const isWrong = (word === "true" || word === "false") && (word === "true") !== isLess;
+    return [el(`span.tag.${isWrong ? "differs" : "open"}`, { title: `${recordedWhen(column.recording)} in ${column.dialect}` }, `${isWrong ? "≠ " : ""}${word}`), ` ${column.engine} (${column.dialect}) `];
+  }));
+}
+
+/** Returns the tag of an answer about a pair of types. */
+function implicitTag(answer, word) {
+  const departs = implicitAnswer(answer, word);
+  return departs === null ? el("span.tag.pass", {}, "✓ as said") : answerTag(departs.text, departs.contradicts, answer.number);
 }
 
 /** Returns the tag of an engine's answer, which leads to its case where it contradicts a source. */
@@ -168,7 +192,7 @@ function functionView(one, value) {
 
 /** Returns whether a row is shown without being asked for: a boundary value, what was looked for, or where an engine contradicts a source. */
 function isShownFirst(row, index, columns, wanted) {
-  return row.isBoundary || row === wanted || columns.some((column) => column.cells[index].state === "other");
+  return row.isBoundary || row === wanted || columns.some((column) => column.cells[index].state === "other" || column.cells[index].otherwise);
 }
 
 /** Returns whether a literal has this value. */
@@ -185,14 +209,16 @@ function isSame(literal, value) {
  */
 function columnsOf(one, rows) {
   const data = conversions();
-  const columns = one.dialects.map((dialect, index) => ({ origin: "documents", dialects: [data.statements.dialects[dialect]],
-    cells: rows.map((row) => (row.stated[index] === null ? { state: "open", text: "" } : { state: "stated", text: row.stated[index].value, basis: row.stated[index].basis })) }));
-  for (const engine of engineNames()) {
+  const columns = one.dialects.map((dialect, index) => ({ ...statedOrigin(rows, index), dialects: [data.statements.dialects[dialect]],
+    cells: rows.map((row) => (row.stated[index] === null ? { state: "open", text: "" } : { state: "stated", text: row.stated[index].value, basis: row.stated[index].basis, otherwise: row.stated[index].otherwise })) }));
+  // Compilers stand before Stickler's own reference.
+  const answerers = answererNames().sort((one, other) => Number(one === "reference") - Number(other === "reference"));
+  for (const engine of answerers) {
     for (const [index, dialect] of one.dialects.entries()) {
       const name = data.statements.dialects[dialect];
       const column = data.columns.find((known) => known.engine === engine && known.dialect === name);
       if (column === undefined) continue;
-      columns.push({ origin: engine, dialects: [name], cells: rows.map((row) => {
+      columns.push({ origin: engine, when: recordedWhen(column.recording), dialects: [name], cells: rows.map((row) => {
         const answer = answerOf(column, row.question);
         if (answer === undefined) return { state: "none", text: "" };
         const stated = row.stated[index];
@@ -200,16 +226,24 @@ function columnsOf(one, rows) {
       }) });
     }
   }
-  return columns.filter((column) => column.origin === "documents" || column.cells.some((cell) => cell.state !== "none"));
+  return columns.filter((column) => column.isStated || column.cells.some((cell) => cell.state !== "none"));
+}
+
+/** Returns who states the values of a dialect: documents, or a recording by its product and version where there is nothing else. */
+function statedOrigin(rows, index) {
+  const bases = new Set(rows.filter((row) => row.stated[index] !== null).map((row) => row.stated[index].basis));
+  const sources = [...new Set([...bases].map((basis) => basisOf(basis).source))].map(sourceOf);
+  const isRecording = sources.length > 0 && sources.every((source) => source !== undefined && source.kind === "recording" && source.read);
+  return { isStated: true, origin: isRecording ? [...new Set(sources.map((source) => source.read))].join("; ") : "documents", when: isRecording ? "recorded" : "" };
 }
 
 /** Returns columns with the cells of some rows, given by their indices; those of one origin with the same cells are one. */
 function folded(columns, indices) {
   const joined = new Map();
-  for (const { origin, dialects, cells } of columns) {
+  for (const { origin, when, dialects, cells } of columns) {
     const shown = indices.map((index) => cells[index]);
-    const key = JSON.stringify([origin, shown.map((cell) => [cell.state, cell.text, cell.basis])]);
-    if (!joined.has(key)) joined.set(key, { origin, dialects: [], cells: shown });
+    const key = JSON.stringify([origin, shown.map((cell) => [cell.state, cell.text, cell.basis, cell.otherwise?.value])]);
+    if (!joined.has(key)) joined.set(key, { origin, when, dialects: [], cells: shown });
     joined.get(key).dialects.push(...dialects);
   }
   return [...joined.values()];
@@ -223,14 +257,18 @@ function valueTable(title, one, rows, columns, wanted) {
     return notes.get(basis);
   };
   const cell = (known) => {
+    if (known.state === "stated" && known.otherwise) {
+      return el("td.number", { title: `${known.basis}; but ${bare(known.otherwise.value)} by ${known.otherwise.basis}` }, bare(known.text), " ", el("sup", {}, note(known.basis)), " ",
+        el("span.tag.differs", {}, `≠ ${bare(known.otherwise.value)}`), el("sup", {}, note(known.otherwise.basis)));
+    }
     if (known.state === "stated") return el("td.number", { title: known.basis }, bare(known.text), " ", el("sup", {}, note(known.basis)));
     if (known.state === "open") return el("td.number.dim", { title: "no document says what must come" }, "open");
-    if (known.state === "none") return el("td.number.dim", { title: "no case of this run asks" }, "·");
+    if (known.state === "none") return el("td.number.dim", { title: "no case of this run asks, and no recording" }, "·");
     if (known.state === "met") return el("td.number", { title: "as its source says" }, known.text === "" ? "" : `${bare(known.text)} `, el("span.tag.pass", {}, "✓"));
     if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
-  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, column.origin, dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
+  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, column.origin, column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
   const grid = el("table.values", {});
   const list = el("ul.notes", {});
   const show = (indices) => {
@@ -252,5 +290,5 @@ function valueTable(title, one, rows, columns, wanted) {
     el("div.scroll", { tabindex: "0", role: "region", "aria-label": title }, grid),
     first.length < rows.length ? all : null,
     list,
-    el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; open: no document says what must come; ·: no case of this run asks."));
+    el("p.dim", {}, "✓ as the source of its case says; ✗ otherwise; ≠ behind a recorded value: what the page of the same vendor says; open: no document says what must come; ·: not asked."));
 }

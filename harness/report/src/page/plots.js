@@ -45,9 +45,9 @@ function linesOf(rows, columns) {
     const { origins } = lines.get(key);
     origins.set(column.origin, [...(origins.get(column.origin) || []), ...column.dialects]);
   }
-  // Where there is no room for all, what documents and compilers say comes before what Stickler's own reference does.
-  const isReference = ({ origins }) => Number(origins.size === 1 && origins.has("reference"));
-  return [...lines.values()].sort((one, other) => isReference(one) - isReference(other)).map(({ points, origins }) => ({ points,
+  // Where there is no room for all, what compilers do comes before what only documents say, and Stickler's own reference last.
+  const rank = ({ origins }) => Math.min(...[...origins.keys()].map((origin) => (origin === "reference" ? 2 : origin === "documents" ? 1 : 0)));
+  return [...lines.values()].sort((one, other) => rank(one) - rank(other)).map(({ points, origins }) => ({ points,
     name: [...origins].map(([origin, dialects]) => `${origin}: ${dialectNames(dialects).join(", ")}`).join("; ") }));
 }
 

@@ -3,9 +3,10 @@
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use std::sync::Arc;
 use stickler_conversions::implicit::{MatrixAnswer, TypePair};
 use stickler_conversions::recording::Recording;
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, wrap_within};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -21,6 +22,12 @@ const HEAD: usize = 8;
 /// The words of the documents for each pair, from the case files.
 pub type Documents = BTreeMap<TypePair, MatrixWord>;
 
+/// The source and section from which the word for each pair comes.
+pub type Bases = BTreeMap<TypePair, Arc<str>>;
+
+/// The maximum number of recorded contradictions that are described below a table.
+const MAX_DESCRIBED: usize = 4;
+
 /// The matrix of one dialect: the words of the documents, and the answers of engines.
 pub struct DialectMatrix {
     /// The dialect.
@@ -29,6 +36,8 @@ pub struct DialectMatrix {
     pub types: Vec<ElementaryType>,
     /// The words of the documents.
     pub documents: Documents,
+    /// The sources of these words.
+    pub bases: Bases,
     /// The answers of each engine that speaks the dialect, in the order of the engines.
     pub engines: Vec<EngineAnswers>,
 }
@@ -37,8 +46,8 @@ pub struct DialectMatrix {
 pub struct EngineAnswers {
     /// The name of the engine.
     pub engine: String,
-    /// Whether the answers were recorded, so that nothing that is here contradicts the documents.
-    pub is_recorded: bool,
+    /// The day on which the answers were recorded; then nothing that is here contradicts the documents.
+    pub recorded: Option<String>,
     /// The answer for each pair.
     pub answers: BTreeMap<TypePair, MatrixAnswer>,
 }
@@ -53,15 +62,7 @@ impl EngineAnswers {
 
     /// Returns whether the engine contradicts the documents for a pair of types.
     fn differs(&self, documents: &Documents, pair: TypePair) -> bool {
-        match (documents.get(&pair), self.answer(pair)) {
-            (_, MatrixAnswer::Unsupported) | (Some(MatrixWord::Open) | None, _) => false,
-            // Nobody promises that there is no warning.
-            (Some(MatrixWord::Yes | MatrixWord::Same), answer) => {
-                !matches!(answer, MatrixAnswer::Accepts | MatrixAnswer::Warns)
-            }
-            (Some(MatrixWord::Warn), answer) => answer != MatrixAnswer::Warns,
-            (Some(MatrixWord::No), answer) => answer != MatrixAnswer::Rejects,
-        }
+        self.answer(pair).contradicts(documents.get(&pair).copied())
     }
 
     fn differing(&self, documents: &Documents) -> usize {
@@ -75,7 +76,7 @@ impl EngineAnswers {
 impl DialectMatrix {
     /// Returns whether any engine that was asked contradicts the documents for any pair of types.
     pub fn differs(&self) -> bool {
-        let mut asked = self.engines.iter().filter(|engine| !engine.is_recorded);
+        let mut asked = self.engines.iter().filter(|engine| engine.recorded.is_none());
         asked.any(|engine| engine.differing(&self.documents) > 0)
     }
 
@@ -92,7 +93,7 @@ impl DialectMatrix {
             let engine = recording.identity().name;
             self.engines.push(EngineAnswers {
                 engine,
-                is_recorded: true,
+                recorded: Some(recording.origin.date.clone()),
                 answers,
             });
         }
@@ -119,7 +120,43 @@ impl DialectMatrix {
             }
             writeln!(out)?;
         }
-        Ok(())
+        self.write_disputed(out)
+    }
+
+    /// Writes a sentence for each pair of which a document and a recording of the same system say different things, up to
+    /// [`MAX_DESCRIBED`].
+    fn write_disputed(&self, out: &mut dyn Write) -> io::Result<()> {
+        let mut disputed = Vec::new();
+        for engine in &self.engines {
+            let Some(date) = &engine.recorded else { continue };
+            for ((from, to), word) in &self.documents {
+                let pair = (*from, *to);
+                if let Some(basis) = self.bases.get(&pair)
+                    && engine.differs(&self.documents, pair)
+                {
+                    let does = match engine.answer(pair) {
+                        MatrixAnswer::Accepts => "accepts",
+                        MatrixAnswer::Warns => "warns of",
+                        MatrixAnswer::Rejects => "rejects",
+                        MatrixAnswer::Unsupported => "does not support",
+                        MatrixAnswer::Fails => "fails at",
+                    };
+                    disputed.push(format!(
+                        "{from} to {to}: {} by {basis}, but {} {does} it (recorded {date})",
+                        word.as_str(),
+                        engine.engine,
+                    ));
+                }
+            }
+        }
+        for sentence in disputed.iter().take(MAX_DESCRIBED) {
+            writeln!(out, "{}", wrap_within(sentence, WIDTH))?;
+        }
+        match disputed.len().saturating_sub(MAX_DESCRIBED) {
+            0 if disputed.is_empty() => Ok(()),
+            0 => writeln!(out),
+            more => writeln!(out, "... and {more} more\n"),
+        }
     }
 
     fn write_heading(&self, out: &mut dyn Write) -> io::Result<()> {
@@ -210,7 +247,7 @@ fn sign(answer: MatrixAnswer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{DialectMatrix, Documents, EngineAnswers};
+    use super::{Bases, DialectMatrix, Documents, EngineAnswers};
     use stickler_conversions::implicit::MatrixAnswer;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -229,7 +266,7 @@ mod tests {
     fn always(engine: &str, answer: MatrixAnswer) -> EngineAnswers {
         EngineAnswers {
             engine: engine.to_owned(),
-            is_recorded: false,
+            recorded: None,
             answers: [WIDENING, SIGN, NARROWING].map(|pair| (pair, answer)).into(),
         }
     }
@@ -255,17 +292,26 @@ mod tests {
 
     #[test]
     fn what_was_recorded_fails_nothing() {
-        let of = |is_recorded| DialectMatrix {
+        let of = |recorded: Option<&str>| DialectMatrix {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
+            bases: Bases::from([(WIDENING, "here: there".into())]),
             engines: vec![EngineAnswers {
-                is_recorded,
+                recorded: recorded.map(str::to_owned),
                 ..always("e", MatrixAnswer::Fails)
             }],
         };
-        assert!(of(false).differs());
-        assert!(!of(true).differs());
+        assert!(of(None).differs());
+        let recorded = of(Some("2026-11-24"));
+        assert!(!recorded.differs());
+        let mut bytes = Vec::new();
+        recorded.write(&mut bytes).unwrap();
+        let shown = String::from_utf8(bytes).unwrap();
+        assert!(
+            shown.contains("SINT to INT: yes by here: there, but e fails at it (recorded 2026-11-24)\n"),
+            "{shown}"
+        );
     }
 
     #[test]
@@ -274,6 +320,7 @@ mod tests {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
+            bases: Bases::from([(WIDENING, "here: there".into())]),
             engines: vec![
                 always("a", MatrixAnswer::Accepts),
                 always("b", MatrixAnswer::Rejects),

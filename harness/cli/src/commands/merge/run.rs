@@ -75,7 +75,7 @@ fn of_all_cases() -> Statements {
         return Statements::default();
     };
     let suite = folder.load_with([]);
-    statements(&suite.cases.iter().collect::<Vec<_>>())
+    statements(&suite.cases.iter().collect::<Vec<_>>(), &folder)
 }
 
 /// Opens the event log of one part; returns it with its name.

@@ -1,0 +1,188 @@
+//! The answers of recordings to the questions of a table of statements, compared with what the sources state.
+
+use super::results::{ComparedResult, ExpectedResult};
+use super::statements::QuestionNumber;
+use crate::implicit::{MatrixAnswer, TypePair};
+use crate::recording::{Recording, RecordingOrigin};
+use crate::session::{Refusal, RefusalKind};
+use stickler_exact::Signature;
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
+
+/// The answers of a recording in one dialect.
+#[derive(Clone, PartialEq, Debug)]
+pub struct RecordedAnswers {
+    /// The name of the recording's file, by which runs name the engine.
+    pub name: String,
+    /// The origin of the recording.
+    pub origin: RecordingOrigin,
+    /// The dialect.
+    pub dialect: DialectName,
+    /// The answers, in the order of their questions.
+    pub answers: Vec<(QuestionNumber, RecordedAnswer)>,
+    /// Whether the [`extreme`](crate::recording::extreme) value of a type is less than that of another, for each pair that was asked, by
+    /// the word of the answer.
+    pub comparisons: Vec<(TypePair, &'static str)>,
+}
+
+/// A recorded answer, compared with what a source states.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum RecordedAnswer {
+    /// The compiler answers as the source says.
+    Met,
+    /// No source says what the answer must be; holds the answer.
+    Open(String),
+    /// The compiler answers something else, or has no answer; holds the answer.
+    Other(String),
+}
+
+impl RecordedAnswers {
+    /// Returns whether an engine with this name is the recorded compiler.
+    #[must_use]
+    pub fn is_of(&self, engine: &str) -> bool {
+        let names = [&self.name, &self.origin.product];
+        names.into_iter().any(|name| name.eq_ignore_ascii_case(engine))
+    }
+}
+
+/// Gathers the answers of a recording in one dialect.
+pub(super) struct RecordedColumn<'r> {
+    recording: &'r Recording,
+    /// The index of the dialect among those of the table.
+    dialect: usize,
+    answers: RecordedAnswers,
+}
+
+impl<'r> RecordedColumn<'r> {
+    /// Returns an empty column for each recording and each of its dialects that the table has.
+    pub(super) fn all(recordings: &'r [Recording], dialects: &[DialectName]) -> Vec<RecordedColumn<'r>> {
+        let of_recording = |recording: &'r Recording| {
+            let spoken = dialects.iter().enumerate();
+            let spoken = spoken.filter(|(_, dialect)| recording.dialects.contains(dialect));
+            let column = |(index, dialect): (usize, &DialectName)| RecordedColumn {
+                recording,
+                dialect: index,
+                answers: RecordedAnswers {
+                    name: recording.name.clone(),
+                    origin: recording.origin.clone(),
+                    dialect: *dialect,
+                    answers: Vec::new(),
+                    comparisons: recording.all_comparisons(*dialect),
+                },
+            };
+            spoken.map(column).collect::<Vec<_>>()
+        };
+        recordings.iter().flat_map(of_recording).collect()
+    }
+
+    /// Returns the index of the dialect among those of the table.
+    pub(super) const fn dialect(&self) -> usize {
+        self.dialect
+    }
+
+    /// Adds the answer for a pair of types, of which the sources state `word`.
+    pub(super) fn add_pair(&mut self, question: QuestionNumber, pair: TypePair, word: Option<MatrixWord>) {
+        if let Some(answer) = self.recording.implicit(self.answers.dialect, pair) {
+            self.answers.answers.push((question, accepted(answer, word)));
+        }
+    }
+
+    /// Adds the answer for a bit or a part of a type, of which the sources state `word`.
+    pub(super) fn add_part(
+        &mut self,
+        question: QuestionNumber,
+        ty: ElementaryType,
+        part: &str,
+        word: Option<MatrixWord>,
+    ) {
+        if let Some(answer) = self.recording.part(self.answers.dialect, ty, part) {
+            self.answers.answers.push((question, accepted(answer, word)));
+        }
+    }
+
+    /// Adds the answers for the calls of a signature, of which the sources state `expected`; the first call is the question `first`.
+    pub(super) fn add_calls(
+        &mut self,
+        first: QuestionNumber,
+        signature: &Signature,
+        calls: &[Vec<Value>],
+        expected: Vec<ExpectedResult>,
+    ) {
+        let results = self.recording.results(self.answers.dialect, signature, calls);
+        let compared = results.into_iter().zip(expected).zip(first..);
+        let answers = compared.filter_map(|((got, expected), question)| {
+            let answer = called(ComparedResult { got, expected })?;
+            Some((question, answer))
+        });
+        self.answers.answers.extend(answers);
+    }
+
+    /// Returns the answers.
+    pub(super) fn into_answers(self) -> RecordedAnswers {
+        self.answers
+    }
+}
+
+fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> RecordedAnswer {
+    let said = match answer {
+        MatrixAnswer::Accepts if word == Some(MatrixWord::Warn) => "no warning",
+        MatrixAnswer::Accepts => "accepted",
+        MatrixAnswer::Warns => "warned",
+        MatrixAnswer::Rejects => "rejected",
+        MatrixAnswer::Unsupported => "unsupported",
+        MatrixAnswer::Fails => "crashed",
+    };
+    let says_no_warning = matches!(word, Some(MatrixWord::Yes | MatrixWord::Same));
+    match (answer, word) {
+        (MatrixAnswer::Unsupported | MatrixAnswer::Fails, _) => RecordedAnswer::Other(said.to_owned()),
+        _ if answer.contradicts(word) => RecordedAnswer::Other(said.to_owned()),
+        (_, None | Some(MatrixWord::Open)) => RecordedAnswer::Open(said.to_owned()),
+        // It contradicts nothing, but is worth to be seen.
+        (MatrixAnswer::Warns, _) if says_no_warning => RecordedAnswer::Open(said.to_owned()),
+        _ => RecordedAnswer::Met,
+    }
+}
+
+/// Returns the answer to a call; `None` where it was not recorded.
+fn called(compared: ComparedResult) -> Option<RecordedAnswer> {
+    let contradicts = compared.contradicts();
+    let said = match &compared.got {
+        Err(Refusal {
+            kind: RefusalKind::NotAsked,
+            ..
+        }) => return None,
+        Ok(value) => value.to_string(),
+        Err(refusal) => refusal.kind.word().to_owned(),
+    };
+    Some(match compared.got {
+        _ if contradicts => RecordedAnswer::Other(said),
+        Ok(_) if compared.expected.basis.is_some() => RecordedAnswer::Met,
+        _ => RecordedAnswer::Open(said),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{RecordedAnswer, accepted};
+    use crate::implicit::MatrixAnswer;
+    use stickler_types::MatrixWord;
+
+    #[test]
+    fn an_answer_is_met_open_or_another_one() {
+        let open = |text: &str| RecordedAnswer::Open(text.to_owned());
+        let other = |text: &str| RecordedAnswer::Other(text.to_owned());
+        for (answer, word, expected) in [
+            (MatrixAnswer::Accepts, Some(MatrixWord::Yes), RecordedAnswer::Met),
+            (MatrixAnswer::Warns, Some(MatrixWord::Yes), open("warned")),
+            (MatrixAnswer::Warns, Some(MatrixWord::Warn), RecordedAnswer::Met),
+            (MatrixAnswer::Accepts, Some(MatrixWord::Warn), other("no warning")),
+            (MatrixAnswer::Warns, Some(MatrixWord::No), other("warned")),
+            (MatrixAnswer::Accepts, Some(MatrixWord::No), other("accepted")),
+            (MatrixAnswer::Rejects, Some(MatrixWord::Same), other("rejected")),
+            (MatrixAnswer::Rejects, Some(MatrixWord::Open), open("rejected")),
+            (MatrixAnswer::Unsupported, None, other("unsupported")),
+            (MatrixAnswer::Fails, Some(MatrixWord::Open), other("crashed")),
+        ] {
+            assert_eq!(accepted(answer, word), expected, "{answer:?} {word:?}");
+        }
+    }
+}

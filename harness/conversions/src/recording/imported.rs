@@ -1,0 +1,241 @@
+//! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
+
+use super::questions::{self, Question};
+use super::{FunctionAnswers, Recording, RecordingOrigin};
+use crate::implicit::MatrixAnswer;
+use crate::session::RefusalKind;
+use std::collections::HashMap;
+use stickler_engines::Outcome;
+use stickler_exact::{Signature, call_of_program, part_of_program};
+use stickler_types::{DialectName, ElementaryType, Value};
+
+/// Gathers the answers of a compiler in one dialect.
+pub struct RecordingBuilder {
+    dialect: DialectName,
+    recording: Recording,
+    /// The questions of the dialect by their programs.
+    questions: HashMap<String, Question>,
+    calls: HashMap<String, Vec<(Vec<Value>, Result<Value, RefusalKind>)>>,
+    number: usize,
+}
+
+impl RecordingBuilder {
+    /// Begins a recording of a compiler that is asked in a dialect; `name` is that of its file.
+    #[must_use]
+    pub fn new(name: &str, origin: RecordingOrigin, dialect: DialectName) -> RecordingBuilder {
+        let questions = Question::all(dialect).into_iter();
+        RecordingBuilder {
+            dialect,
+            recording: Recording::empty(name, origin, vec![dialect]),
+            questions: questions
+                .map(|question| (question.program().source, question))
+                .collect(),
+            calls: HashMap::new(),
+            number: 0,
+        }
+    }
+
+    /// Adds what the compiler did with a program, if it asks a question of a recording: whether a type converts implicitly, a part can be
+    /// read, or a value is less than another, or for the result of a conversion function. Returns whether it does.
+    pub fn take(&mut self, source: &str, outcome: &Outcome) -> bool {
+        let known = self.questions.get(source).cloned();
+        let asked = known.map(|question| {
+            let observed = question.program().observed;
+            (question, observed.into_iter().next().unwrap_or_default())
+        });
+        let taken = asked
+            .or_else(|| recognized(source, self.dialect))
+            .and_then(|(question, observed)| self.add(question, outcome, &observed));
+        self.number += usize::from(taken.is_some());
+        taken.is_some()
+    }
+
+    /// Returns the number of answers.
+    #[must_use]
+    pub const fn number(&self) -> usize {
+        self.number
+    }
+
+    /// Returns the recording.
+    #[must_use]
+    pub fn finish(mut self) -> Recording {
+        for signature in questions::signatures(self.dialect) {
+            let row = questions::row_of(&signature);
+            if let Some(calls) = self.calls.remove(&row) {
+                // Some refused calls say nothing about the others.
+                let asked = crate::overview::boundary_calls(&signature);
+                let is_whole = asked
+                    .iter()
+                    .all(|call| calls.iter().any(|(known, _)| known == call));
+                let answers = match is_whole {
+                    true => FunctionAnswers::of(calls),
+                    false => FunctionAnswers::Calls(calls),
+                };
+                self.recording.functions.insert((self.dialect, row), answers);
+            }
+        }
+        self.recording
+    }
+
+    /// Adds an answer; `None` where the outcome has none.
+    fn add(&mut self, question: Question, outcome: &Outcome, observed: &str) -> Option<()> {
+        let Recording {
+            implicit,
+            parts,
+            comparisons,
+            ..
+        } = &mut self.recording;
+        match question {
+            Question::Implicit(pair) => {
+                let known = implicit.entry((self.dialect, pair)).or_insert(accepted(outcome)?);
+                *known = stricter(*known, accepted(outcome)?);
+            }
+            Question::Part(ty, part) => {
+                let key = (self.dialect, ty, part);
+                let known = parts.entry(key).or_insert(accepted(outcome)?);
+                *known = stricter(*known, accepted(outcome)?);
+            }
+            Question::Comparison(pair) => {
+                let answer = match result(outcome, observed)? {
+                    Ok(value) => Ok(value == Value::plain(ElementaryType::Bool, 1)),
+                    Err(kind) => Err(kind),
+                };
+                comparisons.insert((self.dialect, pair), answer);
+            }
+            Question::Call(signature, operands) => {
+                let answer = result(outcome, observed)?;
+                let calls = self.calls.entry(questions::row_of(&signature)).or_default();
+                if calls.iter().all(|(known, _)| *known != operands) {
+                    calls.push((operands, answer));
+                }
+            }
+        }
+        Some(())
+    }
+}
+
+/// Returns the question of a program that is none of those that a recording asks by itself, such as that of a case, and the variable that
+/// it observes.
+fn recognized(source: &str, dialect: DialectName) -> Option<(Question, String)> {
+    if let Some(access) = part_of_program(source) {
+        let question = Question::Part(access.ty, access.part.to_owned());
+        return Some((question, String::new()));
+    }
+    let call = call_of_program(source)?;
+    let from = ElementaryType::from_name(call.operand.type_name())?;
+    let function = call.function.to_ascii_uppercase();
+    let fits = |one: &Signature| one.operands == [from] && one.result == call.result;
+    let signature = stickler_exact::signatures(&function, dialect)
+        .into_iter()
+        .find(fits)?;
+    let target = call.target.to_owned();
+    Some((Question::Call(signature, vec![call.operand]), target))
+}
+
+/// Returns whether an outcome is one of an accepted program; `None` where it is neither accepted nor refused.
+fn accepted(outcome: &Outcome) -> Option<MatrixAnswer> {
+    match outcome {
+        Outcome::Executed { .. } | Outcome::Faulted { .. } => Some(MatrixAnswer::Accepts),
+        Outcome::Error { .. } => None,
+        other => Some(crate::implicit::answer(other)),
+    }
+}
+
+/// Returns the answer of several programs that ask the same: one that is rejected shows that the compiler takes not all.
+fn stricter(known: MatrixAnswer, other: MatrixAnswer) -> MatrixAnswer {
+    match (known, other) {
+        (_, MatrixAnswer::Rejects) => other,
+        _ => known,
+    }
+}
+
+/// Returns the value of a variable after the run, or the reason why there is none; `None` where nothing tells.
+fn result(outcome: &Outcome, name: &str) -> Option<Result<Value, RefusalKind>> {
+    match outcome {
+        Outcome::Executed { values, .. } => {
+            let mut values = values.iter();
+            let (_, value) = values.find(|(key, _)| key == name)?;
+            Some(Ok(value.clone()))
+        }
+        Outcome::Rejected { .. } => Some(Err(RefusalKind::Rejected)),
+        Outcome::Faulted { .. } => Some(Err(RefusalKind::Faulted)),
+        Outcome::Crashed { .. } => Some(Err(RefusalKind::Crashed)),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::RecordingBuilder;
+    use crate::recording::{Question, RecordedSection, Recording, RecordingOrigin};
+    use stickler_engines::{Engine, EngineSession, Observation, Outcome, Reference, RunRequest};
+    use stickler_types::DialectName;
+
+    const DIALECT: DialectName = DialectName::Matiec;
+
+    fn origin() -> RecordingOrigin {
+        RecordingOrigin {
+            product: "p".to_owned(),
+            version: "1".to_owned(),
+            commit: None,
+            platform: "l".to_owned(),
+            date: "2026-11-24".to_owned(),
+        }
+    }
+
+    #[test]
+    fn the_questions_asked_one_by_one_make_the_recording_of_the_engine() {
+        let reference = Reference::default();
+        let mut session = EngineSession::open(&reference).unwrap();
+        let mut builder = RecordingBuilder::new(&reference.identity().name, origin(), DIALECT);
+        for question in Question::all(DIALECT) {
+            let program = question.program();
+            let observed = program.observed.iter();
+            let observed: Vec<Observation> = observed
+                .map(|name| Observation::last(name, program.ty.name()))
+                .collect();
+            let outcome = match observed.is_empty() {
+                true => session.check(DIALECT, &program.source).unwrap(),
+                false => session
+                    .run(&RunRequest::once(DIALECT, &program.source, &observed))
+                    .unwrap(),
+            };
+            assert!(builder.take(&program.source, &outcome), "{}", question.id());
+        }
+        let asked = Recording::ask(&reference, origin(), &[DIALECT], &RecordedSection::ALL, 0, &|| {});
+        let asked = asked.unwrap();
+        assert_eq!(builder.finish(), asked);
+    }
+
+    #[test]
+    fn a_case_that_asks_the_same_counts_and_another_program_does_not() {
+        let mut builder = RecordingBuilder::new("n", origin(), DIALECT);
+        let case = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+        let value = stickler_types::Value::parse("INT#7").unwrap();
+        let executed = Outcome::executed(vec![("into".to_owned(), value)]);
+        assert!(builder.take(case, &executed));
+        assert!(!builder.take("PROGRAM main END_PROGRAM", &executed));
+        assert_eq!(builder.number(), 1);
+        let mut text = Vec::new();
+        builder.finish().write(&mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert!(
+            text.contains("\"REAL_TO_INT(REAL) : INT\" = [[\"2.25\", \"7\"]]")
+                || text.contains("[[\"REAL#2.25\", \"INT#7\"]]"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn one_refused_call_says_nothing_about_the_others() {
+        let mut builder = RecordingBuilder::new("n", origin(), DIALECT);
+        let is_call = |question: &Question| question.id().starts_with("REAL_TO_INT(");
+        let question = Question::all(DIALECT).into_iter().find(is_call).unwrap();
+        let diagnostics = Vec::new();
+        builder.take(&question.program().source, &Outcome::Rejected { diagnostics });
+        let mut text = Vec::new();
+        builder.finish().write(&mut text).unwrap();
+        let text = String::from_utf8(text).unwrap();
+        assert!(text.contains("\"rejected\"]]"), "{text}");
+    }
+}

@@ -1,0 +1,219 @@
+//! The questions that a recording answers, each with the program that asks it.
+
+use super::key;
+use crate::implicit::{self, TypePair};
+use crate::literals::{literal, untyped_literal};
+use crate::overview;
+use crate::program::{self, ConversionProgram};
+use stickler_exact::Signature;
+use stickler_types::{DialectName, ElementaryType, Family, Value};
+
+/// A question about the conversions of a compiler.
+#[derive(Clone, PartialEq, Debug)]
+pub enum Question {
+    /// Whether a variable of the second type takes a value of the first.
+    Implicit(TypePair),
+    /// Whether a bit or a part of a variable can be read: `7`, `%X7` or `%B1`.
+    Part(ElementaryType, String),
+    /// Whether a value of the first type is less than one of the second: [`extreme`] values of them.
+    Comparison(TypePair),
+    /// The result of a call of a conversion function.
+    Call(Signature, Vec<Value>),
+}
+
+/// The name of the variable that a question observes, or whose assignment it asks for.
+const TAKEN: &str = "taken";
+
+impl Question {
+    /// Returns the questions of a dialect: pairs of types, then parts, then comparisons, then calls.
+    #[must_use]
+    pub fn all(dialect: DialectName) -> Vec<Question> {
+        let pairs = pairs(&ElementaryType::ALL).into_iter().map(Question::Implicit);
+        let parts = parts().into_iter().map(|(ty, part)| Question::Part(ty, part));
+        let compared = pairs_compared().into_iter().map(Question::Comparison);
+        let calls = signatures(dialect).into_iter().flat_map(|signature| {
+            let calls = overview::boundary_calls(&signature);
+            let question = move |call| Question::Call(signature.clone(), call);
+            calls.into_iter().map(question)
+        });
+        pairs.chain(parts).chain(compared).chain(calls).collect()
+    }
+
+    /// Returns the text that names the question among those of its dialect: `implicit(INT,DINT)`, `REAL_TO_INT(REAL#2.5) : INT` …
+    #[must_use]
+    pub fn id(&self) -> String {
+        match self {
+            Question::Implicit((from, into)) => format!("implicit({from},{into})"),
+            Question::Part(ty, part) => format!("bits({ty},{part})"),
+            Question::Comparison((left, right)) => format!("less({left},{right})"),
+            Question::Call(signature, operands) => {
+                let operands: Vec<String> = operands.iter().map(ToString::to_string).collect();
+                let Signature { function, result, .. } = signature;
+                format!("{function}({}) : {result}", operands.join(", "))
+            }
+        }
+    }
+
+    /// Returns the program that asks the question. Where only its acceptance counts, it observes no variable.
+    #[must_use]
+    pub fn program(&self) -> ConversionProgram {
+        let asking_acceptance = |source| ConversionProgram {
+            source,
+            observed: Vec::new(),
+            ty: ElementaryType::Bool,
+        };
+        match self {
+            Question::Implicit(pair) => asking_acceptance(implicit::source(*pair)),
+            Question::Part(ty, part) => asking_acceptance(part_source(*ty, part)),
+            Question::Comparison(pair) => comparisons(&[*pair]),
+            Question::Call(signature, call) => {
+                program::listed(signature, std::slice::from_ref(call), untyped_literal)
+            }
+        }
+    }
+}
+
+/// Returns every ordered pair of types.
+pub(super) fn pairs(types: &[ElementaryType]) -> Vec<TypePair> {
+    let of_row = |row: &ElementaryType| {
+        let row = *row;
+        types.iter().map(move |column| (row, *column))
+    };
+    types.iter().flat_map(of_row).collect()
+}
+
+/// Returns the signatures of all conversion functions of a dialect.
+pub(super) fn signatures(dialect: DialectName) -> Vec<Signature> {
+    let functions = stickler_exact::functions(dialect);
+    let of_function = |function: &String| stickler_exact::signatures(function, dialect);
+    functions.iter().flat_map(of_function).collect()
+}
+
+/// Returns the bits and parts that are asked for: of a type with bits the first one, the last one and the one behind it, in each form;
+/// of all others the first bit.
+pub(super) fn parts() -> Vec<(ElementaryType, String)> {
+    let mut parts = Vec::new();
+    for ty in ElementaryType::ALL {
+        let has_bits = ty.is_integer() || ty.is_bit_string();
+        for (prefix, width) in [("", 1), ("%X", 1), ("%B", 8), ("%W", 16), ("%D", 32), ("%L", 64)] {
+            let count = ty.bits() / width;
+            let mut indices = match (has_bits && ty.bits() > 1, width) {
+                (true, _) => vec![0, count.saturating_sub(1), count],
+                (false, 1) => vec![0],
+                (false, _) => Vec::new(),
+            };
+            indices.dedup();
+            parts.extend(indices.into_iter().map(|index| (ty, format!("{prefix}{index}"))));
+        }
+    }
+    parts
+}
+
+/// Returns the program that reads a part of a variable.
+pub(super) fn part_source(ty: ElementaryType, part: &str) -> String {
+    let taken = match part.get(..2) {
+        Some("%B") => ElementaryType::Byte,
+        Some("%W") => ElementaryType::Word,
+        Some("%D") => ElementaryType::Dword,
+        Some("%L") => ElementaryType::Lword,
+        _ => ElementaryType::Bool,
+    };
+    format!(
+        "PROGRAM main\nVAR\n    given : {ty};\n    {TAKEN} : {taken};\nEND_VAR\n    {TAKEN} := given.{part};\nEND_PROGRAM\n"
+    )
+}
+
+/// Returns the pairs of types that are compared: of truth values, numbers and bit strings.
+pub(super) fn pairs_compared() -> Vec<TypePair> {
+    let is_compared = |ty: &ElementaryType| {
+        use Family::{BitString, Boolean, Real, Signed, Unsigned};
+        matches!(ty.family(), Boolean | Signed | Unsigned | Real | BitString)
+    };
+    let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(is_compared).collect();
+    pairs(&types)
+}
+
+/// Returns the value of a type that is compared with others: -1 of a type with a sign, otherwise the greatest one, so that types of
+/// the same width have the same bits.
+#[must_use]
+pub fn extreme(ty: ElementaryType) -> Value {
+    match ty.family() {
+        Family::Real if ty.bits() == 32 => Value::plain(ty, u64::from((-1.0_f32).to_bits())),
+        Family::Real => Value::plain(ty, (-1.0_f64).to_bits()),
+        Family::Signed => Value::plain(ty, u64::MAX),
+        _ if ty.bits() >= 64 => Value::plain(ty, u64::MAX),
+        _ => Value::plain(ty, (1 << ty.bits()) - 1),
+    }
+}
+
+/// Returns the program that compares the [`extreme`] values of pairs of types; each variable that it observes says whether the first is
+/// less.
+pub(super) fn comparisons(pairs: &[TypePair]) -> ConversionProgram {
+    let (mut declarations, mut statements) = (String::new(), String::new());
+    let mut observed = Vec::with_capacity(pairs.len());
+    let initial = |ty: ElementaryType| match ty.family() {
+        Family::Signed | Family::Real => untyped_literal(&extreme(ty)),
+        _ => literal(&extreme(ty)),
+    };
+    for (number, (left, right)) in (1..).zip(pairs) {
+        let name = format!("less{number}");
+        declarations.push_str(&format!(
+            "    left{number} : {left} := {};\n    right{number} : {right} := {};\n    {name} : BOOL;\n",
+            initial(*left),
+            initial(*right)
+        ));
+        statements.push_str(&format!("    {name} := left{number} < right{number};\n"));
+        observed.push(name);
+    }
+    ConversionProgram {
+        source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
+        observed,
+        ty: ElementaryType::Bool,
+    }
+}
+
+/// Returns the key of the row to which a call belongs in a file.
+pub(super) fn row_of(signature: &Signature) -> String {
+    key(signature)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Question, extreme, parts};
+    use std::collections::BTreeSet;
+    use stickler_types::{DialectName, ElementaryType};
+
+    #[test]
+    fn questions_have_names_and_programs_of_their_own() {
+        let questions = Question::all(DialectName::Codesys);
+        for text in [
+            |question: &Question| question.id(),
+            |question: &Question| question.program().source,
+        ] {
+            let texts: BTreeSet<String> = questions.iter().map(text).collect();
+            assert_eq!(texts.len(), questions.len());
+        }
+    }
+
+    #[test]
+    fn a_part_is_asked_at_its_limits() {
+        let of = |ty: ElementaryType| -> Vec<String> {
+            let parts = parts().into_iter().filter(|(of, _)| *of == ty);
+            parts.map(|(_, part)| part).collect()
+        };
+        assert_eq!(
+            of(ElementaryType::Word),
+            [
+                "0", "15", "16", "%X0", "%X15", "%X16", "%B0", "%B1", "%B2", "%W0", "%W1", "%D0", "%L0"
+            ]
+        );
+        assert_eq!(of(ElementaryType::Time), ["0", "%X0"]);
+    }
+
+    #[test]
+    fn types_of_the_same_width_are_compared_with_the_same_bits() {
+        let texts = [ElementaryType::Sint, ElementaryType::Usint, ElementaryType::Real]
+            .map(|ty| extreme(ty).to_string());
+        assert_eq!(texts, ["SINT#-1", "USINT#255", "REAL#-1.0"]);
+    }
+}

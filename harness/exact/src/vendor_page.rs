@@ -1,0 +1,75 @@
+//! The results that a vendor's page states of a system whose recordings count for more, so that both can be shown where they differ.
+
+use crate::basis::Expected;
+use crate::choices::choices_of;
+use crate::real;
+use crate::signature::{Operation, Signature};
+use crate::value::value;
+use stickler_types::{BuiltIn, ConversionChoices, DialectName, OutOfRange, Rounding, Value};
+
+/// Basis: codesys-real-to, whose sentences say that the fractions .5 to .9 are rounded up, the others down, and that the first bytes of a number outside the
+/// range of the target are ignored.
+const CODESYS_REALS: &str = "codesys-real-to: Conversions: REAL, LREAL";
+
+/// Returns the result that the vendor's page states of a call in a dialect whose cases rest on recordings; its basis is `None` where the
+/// page does not speak of the call, or there is no such page.
+///
+/// Takes what [`crate::expected`] takes. What the page says decides no case.
+#[must_use]
+pub fn stated_by_vendor(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
+    let page = ConversionChoices {
+        rounding: Rounding::HalfAwayFromZero,
+        out_of_range: OutOfRange::Wrap,
+        ..choices_of(dialect)
+    };
+    let is_codesys = dialect.base() == BuiltIn::Codesys && dialect.definition().is_none();
+    Expected {
+        basis: (is_codesys && is_of_finite_real(signature, operands)).then_some(CODESYS_REALS),
+        value: value(signature, operands, &page),
+    }
+}
+
+/// Returns whether a call is one of `REAL_TO_x` or `LREAL_TO_x` to an integer or bit string, with a number.
+fn is_of_finite_real(signature: &Signature, operands: &[Value]) -> bool {
+    let (&[from], &[Value::Plain { raw, .. }]) = (&signature.operands[..], operands) else {
+        return false;
+    };
+    let to = signature.result;
+    signature.operation == Operation::Convert
+        && from.is_real()
+        && !signature.function.starts_with("TO_")
+        && (to.is_integer() || (to.is_bit_string() && to.bits() > 1))
+        && signature.takes(operands)
+        && matches!(real::decode(raw, from), real::Real::Finite { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::stated_by_vendor;
+    use crate::signatures;
+    use stickler_types::{DialectName, Value};
+
+    fn stated(function: &str, operand: &str, dialect: DialectName) -> Option<String> {
+        let signature = &signatures(function, dialect)[0];
+        let operand = Value::parse(operand).expect("a literal");
+        let stated = stated_by_vendor(signature, &[operand], dialect);
+        stated.basis.map(|_| stated.value.to_string())
+    }
+
+    #[test]
+    fn the_page_of_codesys_ignores_the_first_bytes_of_a_number_outside_the_range() {
+        let codesys = |function, operand| stated(function, operand, DialectName::Codesys);
+        assert_eq!(
+            codesys("LREAL_TO_DINT", "LREAL#-3.0E9"),
+            Some("DINT#1294967296".to_owned())
+        );
+        assert_eq!(
+            codesys("LREAL_TO_DINT", "LREAL#3.0E9"),
+            Some("DINT#-1294967296".to_owned())
+        );
+        assert_eq!(codesys("REAL_TO_INT", "REAL#-1.5"), Some("INT#-2".to_owned()));
+        assert_eq!(codesys("REAL_TO_INT", "REAL#NaN"), None);
+        assert_eq!(codesys("DINT_TO_INT", "DINT#70000"), None);
+        assert_eq!(stated("REAL_TO_INT", "REAL#-1.5", DialectName::Twincat), None);
+    }
+}
