@@ -1,10 +1,11 @@
-//! Writes a page that is only compiled: the programs of many cases that must be rejected, one after the other.
+//! Writes a page that is only compiled: the programs of many cases that must or may be rejected, one after the other.
 //!
 //! A compiler answers with a list of messages, each of which belongs to the case on whose lines it is. A case without a message
 //! was accepted, if the list is complete: so the first statement of the page and its last are wrong on purpose, and a list that
 //! lacks either shows nothing about any case.
 
 use crate::page::{PageText, counted, shown};
+use crate::page_case::PageKind;
 use std::fmt::Write;
 
 /// The statement at the beginning and the end of a page. Its types are wrong, as in most cases: compilers check types last, and
@@ -17,8 +18,12 @@ impl PageText<'_, '_> {
         (self.steps, self.elements) = (Vec::new(), 0);
         let suffixes = vec![String::new(); self.cases.len()];
         let number = self.number;
+        let must = match self.kind {
+            PageKind::Asked => "that may be rejected",
+            _ => "that must be rejected",
+        };
         let mut text = format!(
-            "(* Stickler: page {number} of {pages}, {} that must be rejected. {export}\n   \
+            "(* Stickler: page {number} of {pages}, {} {must}. {export}\n   \
              Only compile it, copy all messages into a file, and give that to `stickler import`.\n   \
              The first statement and the last are wrong on purpose: without their messages the list is not whole. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    stickler_wrong : BOOL;\nEND_VAR\n",

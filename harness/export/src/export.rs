@@ -110,7 +110,7 @@ pub fn export(plan: &ExportPlan, cases: &[&Case], folder: &Path) -> Result<Expor
         if let Some((_, project)) = &mut project {
             project.add(&page, &format!("{stem}.st"))?;
         }
-        exported.compiled_only += usize::from(page.kind.is_rejected());
+        exported.compiled_only += usize::from(page.kind.is_compiled());
         exported.cases += chunk.len();
         manifest.pages.push(PageRecord::of(&page, format!("{stem}.st")));
     }

@@ -108,6 +108,17 @@ impl Export {
         judge: &CaseJudge<'_>,
         sink: &mut dyn FnMut(Event),
     ) -> Imported {
+        self.import_with(sources, judge, sink, &mut |_, _| {})
+    }
+
+    /// Does as [`Export::import`], and calls `answered` with each case that can be judged and what the compiler did with it.
+    pub fn import_with(
+        &self,
+        sources: &[CopiedText],
+        judge: &CaseJudge<'_>,
+        sink: &mut dyn FnMut(Event),
+        answered: &mut dyn FnMut(&Case, &Outcome),
+    ) -> Imported {
         let mut imported = Imported::default();
         let (arrays, messages) = self.gather(sources, &mut imported.notes);
         let header = self.header(judge);
@@ -120,7 +131,7 @@ impl Export {
         let mut without = PagesWithoutResults::default();
         for at in 0..self.manifest.pages.len() {
             let given = self.given(at, &arrays, &messages);
-            self.page(at, given, judge, (&mut imported, &mut without), sink);
+            self.page(at, given, judge, (&mut imported, &mut without), (sink, answered));
         }
         without.tell(&mut imported.notes);
         self.strangers(&mut imported.notes);
@@ -254,7 +265,7 @@ impl Export {
         given: PageResults,
         judge: &CaseJudge<'_>,
         (imported, without): (&mut Imported, &mut PagesWithoutResults),
-        sink: &mut dyn FnMut(Event),
+        (sink, answered): (&mut dyn FnMut(Event), &mut dyn FnMut(&Case, &Outcome)),
     ) {
         let page = &self.manifest.pages[at];
         let mut unjudged = UnjudgedCases::default();
@@ -268,12 +279,13 @@ impl Export {
                         .push(format!("{place}: {} has results, which count", case.id));
                     (outcome, untold)
                 }
-                (_, Some((answer, place))) => (answered(*answer, place), Vec::new()),
+                (_, Some((answer, place))) => (noted(*answer, place), Vec::new()),
                 (reported, None) => {
                     unjudged.add(&case.id, reported);
                     continue;
                 }
             };
+            answered(case, &outcome);
             let answers = stickler_run::Answers::of_run(outcome);
             let mut event = judge.event(case, &answers, Duration::ZERO);
             event
@@ -368,7 +380,7 @@ fn compiled_outcome(message: Option<String>) -> PageResult {
     PageResult::Outcome(outcome, Vec::new())
 }
 
-fn answered(answer: ReportedOutcome, place: &str) -> Outcome {
+fn noted(answer: ReportedOutcome, place: &str) -> Outcome {
     match answer {
         ReportedOutcome::Accepted => Outcome::ACCEPTED,
         ReportedOutcome::Rejected => Outcome::Rejected {

@@ -101,7 +101,7 @@ impl<'c, 'r> PageText<'c, 'r> {
             statements: String::new(),
             lines: vec![Vec::new(); cases.len()],
         };
-        if kind.is_rejected() {
+        if kind.is_compiled() {
             page.write_compiled(pages, export);
             return page;
         }

@@ -42,14 +42,16 @@ pub(crate) enum PageKind {
     Open,
     /// Cases that may be accepted, and need POUs or types of their own.
     OpenWithUnits,
+    /// Cases of which only their acceptance is asked, and which need one program only.
+    Asked,
     /// Cases that must be rejected, and need one program only.
     Rejected,
 }
 
 impl PageKind {
     /// Returns whether the page is only compiled and never run.
-    pub(crate) const fn is_rejected(self) -> bool {
-        matches!(self, PageKind::Rejected)
+    pub(crate) const fn is_compiled(self) -> bool {
+        matches!(self, PageKind::Asked | PageKind::Rejected)
     }
 }
 
@@ -80,9 +82,12 @@ impl<'c> PageCase<'c> {
         let encodings = if rejected { Vec::new() } else { encodings(case)? };
         let parts = ProgramParts::of(&case.source)?;
         let alone = parts.units.is_empty();
+        // Where such a program is rejected, no other of its page would run.
+        let asks_acceptance = alone && case.observe.is_empty();
         let kind = match case.expectation.accepted {
             Acceptance::Required if alone => PageKind::Accepted,
             Acceptance::Required => PageKind::AcceptedWithUnits,
+            Acceptance::Observed if asks_acceptance => PageKind::Asked,
             Acceptance::Observed if alone => PageKind::Open,
             Acceptance::Observed => PageKind::OpenWithUnits,
             Acceptance::Rejected if alone => PageKind::Rejected,

@@ -57,7 +57,7 @@ impl Project {
     /// # Errors
     /// [`ExportError::Character`] and [`ExportError::Syntax`] with the place in `file`, the file of the page.
     pub(crate) fn add(&mut self, page: &PageText<'_, '_>, file: &str) -> Result<(), ExportError> {
-        if page.kind.is_rejected() {
+        if page.kind.is_compiled() {
             return Ok(());
         }
         let text = page.text();

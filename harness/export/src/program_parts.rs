@@ -39,7 +39,9 @@ impl ProgramParts {
     /// The [`Reason`] why the program cannot share a page with others.
     pub(crate) fn of(source: &str) -> Result<ProgramParts, Reason> {
         let source = without_marks(source);
-        let mut unit_names = declared(&source, &HashSet::new()).ok_or(Reason::Shares)?;
+        // A part of a variable (`x.%X7`) shares nothing, other than a variable of the machine (`%IX0.0`).
+        let without_parts = source.replace(".%", "._");
+        let mut unit_names = declared(&without_parts, &HashSet::new()).ok_or(Reason::Shares)?;
         let mut reader = PartsReader::new(&source);
         let main = reader.main()?;
         let mut parts = ProgramParts {
@@ -251,6 +253,14 @@ mod tests {
         assert_eq!(parts.unit_names, set(&["COLOR", "RED", "GREEN", "F"]));
         let constant: Vec<bool> = parts.variables.iter().map(|section| section.constant).collect();
         assert_eq!(constant, [true, false]);
+    }
+
+    #[test]
+    fn a_part_of_a_variable_is_taken_apart_like_any_other_program() {
+        let source = "PROGRAM main VAR w : WORD; b : BYTE; END_VAR b := w.%B1; END_PROGRAM";
+        let parts = ProgramParts::of(source).expect("parts");
+        assert_eq!(parts.statements, "b := w.%B1;");
+        assert!(parts.unit_names.is_empty());
     }
 
     #[test]

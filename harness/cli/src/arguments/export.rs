@@ -19,6 +19,9 @@ pub struct ExportArguments {
     /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
+    /// Instead of cases, export the questions of a recording: implicit conversions, bits, comparisons, and conversion functions
+    #[arg(long, conflicts_with_all = ["cases", "with"])]
+    pub recording: bool,
     /// Only cases that TEXT names, as for `stickler run`
     #[arg(long, value_name = "TEXT")]
     pub filter: Option<String>,
@@ -74,6 +77,21 @@ pub struct ImportArguments {
     /// Write no reports
     #[arg(long)]
     pub no_report: bool,
+    /// Also write the answers as a recording, such as conformance-cases/recordings/NAME.toml; those that FILE holds already stay
+    #[arg(long, value_name = "FILE", requires_all = ["product", "product_version", "platform"])]
+    pub record: Option<PathBuf>,
+    /// The name of the product in the recording, such as CODESYS
+    #[arg(long, value_name = "TEXT", requires = "record")]
+    pub product: Option<String>,
+    /// The version of the product, such as 3.5.21.40
+    #[arg(long, value_name = "TEXT", alias = "version", requires = "record")]
+    pub product_version: Option<String>,
+    /// What the programs ran on, such as 'Control Win V3 x64, simulation'
+    #[arg(long, value_name = "TEXT", requires = "record")]
+    pub platform: Option<String>,
+    /// The day of the recording, such as 2026-11-24 [default: today]
+    #[arg(long, value_name = "DATE", requires = "record")]
+    pub date: Option<String>,
 }
 
 fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
@@ -91,6 +109,7 @@ Examples:
   stickler export --dialect plcnext --plcopen pages.xml pages
   stickler export --dialect matiec --filter conversion/ --with open pages
   stickler export --dialect matiec --sample 500 --with rejected pages
+  stickler export --dialect codesys --recording --plcopen pages.xml pages
 
 Each page is a program that fills an array `results`. Create a program in your editor, paste the page, let it run, copy
 the array, and give it to `stickler import`. What is left out is counted by the reason.";
@@ -101,6 +120,8 @@ Examples:
   stickler import pages/copied.txt --engine-name codesys --engine-version 3.5.20
   stickler import watch-1.txt watch-2.csv --export pages
   xclip -o | stickler import - --export pages
+  stickler import copied.txt --export pages --record mine.toml --product CODESYS \\
+    --product-version 3.5.21.40 --platform 'Control Win V3 x64'
 
 Rows of a watch list, `results[3] := 17`, lists of numbers and CSV are read, in any base. Cases whose results are not there are
 never taken for passes: the run counts as cut short, and the exit code is 2.";

@@ -8,16 +8,22 @@ use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
-use stickler_export::{ANSWERS, ExportPlan, Exported, ProjectPlan, export};
-use stickler_run::select;
-use stickler_suite::Case;
-use stickler_types::counted;
+use std::sync::Arc;
+use stickler_conversions::recording::Question;
+use stickler_engines::Observation;
+use stickler_export::{ANSWERS, ExportPlan, Exported, ExtraCases, ProjectPlan, export};
+use stickler_run::{Filter, select};
+use stickler_suite::{Acceptance, Case, Expectation};
+use stickler_types::{DialectName, counted};
 
 /// Writes the pages, and shows which cases are on them and which are not.
 ///
 /// # Errors
 /// A folder that holds other files, or cannot be written; no folder of cases.
 pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    if arguments.recording {
+        return export_questions(arguments, out);
+    }
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
@@ -30,28 +36,84 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&suite));
     }
-    let name = arguments.dialect.as_str();
     let plan = ExportPlan {
-        dialect: arguments.dialect,
-        defined: defined.into_iter().find(|defined| defined.name == name),
+        defined: defined
+            .into_iter()
+            .find(|defined| defined.name == arguments.dialect.as_str()),
         suite: suite.version.clone(),
+        ..export_plan(arguments, &selected)
+    };
+    let exported = export(&plan, &selected, &arguments.folder)?;
+    show(&exported, arguments, out)?;
+    Ok(exit(&exported).worst(case_folder::exit_of(&suite)))
+}
+
+/// Exports the questions of a recording as open cases.
+///
+/// # Errors
+/// As [`execute`].
+fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let filter = arguments.filter.as_deref().map(Filter::new);
+    let cases: Vec<Case> = Question::all(arguments.dialect)
+        .iter()
+        .map(|question| question_case(question, arguments.dialect))
+        .filter(|case| {
+            filter
+                .as_ref()
+                .is_none_or(|filter| filter.fits(&case.id, case.dialect.as_str()))
+        })
+        .collect();
+    let selected: Vec<&Case> = cases.iter().collect();
+    let mut plan = export_plan(arguments, &selected);
+    plan.with.insert(ExtraCases::Open);
+    let exported = export(&plan, &selected, &arguments.folder)?;
+    show(&exported, arguments, out)?;
+    Ok(exit(&exported))
+}
+
+/// Returns the case that asks a question of a recording: whether its program is accepted is open, and so are its values.
+fn question_case(question: &Question, dialect: DialectName) -> Case {
+    let program = question.program();
+    let observed = program.observed.iter();
+    let observed: Vec<Observation> = observed
+        .map(|name| Observation::last(name, program.ty.name()))
+        .collect();
+    let id = question.id();
+    Case {
+        title: id.as_str().into(),
+        basis: "rule: not-stated".into(),
+        area: "recording".into(),
+        observe: observed.into(),
+        expectation: Arc::new(Expectation {
+            accepted: Acceptance::Observed,
+            ..Expectation::default()
+        }),
+        ..Case::of_program(&id, dialect, &program.source)
+    }
+}
+
+/// Returns the plan of an export of these cases, without a suite.
+fn export_plan(arguments: &ExportArguments, selected: &[&Case]) -> ExportPlan {
+    ExportPlan {
+        dialect: arguments.dialect,
+        defined: None,
+        suite: env!("CARGO_PKG_VERSION").to_owned(),
         cases_per_page: usize::from(arguments.cases_per_page),
         with: arguments.with.iter().copied().collect(),
-        without: without(arguments, &selected),
+        without: without(arguments, selected),
         sample: arguments
             .sample
             .map(|sample| usize::try_from(sample).unwrap_or(usize::MAX)),
         panes: arguments.panes,
         project: arguments.plcopen.clone().map(project),
-    };
-    let exported = export(&plan, &selected, &arguments.folder)?;
-    show(&exported, arguments, out)?;
-    let empty = if exported.cases == 0 {
-        Exit::NothingTested
-    } else {
-        Exit::AsExpected
-    };
-    Ok(empty.worst(case_folder::exit_of(&suite)))
+    }
+}
+
+fn exit(exported: &Exported) -> Exit {
+    match exported.cases {
+        0 => Exit::NothingTested,
+        _ => Exit::AsExpected,
+    }
 }
 
 /// Returns the plan of a project file that is created now.
@@ -117,9 +179,13 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
             None => "paste each page, let it run, copy its array `results`",
         };
         writeln!(out, "Next: {start} into a file, and")?;
+        let names = match arguments.recording {
+            true => "--record NAME.toml --product NAME --product-version VERSION --platform TEXT",
+            false => "--engine-name NAME",
+        };
         writeln!(
             out,
-            "  {} import FILE --export {folder} --engine-name NAME{}",
+            "  {} import FILE --export {folder} {names}{}",
             shell::program(),
             case_folder::places(None)
         )?;

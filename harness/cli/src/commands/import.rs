@@ -1,5 +1,7 @@
 //! `stickler import`: judges and reports results that were copied out of an editor, like a run of any engine.
 
+mod recorder;
+
 use crate::arguments::ImportArguments;
 use crate::case_folder::{self, CaseFolder};
 use crate::exit::{self, Exit};
@@ -7,17 +9,18 @@ use crate::{baselines, output, shell};
 use anyhow::{Context, bail};
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
+use recorder::Recorder;
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
-use stickler_engines::{Ability, Grade, Identity, Reference};
+use stickler_engines::{Ability, Grade, Identity, Outcome, Reference};
 use stickler_export::{CopiedText, Export, Imported, MANIFEST};
 use stickler_report::events;
 use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{CaseJudge, Plan};
-use stickler_suite::Suite;
+use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 
 /// Judges the copied results, writes the reports, and shows a summary.
@@ -27,6 +30,7 @@ use stickler_types::DialectName;
 pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let engine = engine(arguments)?;
     let export = Export::read(&export_folder(arguments))?;
+    let mut recorder = Recorder::begin(arguments, export.dialect())?;
     let texts: Vec<CopiedText> = arguments
         .files
         .iter()
@@ -56,6 +60,11 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
             baseline: baseline.as_ref(),
         },
         report.as_deref(),
+        &mut |case, outcome| {
+            if let Some(recorder) = &mut recorder {
+                recorder.take(case, outcome);
+            }
+        },
     )?;
     let shown = report.map(|folder| folder.display().to_string());
     let around = Surroundings {
@@ -64,6 +73,9 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         ..Surroundings::default()
     };
     terminal::write(out, &overview, around)?;
+    if let Some(recorder) = recorder {
+        recorder.finish(out)?;
+    }
     // The parts that were not understood follow the summary.
     out.flush()?;
     tell(&imported, &export, &engine);
@@ -178,18 +190,20 @@ fn judged(
     texts: &[CopiedText],
     judge: &CaseJudge<'_>,
     report: Option<&Path>,
+    answered: &mut dyn FnMut(&Case, &Outcome),
 ) -> Result<(Imported, Overview), ReportError> {
     // One program asks many cases at once, so no table of conversions belongs to it.
     let reports = report.map(|folder| Reports::create(folder, Statements::default()));
     let mut reports = reports.transpose()?;
     let mut overview = Overview::default();
     let mut broken = None;
-    let imported = export.import(texts, judge, &mut |event| {
+    let sink = &mut |event| {
         overview.take(&event);
         if broken.is_none() {
             broken = reports.as_mut().and_then(|reports| reports.take(&event).err());
         }
-    });
+    };
+    let imported = export.import_with(texts, judge, sink, answered);
     if let Some(error) = broken {
         return Err(error);
     }

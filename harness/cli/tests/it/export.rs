@@ -174,3 +174,117 @@ fn a_dialect_of_stickler_toml_is_exported_and_judged_by_what_it_was() {
         assert!(notes.contains(then), "{notes}");
     }
 }
+
+/// Exports the questions of a recording whose names contain `filter`.
+fn exported_questions(folder: &Path, filter: &str, pages: &str) {
+    let export = [
+        "export",
+        "--recording",
+        "--dialect",
+        "matiec",
+        "--filter",
+        filter,
+        "--cases-per-page",
+        "300",
+        pages,
+    ];
+    let (code, shown, notes) = run(folder, &export);
+    assert_eq!(code, Some(0), "{shown}{notes}");
+    assert!(
+        shown.contains("--record NAME.toml --product NAME --product-version VERSION --platform TEXT"),
+        "{shown}"
+    );
+}
+
+#[test]
+fn what_a_page_computes_becomes_a_recording_that_conversions_shows() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    exported_questions(folder, "SINT_TO_USINT(SINT", "values");
+    let page = [
+        "eval",
+        "values/page-001.st",
+        "--dialect",
+        "matiec",
+        "--scans",
+        "100",
+    ];
+    let (_, copied, _) = run(folder, &page);
+    fs::write(folder.join("results.txt"), copied).expect("written");
+    exported_questions(folder, "bits(BYTE", "bits");
+    let (_, messages, complaints) = run(folder, &["check", "bits/page-001.st", "--dialect", "matiec"]);
+    fs::write(folder.join("messages.txt"), messages + &complaints).expect("written");
+
+    let of = |copied: &'static str, pages: &'static str, more: &[&'static str]| {
+        let import = [
+            "import",
+            copied,
+            "--export",
+            pages,
+            "--no-report",
+            "--record",
+            "cases/recordings/mine.toml",
+        ];
+        run(folder, &[&import[..], more].concat())
+    };
+    let origin = [
+        "--product",
+        "MyPLC",
+        "--product-version",
+        "2.1",
+        "--platform",
+        "a simulation",
+        "--date",
+        "2026-11-24",
+    ];
+    fs::create_dir_all(folder.join("cases/recordings")).expect("a folder");
+    let (code, _, notes) = of("results.txt", "values", &origin[..4]);
+    assert_eq!(code, Some(2), "{notes}");
+    assert!(notes.contains("--platform <TEXT>"), "{notes}");
+    let blank = [&["--product", " "], &origin[2..]].concat();
+    let (code, _, notes) = of("results.txt", "values", &blank);
+    assert_eq!(code, Some(2), "{notes}");
+    assert!(
+        notes.contains("nothing can be recorded: `product` is empty"),
+        "{notes}"
+    );
+
+    let (code, shown, notes) = of("results.txt", "values", &origin);
+    assert_eq!(code, Some(0), "{shown}{notes}");
+    assert!(
+        shown.contains("cases/recordings/mine.toml: ") && shown.contains(" answers of MyPLC 2.1\n"),
+        "{shown}"
+    );
+    let (code, shown, notes) = of("messages.txt", "bits", &origin);
+    assert_eq!(code, Some(0), "{shown}{notes}");
+    assert!(
+        shown.contains("answers of MyPLC 2.1, added to those that it had"),
+        "{shown}"
+    );
+    let other = [&["--product", "Other"], &origin[2..]].concat();
+    let (_, _, notes) = of("messages.txt", "bits", &other);
+    assert!(
+        notes.contains("is a recording of MyPLC 2.1, not of Other 2.1"),
+        "{notes}"
+    );
+
+    let recording = fs::read_to_string(folder.join("cases/recordings/mine.toml")).expect("a recording");
+    assert!(
+        recording.contains("\"BYTE\" = { rejects = \"0 7 8 %B0 %B1 %D0 %L0 %W0 %X0 %X7 %X8\" }"),
+        "{recording}"
+    );
+    let conversions = [
+        "conversions",
+        "SINT_TO_USINT",
+        "-1",
+        "--dialect",
+        "matiec",
+        "--cases",
+        "cases",
+    ];
+    let (_, shown, notes) = run(folder, &conversions);
+    assert!(
+        shown.contains("MyPLC 2.1 (recorded 2026-11-24)") && shown.matches("255 a").count() == 2,
+        "{shown}{notes}"
+    );
+}
