@@ -55,13 +55,16 @@ pub struct RecordingOrigin {
     pub date: String,
 }
 
+/// Calls by their operands, each with its result or the reason why there is none.
+type AnsweredCalls = Vec<(Vec<Value>, Result<Value, RefusalKind>)>;
+
 /// The answers to the calls of one signature.
 #[derive(Clone, PartialEq, Debug)]
 enum FunctionAnswers {
     /// Every call was refused in the same way.
     Refused(RefusalKind),
     /// The answer to each call.
-    Calls(Vec<(Vec<Value>, Result<Value, RefusalKind>)>),
+    Calls(AnsweredCalls),
 }
 
 /// A section of the answers of a recording.
@@ -121,7 +124,7 @@ impl RecordingOrigin {
 
 impl FunctionAnswers {
     /// Returns the answers to calls, as one word where all were refused in the same way.
-    fn of(calls: Vec<(Vec<Value>, Result<Value, RefusalKind>)>) -> FunctionAnswers {
+    fn of(calls: AnsweredCalls) -> FunctionAnswers {
         match &calls[..] {
             [(_, Err(kind)), rest @ ..] if rest.iter().all(|(_, answer)| *answer == Err(*kind)) => {
                 FunctionAnswers::Refused(*kind)

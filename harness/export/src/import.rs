@@ -117,7 +117,7 @@ impl Export {
         sources: &[CopiedText],
         judge: &CaseJudge<'_>,
         sink: &mut dyn FnMut(Event),
-        answered: &mut dyn FnMut(&Case, &Outcome),
+        answered: &mut OutcomeSink<'_>,
     ) -> Imported {
         let mut imported = Imported::default();
         let (arrays, messages) = self.gather(sources, &mut imported.notes);
@@ -265,7 +265,7 @@ impl Export {
         given: PageResults,
         judge: &CaseJudge<'_>,
         (imported, without): (&mut Imported, &mut PagesWithoutResults),
-        (sink, answered): (&mut dyn FnMut(Event), &mut dyn FnMut(&Case, &Outcome)),
+        (sink, answered): (&mut dyn FnMut(Event), &mut OutcomeSink<'_>),
     ) {
         let page = &self.manifest.pages[at];
         let mut unjudged = UnjudgedCases::default();
@@ -355,6 +355,9 @@ fn is_still(then: &DefinedHeader, dialect: DialectName) -> bool {
     now.iter()
         .any(|now| now.extends == then.extends && now.overrides == then.overrides)
 }
+
+/// Takes each case that can be judged, and what the compiler did with it.
+type OutcomeSink<'s> = dyn FnMut(&Case, &Outcome) + 's;
 
 /// The results of the cases of a page.
 struct PageResults {

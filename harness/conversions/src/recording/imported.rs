@@ -1,7 +1,7 @@
 //! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
 
 use super::questions::{self, Question};
-use super::{FunctionAnswers, Recording, RecordingOrigin};
+use super::{AnsweredCalls, FunctionAnswers, Recording, RecordingOrigin};
 use crate::implicit::MatrixAnswer;
 use crate::session::RefusalKind;
 use std::collections::HashMap;
@@ -15,7 +15,7 @@ pub struct RecordingBuilder {
     recording: Recording,
     /// The questions of the dialect by their programs.
     questions: HashMap<String, Question>,
-    calls: HashMap<String, Vec<(Vec<Value>, Result<Value, RefusalKind>)>>,
+    calls: HashMap<String, AnsweredCalls>,
     number: usize,
 }
 
