@@ -1,7 +1,7 @@
 //! The results that STruC++ and RuSTy state: in the tests of their repositories, and by the tables of the standard whose functions
 //! they say to have.
 
-use super::{BITS_AND_NUMBERS, BITS_TO_BITS, DATES, ROUNDED, Rules, UnaryCall};
+use super::{BITS_AND_NUMBERS, BITS_TO_BITS, DATES, ROUNDED, Rules, STANDARD_INTEGERS, UnaryCall};
 use crate::{integer, moment, real};
 use stickler_types::{ElementaryType, Family, MomentUnits};
 
@@ -22,7 +22,7 @@ const RUSTY_TO_BITS: &str = "rusty-tests: tests/lit/single/conversion/to_bit.st"
 
 impl UnaryCall<'_> {
     /// Returns the basis of `TO_<DST>`, which is the conversion from the operand's type: by RuSTy's tests among integers and among
-    /// bit strings, by those of STruC++ among integers and from durations, dates and times.
+    /// bit strings; in STruC++ by the standard among integers, and by its tests from durations, dates and times.
     pub(super) fn of_overloaded(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Duration, Signed, TimeOfDay, Unsigned};
         match (self.rules, self.from.family(), self.to.family()) {
@@ -68,7 +68,7 @@ impl UnaryCall<'_> {
         use Family::{BitString, Boolean, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned};
         match (self.from.family(), self.to.family()) {
             (Signed | Unsigned, Signed | Unsigned) => {
-                integer::holds(self.to, integer::number(raw, self.from)).then_some(STRUCPP_NUMBERS)
+                integer::holds(self.to, integer::number(raw, self.from)).then_some(STANDARD_INTEGERS)
             }
             (Boolean, Signed | Unsigned) => Some(STRUCPP_NUMBERS),
             (BitString, BitString) => Some(BITS_TO_BITS),
