@@ -1,13 +1,13 @@
 //! The event of a case: an engine's answers judged, and the judgement matched with the baseline.
 
 use crate::event::CaseEvent;
-use crate::judge::{differ_in_blanks_only, judge, tells_too_little_only};
+use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
 use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::{Acceptance, Case, Sources};
 
-/// The basis of the blanks between the words and signs of a rendered line. No document speaks of them.
+/// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
 const RENDERING: &str = "rule: rendering";
 
 /// The basis of the line of a diagnostic that came without a place. No document promises that every diagnostic has one.
@@ -96,7 +96,11 @@ impl CaseJudge<'_> {
     fn basis<'c>(&self, case: &'c Case, judgement: &Judgement) -> &'c str {
         let (expected, got) = (&judgement.expected[..], &judgement.got[..]);
         match judgement.verdict {
-            Verdict::Fail | Verdict::Differs if differ_in_blanks_only(expected, got) => RENDERING,
+            Verdict::Fail | Verdict::Differs
+                if differ_in_blanks_only(expected, got) || renders_bit_access(expected, got) =>
+            {
+                RENDERING
+            }
             Verdict::Fail | Verdict::Differs
                 if tells_too_little_only(expected, got, self.plan.needed(self.engine, case)) =>
             {

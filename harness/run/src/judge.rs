@@ -9,7 +9,7 @@ mod values;
 
 pub use bodies::rendered_bodies;
 pub use diagnostics::tells_too_little_only;
-pub use rendered::differ_in_blanks_only;
+pub use rendered::{differ_in_blanks_only, renders_bit_access};
 
 use crate::{Answers, Fact, Grade, Observed, Verdict};
 use findings::Findings;

@@ -83,7 +83,7 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
 
 /// Returns whether the actual facts of a rejection miss nothing of the expected ones but places or further mistakes: each expected
 /// diagnostic came, or has a counterpart without a line, with the same code where `needed` asks for codes; or some of them came, and
-/// nothing else.
+/// nothing else; or, where lines are compared alone, later lines are said to be unreadable, too or instead.
 #[must_use]
 pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> bool {
     let diagnostics = |facts: &[Fact]| facts.iter().map(|fact| fact.diagnostic().cloned()).collect();
@@ -114,7 +114,27 @@ pub fn tells_too_little_only(expected: &[Fact], got: &[Fact], needed: Grade) -> 
         return !missing.is_empty() && missing.len() < expected.len();
     }
     let same_codes = needed == Grade::Line || codes(&missing) == codes(&extra);
-    !missing.is_empty() && same_codes && extra.iter().all(|reported| reported.line.is_none())
+    let has_no_place =
+        !missing.is_empty() && same_codes && extra.iter().all(|reported| reported.line.is_none());
+    has_no_place || needed == Grade::Line && are_late(expected, &extra)
+}
+
+/// Returns whether a diagnostic says that the program could not be read.
+fn is_of_reading(diagnostic: &Diagnostic) -> bool {
+    diagnostic
+        .code
+        .as_deref()
+        .is_some_and(|code| code.starts_with("P0"))
+}
+
+/// Returns whether the mistakes are such that a program cannot be read, and the actual diagnostics name lines behind the first of them.
+fn are_late(expected: &[Fact], extra: &[Diagnostic]) -> bool {
+    let expected = || expected.iter().filter_map(Fact::diagnostic);
+    let first = expected().filter_map(|wanted| wanted.line).min();
+    expected().all(is_of_reading)
+        && extra
+            .iter()
+            .all(|reported| is_of_reading(reported) && reported.line > first)
 }
 
 /// Returns whether a diagnostic names one of these lines, given in ascending order.
@@ -285,6 +305,30 @@ mod tests {
             walk(&[(6, "P4035")], &[]),
             (Grade::Rejected, "rejected, with no diagnostic".to_owned())
         );
+    }
+
+    #[test]
+    fn a_parser_without_codes_that_names_later_lines_misses_a_rule_only() {
+        let facts = |diagnostics: &[(u32, &str)]| -> Vec<Fact> {
+            let all = diagnostics.iter().map(|&(line, code)| {
+                Fact::Diagnostic(Diagnostic {
+                    line: Some(line),
+                    code: Some(code.to_owned()),
+                    ..Diagnostic::default()
+                })
+            });
+            all.collect()
+        };
+        let of = |expected: &[(u32, &str)], got: &[(u32, &str)], needed: Grade| {
+            tells_too_little_only(&facts(expected), &facts(got), needed)
+        };
+        let unread = [(3, "P0002")];
+        assert!(of(&unread, &[(4, "P0002"), (6, "P0002")], Grade::Line));
+        assert!(of(&unread, &[(3, "P0002"), (6, "P0002")], Grade::Line));
+        assert!(!of(&unread, &[(2, "P0002"), (6, "P0002")], Grade::Line));
+        assert!(!of(&unread, &[(4, "P4035")], Grade::Line));
+        assert!(!of(&[(3, "P4035")], &[(4, "P0002")], Grade::Line));
+        assert!(!of(&unread, &[(4, "P0002")], Grade::Code));
     }
 
     #[test]

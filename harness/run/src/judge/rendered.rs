@@ -81,6 +81,43 @@ pub fn differ_in_blanks_only(expected: &[Fact], got: &[Fact]) -> bool {
     expected != got && expected.len() == got.len() && expected.iter().zip(got).all(alike)
 }
 
+/// Returns whether rendered lines have the expected accesses of bits, in the expected form: that is all a document says of what is
+/// rendered.
+#[must_use]
+pub fn renders_bit_access(expected: &[Fact], got: &[Fact]) -> bool {
+    let rendered = |facts: &[Fact]| {
+        let lines = facts.iter().find_map(|fact| match fact {
+            Fact::Rendered { lines } => Some(lines.iter().flat_map(|line| bits(line)).collect::<Vec<_>>()),
+            _ => None,
+        });
+        lines.filter(|bits| !bits.is_empty())
+    };
+    let expected = rendered(expected);
+    expected.is_some() && expected == rendered(got)
+}
+
+/// Returns the accesses of bits of a line, such as `.3` and `.%X3`; the fraction of a number is none.
+fn bits(line: &str) -> Vec<String> {
+    let starts = line.match_indices('.').map(|(start, _)| start);
+    let of_variable = starts.filter(|start| {
+        let before = line[..*start].trim_end();
+        let word = before
+            .rsplit(|character: char| !character.is_alphanumeric() && character != '_')
+            .next();
+        before.ends_with(']')
+            || word.is_some_and(|word| word.starts_with(|first: char| !first.is_ascii_digit()))
+    });
+    let is_of_bit = |character: char| character.is_ascii_digit() || matches!(character, '%' | 'X' | 'x');
+    let suffix = |start: usize| -> String {
+        let behind = line[start + 1..].trim_start().chars();
+        behind.take_while(|character| is_of_bit(*character)).collect()
+    };
+    let suffixes = of_variable.map(suffix);
+    suffixes
+        .filter(|suffix| suffix.ends_with(|last: char| last.is_ascii_digit()))
+        .collect()
+}
+
 /// Returns a line without the blanks that separate no two words, and with one where several did; a text in quotes stays as it
 /// is.
 fn without_blanks(line: &str) -> String {
@@ -146,5 +183,30 @@ fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
         // whatever place.
         (Outcome::Rejected { .. }, Outcome::Rejected { .. }) => true,
         _ => run == rerun,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{bits, renders_bit_access};
+    use crate::Fact;
+
+    #[test]
+    fn accesses_of_bits_are_found_in_rendered_lines() {
+        let found = |line: &str| bits(line).join(" ");
+        assert_eq!(found("r := a [ i ].0 ;"), "0");
+        assert_eq!(found("v1.%X63 := NOT s.f.3 ;"), "%X63 3");
+        assert_eq!(found("x := 1.5 + s.field;"), "");
+    }
+
+    #[test]
+    fn what_is_rendered_is_bound_by_a_document_in_its_bits_only() {
+        let rendered = |line: &str| {
+            let lines = vec![line.to_owned()];
+            vec![Fact::Rendered { lines }]
+        };
+        let keeps = |got: &str| renders_bit_access(&rendered("v.3 := TRUE;"), &rendered(got));
+        assert!(keeps("v .3 := BOOL#TRUE ;"));
+        assert!(!keeps("v.%X3 := TRUE;") && !keeps("v.4 := TRUE;") && !keeps("v := TRUE;"));
     }
 }
