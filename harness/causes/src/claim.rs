@@ -1,6 +1,6 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
-use crate::assignments::assignment;
+use crate::assignments::computation;
 use crate::features::is_unread;
 use crate::literals::type_of_token;
 use crate::operations::{operations, operations_of};
@@ -30,7 +30,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         .filter(|(wanted, reported)| Some(*wanted) != *reported)
         .map(|(wanted, _)| wanted);
     let line = match differing.next() {
-        Some(Fact::Value { name, .. }) => assignment(program, name).map(|line| {
+        Some(Fact::Value { name, .. }) => computation(program, name).map(|line| {
             let number = line.as_ptr() as usize - program.as_ptr() as usize;
             let number = program[..number].lines().count() as u32 + 1;
             all.iter().filter(|token| token.line == number).copied().collect()

@@ -7,6 +7,7 @@
 use crate::assignments::shows_initial_value;
 use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
 use crate::normal::Normal;
+use crate::range;
 use crate::reduction::Smallest;
 use std::collections::BTreeSet;
 use stickler_run::Symptom;
@@ -32,6 +33,7 @@ impl Essence {
     pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
         let sign = &normal.deviation.sign;
         let program = MarkedProgram::new(normal);
+        let counts_seconds = range::counts_seconds(&normal.program, &normal.deviation);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => {
                 let mut features = program.of_mistake(normal.is_unchecked);
@@ -70,6 +72,10 @@ impl Essence {
                 let features = BTreeSet::from(["operation in the type of its target".to_owned()]);
                 (sign.symptom.word(), features, false)
             }
+            Symptom::Value if counts_seconds => {
+                let features = BTreeSet::from(["seconds in the place of milliseconds".to_owned()]);
+                (sign.symptom.word(), features, false)
+            }
             Symptom::Value | Symptom::Missing => {
                 let is_initial = shows_initial_value(smallest);
                 let (features, converts) = program.of_value(is_initial);
@@ -105,7 +111,11 @@ impl Essence {
         Essence {
             class: format!("{by_chance}{}", class.trim_end()),
             features,
-            labels: normal.labels.clone(),
+            // The types and sizes of numbers do not matter for their unit.
+            labels: match counts_seconds {
+                true => BTreeSet::new(),
+                false => normal.labels.clone(),
+            },
             is_contained,
             hidden: hidden.map(|(class, features)| (format!("{by_chance}{}", class.trim_end()), features)),
         }

@@ -7,6 +7,7 @@ use crate::failed::{FailedCases, FailureGroup};
 use crate::literals::valued_types;
 use crate::normal::{Normal, normal_form};
 use crate::operations::operations_of;
+use crate::promised::{cite, promise};
 use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::shape::types_of;
@@ -16,7 +17,7 @@ use crate::tokens::tokens;
 use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
-use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
+use stickler_engines::{Ability, Engine, EngineSession, Identity, Reproduction, reproduce_and_run};
 use stickler_run::{
     AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, Reproducer, RunError, Symptom,
     Verdict, shown_by,
@@ -123,9 +124,10 @@ pub fn find(
             let smallest = asking.smallest(&shown, tries)?;
             left = left.saturating_sub(smallest.iter().map(ReducedGroup::questions).sum());
             let pairs = wave.iter().zip(&smallest);
-            let has_codes = engine.identity().grade == Grade::Code;
+            let identity = engine.identity();
             members.extend(pairs.map(|((_, group), found)| {
-                GrowingCause::new(group, found, &search.suite.sources, has_codes)
+                let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
+                GrowingCause::new(group, found, case.copied(), (identity, &search.suite.sources))
             }));
             reported.done += wave.len() as u64;
             progress(reported);
@@ -341,8 +343,13 @@ struct GrowingCause {
 }
 
 impl GrowingCause {
-    /// Returns the cause of a group, by its smallest program. `has_codes` says whether the engine has diagnostic codes.
-    fn new(group: &FailureGroup, found: &ReducedGroup, sources: &Sources, has_codes: bool) -> GrowingCause {
+    /// Returns the cause of a group, by its smallest program. `case` is that of the program.
+    fn new(
+        group: &FailureGroup,
+        found: &ReducedGroup,
+        case: Option<&Case>,
+        (engine, sources): (&Identity, &Sources),
+    ) -> GrowingCause {
         let ReducedGroup { smallest, normal } = found;
         let essence = Essence::of(smallest, normal);
         let types = |program: &str| valued_types(&tokens(program)).len();
@@ -362,6 +369,16 @@ impl GrowingCause {
         if is_derived {
             shown.deviation.forget_promise();
         }
+        // What the claim of the case does not speak of, another one may promise.
+        let promised = case
+            .filter(|_| is_derived || is_missing(&shown, &essence))
+            .filter(|_| group.shown.verdict != Verdict::Differs)
+            .and_then(|case| promise(&shown, &essence, case, (engine, sources)));
+        if let Some(basis) = promised {
+            cite(&mut shown.deviation.got, basis, sources);
+        }
+        let basis = promised.unwrap_or(&group.shown.basis);
+        let is_derived = is_derived && promised.is_none();
         let shown = &shown;
         let mut types = types_of(&shown.program);
         types.sort_unstable();
@@ -369,9 +386,10 @@ impl GrowingCause {
             engine: group.shown.engine.clone(),
             symptom: essence.class.clone(),
             construct: essence.construct(),
-            title: title(shown, has_codes),
+            title: title(shown, engine.grade == Grade::Code),
             shown: Reproducer {
                 is_derived,
+                basis: basis.to_owned(),
                 ..reproducer(&group.shown, shown)
             },
             second: None,
@@ -382,7 +400,7 @@ impl GrowingCause {
         };
         GrowingCause {
             differs: group.shown.verdict == Verdict::Differs,
-            rank: rank(&group.shown.basis, &group.shown.engine, sources),
+            rank: rank(basis, &group.shown.engine, sources),
             cause,
             essence,
             sign: shown.deviation.sign.clone(),
@@ -460,6 +478,12 @@ fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         cause.other = cause.other.take().or(member.other);
     }
     causes
+}
+
+/// Returns whether a construct itself is not implemented, whatever the claim of the case is about.
+fn is_missing(shown: &Smallest, essence: &Essence) -> bool {
+    matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_))
+        && !essence.features.contains("bit access")
 }
 
 fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {

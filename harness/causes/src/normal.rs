@@ -6,6 +6,7 @@
 
 use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
+use crate::range::leaves_range;
 use crate::reduction::Smallest;
 use crate::statements::{in_two_steps, with_one_statement};
 use crate::tokens::tokens;
@@ -136,7 +137,11 @@ impl NormalSearch<'_, '_> {
     /// Takes a program as the normal form if the engine fails with it in the same way, and returns whether it does.
     fn takes(&mut self, program: &str, observe: &[Observation]) -> Result<bool, EngineError> {
         let found = self.fails(program, observe)?;
-        let same = found.filter(|seen| is_same(&self.normal.deviation, seen));
+        // A value that wraps is another defect than one that is within the range of its type.
+        let stays = |seen: &Deviation| {
+            leaves_range(&self.normal.program, &self.normal.deviation) || !leaves_range(program, seen)
+        };
+        let same = found.filter(|seen| is_same(&self.normal.deviation, seen) && stays(seen));
         let is_taken = same.is_some();
         if let Some(deviation) = same {
             self.normal.program = program.to_owned();

@@ -261,6 +261,10 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
             let mut diagnostics: Vec<ExpectedDiagnostic> =
                 diagnostics.iter().map(expected).collect::<Option<_>>()?;
             diagnostics.sort();
+            // A program that became nonsense has mistakes that the whole one has not.
+            if diagnostics.len() > whole.diagnostics.len() {
+                return None;
+            }
             Some(Expectation {
                 accepted: Acceptance::Rejected,
                 diagnostics,

@@ -1,0 +1,246 @@
+//! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its case speaks of.
+
+use crate::essence::Essence;
+use crate::reduction::Smallest;
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
+use stickler_engines::Identity;
+use stickler_run::{Fact, Symptom, binds};
+use stickler_suite::{Case, SourceKind, Sources};
+use stickler_types::ElementaryType;
+
+// Literals and the ranges of their types, as the tables of the folder `language` cite them.
+const NUMBERS: &[&str] = &["iec-61131-3: Table 5"];
+const TEXTS: &[&str] = &["iec-61131-3: Table 6"];
+const ESCAPES: &[&str] = &["iec-61131-3: Table 7"];
+const DURATIONS: &[&str] = &["iec-61131-3: Table 8"];
+const MOMENTS: &[&str] = &["iec-61131-3: Table 9"];
+const RANGES: &[&str] = &["iec-61131-3: Table 10"];
+const REALS: &[&str] = &["iec-61131-3: 6.3.2"];
+/// The grammar, which has lengths of texts, and repeated initial values of arrays.
+const GRAMMAR: &[&str] = &["iec-61131-3: Annex A"];
+const LONG_TYPES: &[&str] = &["strucpp-compliance: Data Types"];
+const ALIASES: &[&str] = &["ironplc-problem-codes: P2012", "iec-61131-3: Table 11"];
+const IN_OUT: &[&str] = &["ironplc-variables: scope", "iec-61131-3: 6.6.1.4.1"];
+const INITIAL_VALUES: &[&str] = &["ironplc-variables: initial-values"];
+const ARRAYS: &[&str] = &["ironplc-derived-types: array-types"];
+const STRUCTURES: &[&str] = &["ironplc-derived-types: structure-types"];
+const BLOCKS: &[&str] = &["ironplc-pous: function-block"];
+
+/// Returns the basis by which an engine must take the program of a cause: the first source that promises its construct and binds the
+/// engine. `None` where the construct is not known or nobody promises it.
+pub(crate) fn promise(
+    shown: &Smallest,
+    essence: &Essence,
+    case: &Case,
+    (engine, sources): (&Identity, &Sources),
+) -> Option<&'static str> {
+    let promises = match &shown.deviation.sign.symptom {
+        Symptom::Rejected(_) => of_rejection(shown, essence),
+        Symptom::NotImplemented(_) => of_missing(essence),
+        Symptom::Value => of_value(essence),
+        _ => None,
+    }?;
+    let speaks = |basis: &&&str| {
+        let source = sources.of(basis);
+        source
+            .is_some_and(|(source, _)| source.kind == SourceKind::Standard || source.speaks_for(case.dialect))
+            && binds((basis, case.dialect), engine, sources, false)
+    };
+    promises.iter().find(speaks).copied()
+}
+
+/// Returns who promises the construct of a valid program that is rejected.
+fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'static str]> {
+    let has = |feature: &str| essence.features.contains(feature);
+    if shown
+        .deviation
+        .expected
+        .iter()
+        .any(|fact| fact.diagnostic().is_some())
+    {
+        return None;
+    }
+    let all = tokens(&shown.program);
+    let reported = shown
+        .deviation
+        .got
+        .iter()
+        .find_map(|fact| fact.diagnostic()?.line);
+    let line: Vec<ProgramToken<'_>> = all
+        .iter()
+        .filter(|token| Some(token.line) == reported)
+        .copied()
+        .collect();
+    let pair = |tokens: &[ProgramToken<'_>], is: fn(&ProgramToken<'_>, &ProgramToken<'_>) -> bool| {
+        tokens.windows(2).any(|pair| is(&pair[0], &pair[1]))
+    };
+    let of_type = |token: &&ProgramToken<'_>| match token.kind {
+        ProgramTokenKind::Word => ElementaryType::from_name(&token.text.to_ascii_uppercase()),
+        _ => None,
+    };
+    if let Some(promises) = of_literal(essence) {
+        return Some(promises);
+    }
+    if pair(&all, |word, next| {
+        (word.is("STRING") || word.is("WSTRING")) && next.text == "["
+    }) {
+        return Some(GRAMMAR);
+    }
+    if pair(&line, |number, next| {
+        number.kind == ProgramTokenKind::Number && next.text == "("
+    }) {
+        return Some(GRAMMAR);
+    }
+    if line
+        .iter()
+        .any(|token| token.kind == ProgramTokenKind::Number && token.text.contains('_'))
+    {
+        return Some(NUMBERS);
+    }
+    let is_long = line
+        .iter()
+        .find_map(|token| of_type(&token))
+        .is_some_and(ElementaryType::is_third_edition);
+    if has("declaration") && is_long && line.iter().all(|token| token.text != ":=") {
+        return Some(LONG_TYPES);
+    }
+    if has("type") && has("type of one's own") {
+        return Some(ALIASES);
+    }
+    let calls = pair(&line, |word, next| {
+        word.kind == ProgramTokenKind::Word && next.text == "("
+    });
+    (has("VAR_IN_OUT") && !calls).then_some(IN_OUT)
+}
+
+/// Returns who promises the construct that is not implemented.
+fn of_missing(essence: &Essence) -> Option<&'static [&'static str]> {
+    let known = [
+        ("structure", STRUCTURES),
+        ("array", ARRAYS),
+        ("instance of a function block", BLOCKS),
+    ];
+    let found = known
+        .into_iter()
+        .find(|(feature, _)| essence.features.contains(*feature));
+    found.map(|(_, promises)| promises)
+}
+
+/// Returns who promises the value of a variable that begins with it, or that is assigned a literal.
+fn of_value(essence: &Essence) -> Option<&'static [&'static str]> {
+    let has = |feature: &str| essence.features.contains(feature);
+    if has("FUNCTION_BLOCK") && has("initial value") && essence.features.len() == 2 {
+        return Some(INITIAL_VALUES);
+    }
+    let (kinds, others): (Vec<&str>, Vec<&str>) = essence
+        .features
+        .iter()
+        .map(String::as_str)
+        .filter(|feature| !is_literal(feature))
+        .partition(|feature| {
+            matches!(
+                *feature,
+                "integer" | "real" | "duration" | "date or time" | "text"
+            )
+        });
+    match (&kinds[..], &others[..]) {
+        (_, ["assigned value"]) if of_literal(essence).is_some() => of_literal(essence),
+        (["integer"], ["assigned value"]) => Some(RANGES),
+        (["real"], ["assigned value"]) => Some(REALS),
+        _ => None,
+    }
+}
+
+fn is_literal(feature: &str) -> bool {
+    feature.ends_with('#')
+        || feature.ends_with("#digits")
+        || feature.contains("'text'")
+        || feature.contains("\"text\"")
+        || feature.starts_with("real-")
+        || feature == "typed literal with a sign"
+}
+
+/// Returns who promises the form of a literal that the engine does not take alone.
+fn of_literal(essence: &Essence) -> Option<&'static [&'static str]> {
+    let promises = |feature: &String| match feature.as_str() {
+        "typed literal with a sign" | "real-with-exponent" => Some(NUMBERS),
+        "real-beyond-REAL" => Some(REALS),
+        "TIME#" | "LTIME#" => Some(DURATIONS),
+        "date or time#" => Some(MOMENTS),
+        text if text.ends_with("-with-escape") => Some(ESCAPES),
+        "\"text\"" => Some(TEXTS),
+        based if based.ends_with("#digits") => Some(NUMBERS),
+        _ => None,
+    };
+    essence.features.iter().find_map(promises)
+}
+
+/// Writes who promises a construct into what the engine said of it, where that is a document.
+pub(crate) fn cite(got: &mut [Fact], basis: &str, sources: &Sources) {
+    let is_document = sources
+        .of(basis)
+        .is_some_and(|(source, _)| source.kind == SourceKind::Document);
+    for fact in got {
+        if let Fact::NotImplemented { promised_by, .. } = fact {
+            *promised_by = is_document.then(|| basis.to_owned());
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    fn essence(features: &[&str]) -> Essence {
+        Essence {
+            class: String::new(),
+            features: features.iter().map(|feature| (*feature).to_owned()).collect(),
+            labels: BTreeSet::new(),
+            is_contained: false,
+            hidden: None,
+        }
+    }
+
+    #[test]
+    fn a_construct_that_is_rejected_is_promised_by_who_speaks_of_it() {
+        let of = |declaration: &str, features: &[&str]| {
+            let program = format!("PROGRAM p\nVAR\n{declaration}\nEND_VAR\nx := x;\nEND_PROGRAM\n");
+            of_rejection(&Smallest::rejected(&program, 3, "P0002"), &essence(features))
+        };
+        assert_eq!(of("x : STRING[1];", &["declaration"]), Some(GRAMMAR));
+        assert_eq!(
+            of("x : ARRAY[0..0] OF INT := [1(0)];", &["declaration"]),
+            Some(GRAMMAR)
+        );
+        assert_eq!(
+            of("x : INT := INT#-5;", &["typed literal with a sign"]),
+            Some(NUMBERS)
+        );
+        assert_eq!(of("x : LTOD;", &["declaration"]), Some(LONG_TYPES));
+        assert_eq!(of("x : INT;", &["declaration", "VAR_IN_OUT"]), Some(IN_OUT));
+        assert_eq!(of("x : INT;", &["declaration"]), None);
+    }
+
+    #[test]
+    fn what_is_missing_and_values_are_promised_by_their_construct() {
+        assert_eq!(
+            of_missing(&essence(&["array", "function or function block"])),
+            Some(ARRAYS)
+        );
+        assert_eq!(of_missing(&essence(&["statement"])), None);
+        assert_eq!(
+            of_value(&essence(&["FUNCTION_BLOCK", "initial value"])),
+            Some(INITIAL_VALUES)
+        );
+        assert_eq!(
+            of_value(&essence(&["TIME#", "assigned value", "duration"])),
+            Some(DURATIONS)
+        );
+        assert_eq!(of_value(&essence(&["assigned value", "integer"])), Some(RANGES));
+        assert_eq!(
+            of_value(&essence(&["arithmetic", "assigned value", "integer"])),
+            None
+        );
+    }
+}
