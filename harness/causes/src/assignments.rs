@@ -65,8 +65,18 @@ pub(crate) fn computation<'p>(program: &'p str, path: &str) -> Option<&'p str> {
     let mut line = assignment(program, path)?;
     for _ in 0..MAX_COPIES {
         let source = copied(program, line).and_then(|source| assignment(program, &source));
+        // A function that passes a literal on computes nothing.
+        let is_passed_on = |source: &str| {
+            let is_literal = |token: &ProgramToken<'_>| {
+                matches!(
+                    token.kind,
+                    ProgramTokenKind::Number | ProgramTokenKind::Typed | ProgramTokenKind::Text
+                )
+            };
+            tokens(source).len() == 4 && tokens(line).iter().any(is_literal)
+        };
         match source {
-            Some(source) if source.as_ptr() < line.as_ptr() => line = source,
+            Some(source) if source.as_ptr() < line.as_ptr() && !is_passed_on(source) => line = source,
             _ => break,
         }
     }
@@ -174,6 +184,7 @@ mod tests {
             Some("FOR y := 1 TO n DO")
         );
         assert_eq!(of("INT", "x := f(n);\n").as_deref(), Some("f := g;"));
+        assert_eq!(of("INT", "x := f(5);\n").as_deref(), Some("x := f(5);"));
         assert_eq!(of("INT", "x := f(n + 1);\n").as_deref(), Some("x := f(n + 1);"));
     }
 }

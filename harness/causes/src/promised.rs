@@ -104,8 +104,15 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     if has("declaration") && is_long && line.iter().all(|token| token.text != ":=") {
         return Some(LONG_TYPES);
     }
-    if has("type") && has("type of one's own") {
+    // `NAME : INT;` alone.
+    if has("type") && line.len() == 4 && line.iter().any(|token| of_type(&token).is_some()) {
         return Some(ALIASES);
+    }
+    let is_typed =
+        |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Typed && !token.text.contains(['\'', '"']);
+    let assigns_only = line.len() == 4 && line[1].text == ":=";
+    if assigns_only && is_typed(&line[2]) {
+        return Some(NUMBERS);
     }
     let calls = pair(&line, |word, next| {
         word.kind == ProgramTokenKind::Word && next.text == "("
@@ -220,6 +227,8 @@ mod tests {
         assert_eq!(of("x : LTOD;", &["declaration"]), Some(LONG_TYPES));
         assert_eq!(of("x : INT;", &["declaration", "VAR_IN_OUT"]), Some(IN_OUT));
         assert_eq!(of("x : INT;", &["declaration"]), None);
+        assert_eq!(of("x : INT;", &["type"]), Some(ALIASES));
+        assert_eq!(of("x := BOOL#0;", &["statement"]), Some(NUMBERS));
     }
 
     #[test]

@@ -69,11 +69,14 @@ fn number(value: &Value) -> Option<f64> {
     parsed(digits.trim_end_matches(|character: char| character.is_ascii_lowercase()))
 }
 
-/// Returns the numbers that the literals of a program say, without their signs.
+/// Returns the numbers that the literals of a program say, without their signs; of a duration with one unit its number.
 fn numbers(program: &str) -> Vec<f64> {
     let literal = |kind: ProgramTokenKind, text: &str| match kind {
         ProgramTokenKind::Number => parsed(text),
-        ProgramTokenKind::Typed => parsed(text.split_once('#')?.1.trim_start_matches(['-', '+'])),
+        ProgramTokenKind::Typed => {
+            let digits = text.split_once('#')?.1.trim_start_matches(['-', '+']);
+            parsed(digits.trim_end_matches(|unit: char| unit.is_ascii_lowercase()))
+        }
         _ => None,
     };
     let all = tokens(program);
@@ -125,6 +128,8 @@ mod tests {
             &truncated
         ));
         assert!(!leaves_range("into := data;", &truncated), "there is no number");
+        let duration = deviation("INT#-31072", "INT#100");
+        assert!(leaves_range("into := TIME_TO_INT(TIME#100000ms);", &duration));
         let bits = deviation("WORD#16#00FF", "WORD#16#0000");
         assert!(!leaves_range("into := 16#FF;", &bits));
     }
