@@ -171,7 +171,7 @@ fn not_a_number(to: ElementaryType, out_of_range: OutOfRange) -> u64 {
     }
 }
 
-/// Returns the number as 64 bits hold it, and a negative number for a target of at most 32 bits as 32 bits hold it; the least
+/// Returns the number as 64 bits hold it, with a sign or for a target of 64 bits without one, and a negative number for a target of at most 32 bits as 32 bits hold it; the least
 /// number of so many bits where they do not.
 fn of_64_bits(whole: Whole, to: ElementaryType) -> i128 {
     let is_negative = match whole {
@@ -185,6 +185,7 @@ fn of_64_bits(whole: Whole, to: ElementaryType) -> i128 {
     };
     match whole {
         Whole::Number(number) if integer::holds(holder, number) => number,
+        Whole::Number(number) if to.bits() == 64 && integer::holds(ElementaryType::Ulint, number) => number,
         _ => -(1 << (holder.bits() - 1)),
     }
 }

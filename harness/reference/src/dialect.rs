@@ -51,6 +51,16 @@ pub struct Dialect {
     pub literals_by_width: bool,
     /// The bits of the count by which SHL and SHR shift.
     pub shift_counts: ShiftCounts,
+    /// MIN, MAX, ABS, SHL and SHR compute integers and bit strings as operators on promoted operands do: in the type in which they meet, and with 32
+    /// bits at least. Shifts and rotations take integers, too, and SHR of one with a sign keeps the sign.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`max_signed_unsigned`, `meet_mixed_sign_wider_unsigned`, `abs_values`, `shift_basic`,
+    /// `shift_signed_operand`, `shift_64bit`).
+    pub functions_promote: bool,
+    /// A minus sign may stand before a duration.
+    ///
+    /// Basis: rule: mixed-operands; codesys-recording: recordings/codesys.run.json (`unary_minus_on_time`, `uop_neg_ltime`), by which it may not.
+    pub negates_durations: bool,
     /// A value of an enumeration may stand where a number is expected, as an INT.
     ///
     /// Basis: twincat-builds: recordings/twincat.build.json (`cc_enum_…`).
@@ -61,7 +71,8 @@ pub struct Dialect {
     pub lengths_in_parentheses: bool,
     /// `&` and `**` are operators.
     ///
-    /// Basis: iec-61131-3: Table 71; twincat-builds: recordings/twincat.build.json (`cc_power_operator`, `cc_fp_op_ampersand`).
+    /// Basis: iec-61131-3: Table 71; twincat-builds: recordings/twincat.build.json (`cc_power_operator`, `cc_fp_op_ampersand`); codesys-recording:
+    /// recordings/codesys.run.json (`ampersand_operator_rejected`).
     pub ampersand_and_power: bool,
     /// MOD of integers by zero gives 0, and is no fault.
     ///
@@ -201,6 +212,8 @@ impl Dialect {
             division_stops: false,
             mux_outside_takes_last: false,
             shift_counts: ShiftCounts::All,
+            functions_promote: false,
+            negates_durations: true,
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: false,
@@ -366,6 +379,9 @@ impl Dialect {
             division_stops: true,
             mux_outside_takes_last: true,
             shift_counts: ShiftCounts::LowBits,
+            functions_promote: true,
+            negates_durations: false,
+            ampersand_and_power: false,
             partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,
@@ -390,7 +406,6 @@ impl Dialect {
         Dialect {
             name: DialectName::Twincat,
             constant_types: ConstantTypes::Least,
-            ampersand_and_power: false,
             third_edition_types: ThirdEditionTypes::WithoutLongDates,
             ..Dialect::codesys()
         }

@@ -62,7 +62,7 @@ words! {
         /// The nearest limit of the target, for the infinities too; NaN gives 0.
         Saturate = "saturate",
         /// The low bits of a 64-bit integer, which is -2^63 where the integer is none of 64 bits, and for NaN and the
-        /// infinities. A negative number first becomes at least -2^31 where the target has at most 32 bits: x86-64 converts it
+        /// infinities. A target of 64 bits also takes the bits of an integer of 64 bits without a sign. A negative number first becomes at least -2^31 where the target has at most 32 bits: x86-64 converts it
         /// to 32 bits.
         Indefinite64 = "indefinite-64",
         /// The low bits of a 32-bit integer, which is -2^31 where the integer is none of 32 bits, and for NaN and the
@@ -145,8 +145,8 @@ pub enum RealText {
     /// without trailing zeros, and with an exponent below 1E-4 and from 10^n on (`0.5`, `1e+20`). 0 counts as 1. A number
     /// that is not finite keeps the word that [`RealText::Shortest`] has for it, so that it reads back.
     SignificantDigits(u8),
-    /// `by-width`: seven significant digits of a REAL, or eight where its binary exponent promises a smaller decimal one, with an exponent of two
-    /// digits below 1E-4 and from 1E8 on (`0.1`, `1E08`); fifteen of an LREAL, with an exponent below 1 and from 1E14 on
+    /// `by-width`: seven significant digits of a REAL, or eight where its binary exponent, times 10 / 33 and rounded down, is below the decimal one, with an
+    /// exponent of two digits below 1E-4 and from 1E8 on (`0.1`, `1E08`); fifteen of an LREAL, with an exponent below 1 and from 1E14 on
     /// (`1.0e-1`, `1.5`). The number is scaled in its own arithmetic, and a half is rounded away from zero. `#NaN`, `#Inf`, `-#Inf`.
     ByWidth,
 }

@@ -145,7 +145,7 @@ fn outside_of_reals(choices: &ConversionChoices, signature: &Signature) -> Strin
                 modulo(&choices, signature)
             )
         }
-        OutOfRange::Indefinite64 => "-2^63, for NaN and the infinities too".to_owned(),
+        OutOfRange::Indefinite64 => "modulo 2^64 up to 2^64; -2^63 beyond, and for NaN".to_owned(),
         OutOfRange::Indefinite32 => "the low bits of -2^31, for NaN and the infinities too".to_owned(),
     }
 }

@@ -255,7 +255,7 @@ fn saturated(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding
 }
 
 /// Converts REAL to the low bits of an integer of so many bits, which is the least one where those do not hold the number; a negative
-/// number has at most 32 on its way to a target that has no more.
+/// number has at most 32 on its way to a target that has no more, and a target of 64 bits takes a number of 64 bits without a sign.
 fn indefinite(operands: &[u64], results: &mut [u64], to: ElementaryType, rounding: Rounding, bits: u32) {
     let narrow = Narrow::to(to);
     each(operands, results, |operand| {
@@ -268,7 +268,12 @@ fn indefinite(operands: &[u64], results: &mut [u64], to: ElementaryType, roundin
             bits
         };
         let least = -(1_i128 << (bits - 1));
-        let held = number.filter(|number| (least..-least).contains(number));
+        let limit = if bits == 64 && to.bits() == 64 {
+            1 << 64
+        } else {
+            -least
+        };
+        let held = number.filter(|number| (least..limit).contains(number));
         narrow.of(held.unwrap_or(least) as u64)
     });
 }

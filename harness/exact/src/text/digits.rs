@@ -187,7 +187,7 @@ pub(super) fn scaled(significand: u64, exponent: i32, ty: ElementaryType) -> Rou
     let number = DecimalFraction::binary(significand, exponent);
     let places = if ty == ElementaryType::Real {
         let binary = exponent + significand.ilog2() as i32;
-        6 - (binary * 30_103).div_euclid(100_000)
+        6 - (binary * 10).div_euclid(33)
     } else {
         14 - number.decimal_exponent()
     };

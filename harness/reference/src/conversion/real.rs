@@ -127,7 +127,13 @@ pub fn to_nearest_of(value: f64, rounding: Rounding, to: ElementaryType) -> u64 
 #[inline]
 #[must_use]
 pub fn to_integer_of_64_bits(value: f64, rounding: Rounding, to: ElementaryType) -> u64 {
-    let integer = checked(value, rounding).unwrap_or(i64::MIN);
+    const LIMIT: f64 = 18_446_744_073_709_551_616.0;
+    let integer = match checked(value, rounding) {
+        Some(integer) => integer,
+        // Numbers from 2^63 on have no fraction.
+        None if to.bits() == 64 && value > 0.0 && value < LIMIT => wrapped(value).cast_signed(),
+        None => i64::MIN,
+    };
     let held = if value < 0.0 && to.bits() <= 32 {
         integer.max(i32::MIN.into())
     } else {

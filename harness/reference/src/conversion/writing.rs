@@ -120,9 +120,9 @@ fn scaled_digits(magnitude: f64, single: bool) -> (String, i32) {
     let (mantissa, power) = exact.split_once('e').unwrap_or((&exact, "0"));
     let power: i32 = power.parse().unwrap_or(0);
     let places = if single {
-        // The logarithm to base 2, whole, and 30103 / 100000, that of 2 to base 10.
+        // The logarithm to base 2, whole, and 10 / 33, about that of 2 to base 10.
         let binary = (magnitude.to_bits() >> 52).cast_signed() as i32 - 1023;
-        6 - (binary * 30_103).div_euclid(100_000)
+        6 - (binary * 10).div_euclid(33)
     } else {
         14 - power
     };

@@ -50,6 +50,7 @@ pub(super) fn of_plain(
         (StandardFunction::Shl, &[value, count]) => {
             Ok(shift_count(count, of).map_or(0, |n| narrow(value << n, of)))
         }
+        (StandardFunction::Shr, &[value, count]) if of.is_signed() => Ok(signed_right(value, count, of)),
         (StandardFunction::Shr, &[value, count]) => Ok(shift_count(count, of).map_or(0, |n| value >> n)),
         (StandardFunction::Rol, &[value, count]) => Ok(rotated_left(value, count.cast_signed(), of)),
         (StandardFunction::Ror, &[value, count]) => Ok(rotated_left(
@@ -74,15 +75,23 @@ fn shift_count(count: u64, of: ElementaryType) -> Option<u32> {
     u32::try_from(count).ok().filter(|count| *count < of.bits())
 }
 
+/// Shifts an integer with a sign to the right: copies of its sign come in.
+fn signed_right(value: u64, count: u64, of: ElementaryType) -> u64 {
+    let steps = shift_count(count, of).unwrap_or(63);
+    (value.cast_signed() >> steps).cast_unsigned()
+}
+
 /// Bits that leave at one end come in at the other; a negative count turns the other way round.
 fn rotated_left(value: u64, count: i64, of: ElementaryType) -> u64 {
     let width = of.bits().max(1);
     // The remainder lies below 64.
     let count = count.rem_euclid(width.into()) as u32;
+    // Of an integer with a sign the bits of its width.
+    let bits = value & (u64::MAX >> (64 - width));
     if count == 0 {
         value
     } else {
-        narrow(value << count | value >> (width - count), of)
+        narrow(bits << count | bits >> (width - count), of)
     }
 }
 
@@ -155,6 +164,10 @@ mod tests {
         assert_eq!(of_plain(Ror, Byte, &[0x81, 1]), Ok(0xC0));
         assert_eq!(of_plain(Rol, Bool, &[1, 5]), Ok(1));
         assert_eq!(of_plain(Ror, Lword, &[1, 1]), Ok(1 << 63));
+        let minus = |value: i64| (-value).cast_unsigned();
+        assert_eq!(of_plain(Shr, Int, &[minus(2), 1]), Ok(minus(1)));
+        assert_eq!(of_plain(Shr, Int, &[minus(2), 20]), Ok(minus(1)));
+        assert_eq!(of_plain(Rol, Int, &[minus(2), 1]), Ok(minus(3)));
     }
 
     #[test]

@@ -9,10 +9,11 @@ use super::lowering::{LoweredValue, Lowering};
 use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
 use super::types::TypeId;
+use crate::conversion::{Conversion, ConversionRule};
 use crate::dialect::OperandTypes;
 use crate::instruction::Instruction;
 use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, ElementaryType, MomentUnits};
 
 /// An operator on the spine.
 struct Link {
@@ -129,7 +130,7 @@ impl Lowering<'_> {
     }
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.
-    fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
+    pub(super) fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
         let converted = self.adapt(value, to);
         if let (Some(from), Some(to)) = (value.ty.elementary(), to.elementary()) {
             self.emitter.record(id, UseKind::Operand { from, to });
@@ -155,6 +156,7 @@ impl Lowering<'_> {
         match action {
             Action::Arithmetic(operator, ty) => {
                 self.emit_at(self.span(link.node), Instruction::Arithmetic(operator, ty));
+                self.wrap_duration(ty);
             }
             Action::Scale {
                 operator,
@@ -165,6 +167,13 @@ impl Lowering<'_> {
                     self.emit(Instruction::Swap);
                 }
                 self.emit_at(self.span(link.node), Instruction::ScaleDuration(operator, number));
+                // A scaled LTIME wraps by itself.
+                if link
+                    .operation
+                    .is_some_and(|operation| operation.result == TypeId::of(ElementaryType::Time))
+                {
+                    self.wrap_duration(ElementaryType::Time);
+                }
             }
             Action::Power { base, exponent } => {
                 self.emit_at(self.span(link.node), Instruction::Power { base, exponent });
@@ -172,6 +181,24 @@ impl Lowering<'_> {
             Action::Compare(operator, ty) => self.emit(Instruction::Compare(operator, ty)),
             Action::CompareText(operator) => self.emit(Instruction::CompareText(operator)),
             Action::Logic(operator) => self.emit(Instruction::Logic(operator)),
+        }
+    }
+}
+
+impl Lowering<'_> {
+    /// Keeps of the TIME on the stack what its count holds, where a TIME is a count of milliseconds without a sign.
+    ///
+    /// Basis: codesys-recording: recordings/codesys.run.json (`time_basic`, `date_negative_difference`).
+    fn wrap_duration(&mut self, ty: ElementaryType) {
+        let choices = &self.model.source.dialect.conversions;
+        if ty != ElementaryType::Time || choices.moment_units != MomentUnits::Counts {
+            return;
+        }
+        let count = ElementaryType::Udint;
+        for (from, to) in [(ty, count), (count, ty)] {
+            if let Some(rule) = ConversionRule::between(from, to, choices) {
+                self.emitter.convert(Conversion { from, to, rule });
+            }
         }
     }
 }

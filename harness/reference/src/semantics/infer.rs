@@ -186,6 +186,7 @@ pub(super) fn defined_for(operator: UnaryOperator, ty: ElementaryType, dialect: 
             true
         }
         UnaryOperator::Not => ty == ElementaryType::Bool || ty.is_bit_string(),
+        UnaryOperator::Negate if ty.is_duration() => dialect.negates_durations,
         UnaryOperator::Negate | UnaryOperator::Plus => ty.is_integer() || ty.is_real() || ty.is_duration(),
     }
 }

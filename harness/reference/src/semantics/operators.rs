@@ -211,24 +211,52 @@ impl TypeRules<'_> {
     /// Returns the types in which a dialect that promotes operands computes with two integers or bit strings, one of which may be an
     /// untyped literal, which then takes the sign of the other.
     fn promoted(self, left: Inferred, right: Inferred) -> Option<PromotedOperands> {
-        let whole = |value: Inferred| value.elementary().filter(|&ty| is_whole(ty));
-        let (ty, other) = match (whole(left), whole(right), left, right) {
-            (Some(left), Some(right), ..) => (left, right),
-            (Some(ty), None, _, Inferred::Integer(_)) | (None, Some(ty), Inferred::Integer(_), _) => (ty, ty),
-            _ => return None,
-        };
-        let literal = match (left, right) {
-            (Inferred::Integer(magnitude), _) | (_, Inferred::Integer(magnitude)) => magnitude.ty().bits(),
-            _ => 0,
-        };
-        let is_signed = ty.is_signed() || other.is_signed();
-        let bits = ty.bits().max(other.bits());
-        let unsigned = [ty, other].into_iter().filter(|ty| !ty.is_signed());
-        (self.dialect.operands == OperandTypes::Promoted).then(|| PromotedOperands {
+        (self.dialect.operands == OperandTypes::Promoted)
+            .then(|| self.promoted_of(&[left, right]))
+            .flatten()
+    }
+
+    /// Returns the types in which integers and bit strings are computed that a function takes, where it computes them as operators do; `None` where
+    /// one of them is something else, or all are untyped literals.
+    pub(super) fn promoted_arguments(self, arguments: &[Inferred]) -> Option<PromotedOperands> {
+        let promoted = self
+            .dialect
+            .functions_promote
+            .then(|| self.promoted_of(arguments))
+            .flatten()?;
+        // Arguments of one type give that type.
+        let same = arguments
+            .iter()
+            .copied()
+            .reduce(|first, next| match first == next {
+                true => first,
+                false => Inferred::Error,
+            });
+        Some(PromotedOperands {
+            result: same.and_then(Inferred::elementary).unwrap_or(promoted.result),
+            ..promoted
+        })
+    }
+
+    fn promoted_of(self, operands: &[Inferred]) -> Option<PromotedOperands> {
+        let (mut bits, mut literal, mut unsigned, mut is_signed) = (0, 0, 0, false);
+        for operand in operands {
+            match (operand, operand.elementary()) {
+                (Inferred::Integer(magnitude), _) => literal = magnitude.ty().bits().max(literal),
+                (_, Some(ty)) if is_whole(ty) => {
+                    bits = ty.bits().max(bits);
+                    is_signed |= ty.is_signed();
+                    if !ty.is_signed() {
+                        unsigned = ty.bits().max(unsigned);
+                    }
+                }
+                _ => return None,
+            }
+        }
+        (bits > 0).then(|| PromotedOperands {
             result: integer_of(bits, is_signed),
             computed: integer_of(bits.max(literal).max(32), is_signed),
-            gives_up_sign: self.dialect.result_signs == ResultSigns::OfOperator
-                && unsigned.map(ElementaryType::bits).max() == Some(bits),
+            gives_up_sign: self.dialect.result_signs == ResultSigns::OfOperator && unsigned == bits,
         })
     }
 
@@ -385,11 +413,11 @@ impl TypeRules<'_> {
 
 /// The types of an operation on promoted operands.
 #[derive(Clone, Copy)]
-struct PromotedOperands {
+pub(super) struct PromotedOperands {
     /// The type that the operation has for the checker.
-    result: ElementaryType,
+    pub(super) result: ElementaryType,
     /// The type in which it is computed.
-    computed: ElementaryType,
+    pub(super) computed: ElementaryType,
     /// Where bits are combined, the result has no sign.
     gives_up_sign: bool,
 }

@@ -7,6 +7,7 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
+use super::operators::PromotedOperands;
 use super::parameters::ParameterList;
 use super::types::{TypeId, TypeKind};
 use crate::dialect::ShiftCounts;
@@ -93,11 +94,29 @@ impl Lowering<'_> {
     fn infer_common(&mut self, function: StandardFunction, values: &[ExpressionId]) -> Inferred {
         let inferred: Vec<_> = values.iter().map(|&value| self.infer(value)).collect();
         let rules = self.rules();
+        if let Some(promoted) = self.promoted_call(function, &inferred) {
+            return Inferred::from(promoted.result);
+        }
         match rules.common_of_all(&inferred) {
             Inferred::Known(ty) if !self.takes(function, ty) => Inferred::Error,
             Inferred::Known(ty) if !inferred.iter().all(|&one| rules.goes_with(one, ty)) => Inferred::Error,
             common => common,
         }
+    }
+
+    /// Returns the types in which a function computes integers and bit strings, where it does so as operators on promoted operands do.
+    fn promoted_call(&self, function: StandardFunction, arguments: &[Inferred]) -> Option<PromotedOperands> {
+        let computes = match function {
+            StandardFunction::Abs | StandardFunction::Shl | StandardFunction::Shr => true,
+            // One of several values of a type is of that type.
+            StandardFunction::Min | StandardFunction::Max => {
+                arguments.windows(2).any(|pair| pair[0] != pair[1])
+            }
+            _ => false,
+        };
+        let promoted = self.rules().promoted_arguments(arguments).filter(|_| computes)?;
+        self.takes(function, TypeId::of(promoted.result))
+            .then_some(promoted)
     }
 
     /// Returns whether a standard function is defined for a type.
@@ -109,7 +128,9 @@ impl Lowering<'_> {
         match function {
             StandardFunction::Abs => elementary.is_integer() || elementary.is_real(),
             StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
-                elementary.is_bit_string() || elementary == ElementaryType::Bool
+                elementary.is_bit_string()
+                    || elementary == ElementaryType::Bool
+                    || elementary.is_integer() && self.model.source.dialect.functions_promote
             }
             StandardFunction::Len | StandardFunction::Concat => elementary.is_text(),
             _ => true,
@@ -216,6 +237,9 @@ impl Lowering<'_> {
             Inferred::Integer(_) | Inferred::Real => self.settle_for(function, common, wanted),
             Inferred::Nothing | Inferred::Error | Inferred::Pending => None,
         };
+        if let Some(promoted) = self.promoted_call(function, &inferred) {
+            return self.promoted_values(values, &inferred, promoted);
+        }
         let target = ty.unwrap_or(TypeId::ERROR);
         if target != TypeId::ERROR && !self.takes(function, target) {
             for (&value, &inferred) in values.iter().zip(&inferred) {
@@ -238,6 +262,25 @@ impl Lowering<'_> {
         sound.then_some(target)
     }
 
+    /// Puts arguments on the stack in the type in which a function computes them, and gives that type.
+    fn promoted_values(
+        &mut self,
+        values: &[ExpressionId],
+        inferred: &[Inferred],
+        promoted: PromotedOperands,
+    ) -> Option<TypeId> {
+        let computed = TypeId::of(promoted.computed);
+        let mut sound = true;
+        for (&id, inferred) in values.iter().zip(inferred) {
+            if let Some(from) = inferred.elementary() {
+                self.warn_of_lost_value(id, TypeId::of(from), TypeId::of(promoted.result));
+            }
+            let value = self.value(id, Some(computed));
+            sound &= self.operand(id, value, computed).ty != TypeId::ERROR;
+        }
+        sound.then_some(computed)
+    }
+
     /// Returns the type of untyped arguments; what shifts bits takes DWORD or LWORD rather than an integer.
     fn settle_for(
         &self,
@@ -246,8 +289,10 @@ impl Lowering<'_> {
         wanted: Option<TypeId>,
     ) -> Option<TypeId> {
         let settled = settle(untyped, wanted)?;
-        let shifts = self.takes(function, TypeId::of(ElementaryType::Dword))
-            && !self.takes(function, TypeId::of(ElementaryType::Dint));
+        let shifts = matches!(
+            function,
+            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror
+        );
         Some(TypeId::of(match settled {
             ElementaryType::Dint if shifts && wanted.is_none() => ElementaryType::Dword,
             ElementaryType::Lint | ElementaryType::Ulint if shifts && wanted.is_none() => {
