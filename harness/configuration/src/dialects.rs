@@ -1,16 +1,25 @@
 //! Reads the tables `[dialects.NAME]`.
 
 use crate::near::{advice, list};
-use crate::override_tables::{conversions, flags, implicit};
+use crate::override_tables::{conversions, flags, implicit, operators};
 use crate::table::{ConfigurationMistake, table, text};
 use std::collections::BTreeMap;
 use std::ops::Range;
+use stickler_types::definition::OperatorOverrides;
 use stickler_types::{BuiltIn, Definition, DialectName, Stated};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of a table `[dialects.NAME]`.
-const KEYS: [&str; 6] = ["extends", "about", "source", "implicit", "flags", "conversions"];
+const KEYS: [&str; 7] = [
+    "extends",
+    "about",
+    "source",
+    "implicit",
+    "flags",
+    "conversions",
+    "operators",
+];
 
 /// The greatest length of a dialect's name.
 const MAX_NAME_LEN: usize = 64;
@@ -190,6 +199,7 @@ fn definition(
             "extends" | "about" | "source" => {}
             "flags" => flags(table(&whose, value)?, &mut draft)?,
             "conversions" => conversions(table(&whose, value)?, &mut draft)?,
+            "operators" => operators(table(&whose, value)?, &mut draft)?,
             // Which types there are depends on the flags.
             "implicit" => {}
             word => {
@@ -220,7 +230,11 @@ fn taken_over(
             basis: format!("{name}:{rest}"),
         }
     }
+    fn choice<T: Copy>(stated: &Option<Stated<T>>, name: &str) -> Option<Stated<T>> {
+        stated.as_ref().map(|stated| said(stated, name))
+    }
     let name = entry.name;
+    let operators = &other.operators;
     let implicit = other.implicit.iter();
     let flags = other.flags.iter();
     Definition {
@@ -233,11 +247,24 @@ fn taken_over(
             .map(|(pair, stated)| (*pair, said(stated, name)))
             .collect(),
         flags: flags.map(|(flag, stated)| (*flag, said(stated, name))).collect(),
-        rounding: other.rounding.as_ref().map(|stated| said(stated, name)),
-        out_of_range: other.out_of_range.as_ref().map(|stated| said(stated, name)),
-        text_reading: other.text_reading.as_ref().map(|stated| said(stated, name)),
-        real_text: other.real_text.as_ref().map(|stated| said(stated, name)),
-        bit_string_text: other.bit_string_text.as_ref().map(|stated| said(stated, name)),
+        rounding: choice(&other.rounding, name),
+        out_of_range: choice(&other.out_of_range, name),
+        truncation_out_of_range: choice(&other.truncation_out_of_range, name),
+        text_reading: choice(&other.text_reading, name),
+        real_text: choice(&other.real_text, name),
+        bit_string_text: choice(&other.bit_string_text, name),
+        moment_text: choice(&other.moment_text, name),
+        bits_as_real: choice(&other.bits_as_real, name),
+        bit_string_as_bool: choice(&other.bit_string_as_bool, name),
+        moment_units: choice(&other.moment_units, name),
+        operators: OperatorOverrides {
+            implicit_warnings: choice(&operators.implicit_warnings, name),
+            operands: choice(&operators.operands, name),
+            compared: choice(&operators.compared, name),
+            result_signs: choice(&operators.result_signs, name),
+            constant_types: choice(&operators.constant_types, name),
+            shift_counts: choice(&operators.shift_counts, name),
+        },
     }
 }
 

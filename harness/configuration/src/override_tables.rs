@@ -1,4 +1,4 @@
-//! Reads the overrides of a table `[dialects.NAME]`: `implicit`, `flags` and `conversions`.
+//! Reads the overrides of a table `[dialects.NAME]`: `implicit`, `flags`, `conversions` and `operators`.
 
 use crate::dialects::Draft;
 use crate::near::{advice, list};
@@ -7,18 +7,35 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_types::definition::Flag;
 use stickler_types::{
-    BitStringText, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, ComparedTypes, ConstantTypes, DialectName, ElementaryType,
+    ImplicitWarnings, MatrixWord, MomentText, MomentUnits, OperandTypes, OutOfRange, RealText, ResultSigns,
+    Rounding, ShiftCounts, Stated, TextReading,
 };
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the table `conversions`.
-const CONVERSIONS: [&str; 5] = [
+const CONVERSIONS: [&str; 10] = [
     "rounding",
     "out-of-range",
+    "truncation-out-of-range",
     "text-reading",
     "real-text",
     "bit-string-text",
+    "moment-text",
+    "bits-as-real",
+    "bit-string-as-bool",
+    "moment-units",
+];
+
+/// The keys of the table `operators`.
+const OPERATORS: [&str; 6] = [
+    "implicit-warnings",
+    "operands",
+    "compared",
+    "result-signs",
+    "constant-types",
+    "shift-counts",
 ];
 
 /// The words that an override may state for a pair of different types.
@@ -94,44 +111,86 @@ fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
 pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (name, at) = (key.get_ref().as_ref(), &key.span());
+        let entry = Entry { name, at, value };
+        macro_rules! choose {
+            ($field:ident, $all:expr, $words:ident) => {
+                draft.definition.$field = Some(entry.choice($all, $words::as_str, draft)?)
+            };
+        }
         match name {
-            "rounding" => {
-                let word = one_of(name, value, &Rounding::OF_CONVERSIONS, Rounding::as_str)?;
-                draft.definition.rounding = Some(draft.stated(word, name, at));
-            }
-            "out-of-range" => {
-                let word = one_of(name, value, OutOfRange::ALL, OutOfRange::as_str)?;
-                draft.definition.out_of_range = Some(draft.stated(word, name, at));
-            }
-            "text-reading" => {
-                let word = one_of(name, value, TextReading::ALL, TextReading::as_str)?;
-                draft.definition.text_reading = Some(draft.stated(word, name, at));
-            }
+            "rounding" => choose!(rounding, &Rounding::OF_CONVERSIONS, Rounding),
+            "out-of-range" => choose!(out_of_range, OutOfRange::ALL, OutOfRange),
+            "truncation-out-of-range" => choose!(truncation_out_of_range, OutOfRange::ALL, OutOfRange),
+            "text-reading" => choose!(text_reading, TextReading::ALL, TextReading),
             "real-text" => {
                 let word = real_text(name, value)?;
                 draft.definition.real_text = Some(draft.stated(word, name, at));
             }
-            "bit-string-text" => {
-                let word = one_of(name, value, BitStringText::ALL, BitStringText::as_str)?;
-                draft.definition.bit_string_text = Some(draft.stated(word, name, at));
-            }
-            _ => {
-                let whose = of("conversions", draft);
-                return Err(ConfigurationMistake::unknown_key(
-                    at.clone(),
-                    name,
-                    &whose,
-                    &CONVERSIONS,
-                ));
-            }
+            "bit-string-text" => choose!(bit_string_text, BitStringText::ALL, BitStringText),
+            "moment-text" => choose!(moment_text, MomentText::ALL, MomentText),
+            "bits-as-real" => choose!(bits_as_real, BitsAsReal::ALL, BitsAsReal),
+            "bit-string-as-bool" => choose!(bit_string_as_bool, BitStringAsBool::ALL, BitStringAsBool),
+            "moment-units" => choose!(moment_units, MomentUnits::ALL, MomentUnits),
+            _ => return Err(entry.unknown("conversions", &CONVERSIONS, draft)),
         }
     }
     Ok(())
 }
 
+/// Reads `[dialects.NAME.operators]`.
+///
+/// # Errors
+/// An unknown choice, or an unknown word for one.
+pub(crate) fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+    for (key, value) in keys.iter() {
+        let (name, at) = (key.get_ref().as_ref(), &key.span());
+        let entry = Entry { name, at, value };
+        macro_rules! choose {
+            ($field:ident, $words:ident) => {
+                draft.definition.operators.$field = Some(entry.choice($words::ALL, $words::as_str, draft)?)
+            };
+        }
+        match name {
+            "implicit-warnings" => choose!(implicit_warnings, ImplicitWarnings),
+            "operands" => choose!(operands, OperandTypes),
+            "compared" => choose!(compared, ComparedTypes),
+            "result-signs" => choose!(result_signs, ResultSigns),
+            "constant-types" => choose!(constant_types, ConstantTypes),
+            "shift-counts" => choose!(shift_counts, ShiftCounts),
+            _ => return Err(entry.unknown("operators", &OPERATORS, draft)),
+        }
+    }
+    Ok(())
+}
+
+/// A key of a table of choices, and its value.
+struct Entry<'e, 'v> {
+    name: &'e str,
+    at: &'e Range<usize>,
+    value: &'e Spanned<DeValue<'v>>,
+}
+
+impl Entry<'_, '_> {
+    /// Returns the choice of `all` that the value names, with its basis.
+    fn choice<T: Copy>(
+        &self,
+        all: &[T],
+        as_str: impl Fn(T) -> &'static str,
+        draft: &Draft<'_>,
+    ) -> Result<Stated<T>, ConfigurationMistake> {
+        let word = one_of(self.name, self.value, all, as_str)?;
+        Ok(draft.stated(word, self.name, self.at))
+    }
+
+    /// Returns the mistake of a key that the table does not have.
+    fn unknown(&self, table: &str, known: &[&str], draft: &Draft<'_>) -> ConfigurationMistake {
+        ConfigurationMistake::unknown_key(self.at.clone(), self.name, &of(table, draft), known)
+    }
+}
+
 fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, ConfigurationMistake> {
     let said = format!(
-        "`{name}` is \"shortest\", or a number of significant digits from {} to {}",
+        "`{name}` is \"shortest\", \"by-width\", or a number of significant digits from {} to {}",
         DIGITS.start(),
         DIGITS.end()
     );
@@ -142,6 +201,7 @@ fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, Confi
         .filter(|digits| DIGITS.contains(digits));
     match (value.get_ref().as_str(), digits) {
         (Some("shortest"), _) => Ok(RealText::Shortest),
+        (Some("by-width"), _) => Ok(RealText::ByWidth),
         (None, Some(digits)) => Ok(RealText::SignificantDigits(digits)),
         _ => Err(ConfigurationMistake::at(value.span(), said)),
     }

@@ -199,6 +199,18 @@ out-of-range = "saturate"
 text-reading = "leading-number"
 real-text = 6
 bit-string-text = "shortest"
+truncation-out-of-range = "indefinite-32"
+moment-text = "components"
+bits-as-real = "copy"
+bit-string-as-bool = "lowest-bit"
+moment-units = "counts"
+[dialects.all-kinds.operators]
+implicit-warnings = "lost-values"
+operands = "promoted"
+compared = "of-one-kind"
+result-signs = "of-operator"
+constant-types = "least"
+shift-counts = "low-bits"
 "#,
     );
     use ElementaryType::{Bool, Dint, Int, Sint};
@@ -246,6 +258,53 @@ bit-string-text = "shortest"
     assert_eq!(
         definition.bit_string_text.as_ref().unwrap().value,
         BitStringText::Shortest
+    );
+    // Each of them is there, and is written as the file has it.
+    let overrides = definition.overrides();
+    for line in [
+        "truncation-out-of-range = indefinite-32",
+        "moment-text = components",
+        "bits-as-real = copy",
+        "bit-string-as-bool = lowest-bit",
+        "moment-units = counts",
+        "implicit-warnings = lost-values",
+        "operands = promoted",
+        "compared = of-one-kind",
+        "result-signs = of-operator",
+        "constant-types = least",
+        "shift-counts = low-bits",
+    ] {
+        assert!(
+            overrides.iter().any(|known| known == line),
+            "{line} in {overrides:?}"
+        );
+    }
+}
+
+#[test]
+fn a_dialect_takes_over_the_operators_of_the_one_that_it_extends() {
+    let configuration = read(
+        r#"
+[dialects.first-operators]
+extends = "codesys"
+operators.shift-counts = "all-bits"
+operators.operands = "one-of-theirs"
+flags.division-stops = false
+[dialects.second-operators]
+extends = "first-operators"
+operators.operands = "promoted"
+"#,
+    )
+    .unwrap();
+    let second = configuration.dialects()[1].definition().unwrap();
+    let overrides = second.overrides();
+    assert_eq!(
+        overrides,
+        [
+            "division-stops = false",
+            "operands = promoted",
+            "shift-counts = all-bits"
+        ]
     );
 }
 
@@ -459,8 +518,28 @@ fn a_mistake_in_a_dialect_is_told_with_its_place_and_the_word_that_was_meant() {
             "3:24: `rounding` is not `truncat`; did you mean `truncate`?",
         ),
         (
+            table("operators.operand = \"promoted\""),
+            "3:11: unknown key `operand` of `[dialects.wrong.operators]`; did you mean `operands`?",
+        ),
+        (
+            table("operators.operands = \"promote\""),
+            "3:22: `operands` is not `promote`; did you mean `promoted`?",
+        ),
+        (
+            table("operators.shift-counts = 5"),
+            "3:26: `shift-counts` must be a text in quotes, and this is of type integer",
+        ),
+        (
+            table("conversions.moment-units = \"count\""),
+            "3:28: `moment-units` is not `count`; did you mean `counts`?",
+        ),
+        (
+            table("flags.division-stop = true"),
+            "3:7: unknown key `division-stop` of `[dialects.wrong.flags]`; did you mean `division-stops`?",
+        ),
+        (
             table("conversions.real-text = 0"),
-            "3:25: `real-text` is \"shortest\", or a number of significant digits from 1 to 40",
+            "3:25: `real-text` is \"shortest\", \"by-width\", or a number of significant digits from 1 to 40",
         ),
         (
             table("conversions.real-text = \"long\""),

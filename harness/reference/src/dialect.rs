@@ -1,14 +1,14 @@
 //! The one place where a dialect's name becomes behaviour.
 
-pub use crate::options::{
-    ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, PartialAccess, ResultSigns, ShiftCounts,
-    ThirdEditionTypes, Widening,
-};
+pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
 use std::collections::BTreeMap;
 use stickler_types::definition::Flag;
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ConversionChoices, Definition, DialectName,
     ElementaryType, MatrixWord, MomentText, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading,
+};
+pub use stickler_types::{
+    ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts,
 };
 
 /// The language rules of one documented system. Each field names a choice that the sources make differently
@@ -135,6 +135,13 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     moment_units: MomentUnits::Seconds,
 };
 
+/// Replaces a choice by the one that a definition states, if it states one.
+fn override_by<T: Copy>(choice: &mut T, stated: &Option<Stated<T>>) {
+    if let Some(stated) = stated {
+        *choice = stated.value;
+    }
+}
+
 /// The statements of a definition about pairs of types: of the value, and of the target.
 pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
 
@@ -182,8 +189,27 @@ impl Dialect {
                 Flag::ThirdEditionTypes if on => self.third_edition_types = ThirdEditionTypes::All,
                 Flag::ThirdEditionTypes => self.third_edition_types = ThirdEditionTypes::None,
                 Flag::RoundingFunctions => self.only_standard_rounding = !on,
+                Flag::LiteralsByWidth => self.literals_by_width = on,
+                Flag::EnumerationsAsIntegers => self.enumerations_as_integers = on,
+                Flag::LengthsInParentheses => self.lengths_in_parentheses = on,
+                Flag::AmpersandAndPower => self.ampersand_and_power = on,
+                Flag::ModuloByZeroIsZero => self.modulo_by_zero_is_zero = on,
+                Flag::DivisionStops => self.division_stops = on,
+                Flag::MuxOutsideTakesLast => self.mux_outside_takes_last = on,
+                Flag::FunctionsPromote => self.functions_promote = on,
+                Flag::NegatesDurations => self.negates_durations = on,
+                Flag::NanDiffers => self.nan_differs = on,
+                Flag::MixedLocations => self.mixed_locations = on,
+                Flag::SingleValueSubranges => self.single_value_subranges = on,
             }
         }
+        let operators = &definition.operators;
+        override_by(&mut self.implicit_warnings, &operators.implicit_warnings);
+        override_by(&mut self.operands, &operators.operands);
+        override_by(&mut self.compared, &operators.compared);
+        override_by(&mut self.result_signs, &operators.result_signs);
+        override_by(&mut self.constant_types, &operators.constant_types);
+        override_by(&mut self.shift_counts, &operators.shift_counts);
         self.cells = Some(&definition.implicit);
         self.conversions = self.conversions.overridden(definition);
         self

@@ -213,11 +213,17 @@ impl ConversionChoices {
         ConversionChoices {
             rounding: stated(&definition.rounding, self.rounding),
             out_of_range: stated(&definition.out_of_range, self.out_of_range),
-            truncation_out_of_range: stated(&definition.out_of_range, self.truncation_out_of_range),
+            truncation_out_of_range: stated(
+                &definition.truncation_out_of_range,
+                stated(&definition.out_of_range, self.truncation_out_of_range),
+            ),
             text_reading: stated(&definition.text_reading, self.text_reading),
             real_text: stated(&definition.real_text, self.real_text),
             bit_string_text: stated(&definition.bit_string_text, self.bit_string_text),
-            ..self
+            moment_text: stated(&definition.moment_text, self.moment_text),
+            bits_as_real: stated(&definition.bits_as_real, self.bits_as_real),
+            bit_string_as_bool: stated(&definition.bit_string_as_bool, self.bit_string_as_bool),
+            moment_units: stated(&definition.moment_units, self.moment_units),
         }
     }
 }

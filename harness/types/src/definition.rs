@@ -4,7 +4,9 @@
 
 use crate::words::words;
 use crate::{
-    BitStringText, BuiltIn, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ComparedTypes, ConstantTypes, ElementaryType,
+    ImplicitWarnings, MatrixWord, MomentText, MomentUnits, OperandTypes, OutOfRange, RealText, ResultSigns,
+    Rounding, ShiftCounts, TextReading,
 };
 use std::collections::BTreeMap;
 
@@ -30,12 +32,73 @@ pub struct Definition {
     pub rounding: Option<Stated<Rounding>>,
     /// The result for a real number that lies outside the integer.
     pub out_of_range: Option<Stated<OutOfRange>>,
+    /// The result of TRUNC and its kin for such a number, where it is another one.
+    pub truncation_out_of_range: Option<Stated<OutOfRange>>,
     /// The part of a text that must be a number.
     pub text_reading: Option<Stated<TextReading>>,
     /// The digits in which a real number is written as text.
     pub real_text: Option<Stated<RealText>>,
     /// The form in which a bit string is written as text.
     pub bit_string_text: Option<Stated<BitStringText>>,
+    /// The form in which a duration, date or time of day is written as text.
+    pub moment_text: Option<Stated<MomentText>>,
+    /// The meaning of the bits of a bit string as a real of the same width.
+    pub bits_as_real: Option<Stated<BitsAsReal>>,
+    /// The bits of a bit string that decide whether it converts to TRUE.
+    pub bit_string_as_bool: Option<Stated<BitStringAsBool>>,
+    /// The unit in which a number counts a duration, date or time of day.
+    pub moment_units: Option<Stated<MomentUnits>>,
+    /// The choices of operators.
+    pub operators: OperatorOverrides,
+}
+
+/// The choices of operators that a definition states.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct OperatorOverrides {
+    /// The implicit conversions that are warned of.
+    pub implicit_warnings: Option<Stated<ImplicitWarnings>>,
+    /// The types in which two integers or bit strings meet.
+    pub operands: Option<Stated<OperandTypes>>,
+    /// The pairs of numbers and bit strings that a comparison takes.
+    pub compared: Option<Stated<ComparedTypes>>,
+    /// The signs of what operators on bits and prefix operators give.
+    pub result_signs: Option<Stated<ResultSigns>>,
+    /// The types of operations on constants.
+    pub constant_types: Option<Stated<ConstantTypes>>,
+    /// The bits of the count of a shift.
+    pub shift_counts: Option<Stated<ShiftCounts>>,
+}
+
+impl OperatorOverrides {
+    /// Returns the overrides in the notation of `stickler.toml`: `operands = promoted`.
+    fn written(&self) -> Vec<String> {
+        [
+            word(
+                "implicit-warnings",
+                &self.implicit_warnings,
+                ImplicitWarnings::as_str,
+            ),
+            word("operands", &self.operands, OperandTypes::as_str),
+            word("compared", &self.compared, ComparedTypes::as_str),
+            word("result-signs", &self.result_signs, ResultSigns::as_str),
+            word("constant-types", &self.constant_types, ConstantTypes::as_str),
+            word("shift-counts", &self.shift_counts, ShiftCounts::as_str),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+}
+
+/// Returns a stated choice in the notation of `stickler.toml`.
+fn word<T: Copy>(
+    key: &str,
+    stated: &Option<Stated<T>>,
+    as_str: impl Fn(T) -> &'static str,
+) -> Option<String> {
+    stated
+        .as_ref()
+        .map(|stated| format!("{key} = {}", as_str(stated.value)))
 }
 
 /// A statement of a definition, with its basis.
@@ -66,9 +129,15 @@ impl Definition {
             flags: BTreeMap::new(),
             rounding: None,
             out_of_range: None,
+            truncation_out_of_range: None,
             text_reading: None,
             real_text: None,
             bit_string_text: None,
+            moment_text: None,
+            bits_as_real: None,
+            bit_string_as_bool: None,
+            moment_units: None,
+            operators: OperatorOverrides::default(),
         }
     }
 
@@ -95,25 +164,35 @@ impl Definition {
             .iter()
             .map(|(flag, stated)| format!("{} = {}", flag.as_str(), stated.value));
         let choices = [
-            self.rounding
-                .as_ref()
-                .map(|stated| format!("rounding = {}", stated.value.as_str())),
-            self.out_of_range
-                .as_ref()
-                .map(|stated| format!("out-of-range = {}", stated.value.as_str())),
-            self.text_reading
-                .as_ref()
-                .map(|stated| format!("text-reading = {}", stated.value.as_str())),
+            word("rounding", &self.rounding, Rounding::as_str),
+            word("out-of-range", &self.out_of_range, OutOfRange::as_str),
+            word(
+                "truncation-out-of-range",
+                &self.truncation_out_of_range,
+                OutOfRange::as_str,
+            ),
+            word("text-reading", &self.text_reading, TextReading::as_str),
             self.real_text.as_ref().map(|stated| match stated.value {
                 RealText::Shortest => "real-text = shortest".to_owned(),
                 RealText::ByWidth => "real-text = by-width".to_owned(),
                 RealText::SignificantDigits(digits) => format!("real-text = {digits}"),
             }),
-            self.bit_string_text
-                .as_ref()
-                .map(|stated| format!("bit-string-text = {}", stated.value.as_str())),
+            word("bit-string-text", &self.bit_string_text, BitStringText::as_str),
+            word("moment-text", &self.moment_text, MomentText::as_str),
+            word("bits-as-real", &self.bits_as_real, BitsAsReal::as_str),
+            word(
+                "bit-string-as-bool",
+                &self.bit_string_as_bool,
+                BitStringAsBool::as_str,
+            ),
+            word("moment-units", &self.moment_units, MomentUnits::as_str),
         ];
-        cells.chain(flags).chain(choices.into_iter().flatten()).collect()
+        let choices = choices.into_iter().flatten();
+        cells
+            .chain(flags)
+            .chain(choices)
+            .chain(self.operators.written())
+            .collect()
     }
 
     /// Returns the statement about a pair of types; `None` if there is none.
@@ -145,6 +224,30 @@ words! {
         ThirdEditionTypes = "third-edition-types",
         /// ROUND, CEIL, CEILING and FLOOR.
         RoundingFunctions = "rounding-functions",
+        /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56.
+        LiteralsByWidth = "literals-by-width",
+        /// A value of an enumeration may stand where a number is expected, as an INT.
+        EnumerationsAsIntegers = "enumerations-as-integers",
+        /// The length of a text may stand in parentheses: `STRING(80)`.
+        LengthsInParentheses = "lengths-in-parentheses",
+        /// `&` and `**` are operators.
+        AmpersandAndPower = "ampersand-and-power",
+        /// MOD of promoted integers by zero gives 0, and is no fault.
+        ModuloByZeroIsZero = "modulo-by-zero-is-zero",
+        /// `/` stops the program where a real number is divided by zero, and where a quotient of integers does not fit its type.
+        DivisionStops = "division-stops",
+        /// MUX with a selector outside its inputs takes the last one, and is no fault.
+        MuxOutsideTakesLast = "mux-outside-takes-last",
+        /// MIN, MAX, ABS, SHL and SHR compute integers and bit strings with 32 bits at least, and shifts take integers.
+        FunctionsPromote = "functions-promote",
+        /// A minus sign may stand before a duration.
+        NegatesDurations = "negates-durations",
+        /// `<>` holds where an operand is not a number.
+        NanDiffers = "nan-differs",
+        /// Variables with a location and others may stand in one section.
+        MixedLocations = "mixed-locations",
+        /// A subrange may have a single value.
+        SingleValueSubranges = "single-value-subranges",
     }
 }
 

@@ -9,8 +9,8 @@ use super::{Rules, UnaryCall};
 use crate::signature::Operation;
 use crate::value::value;
 use stickler_types::{
-    BitStringText, ConversionChoices, Definition, ElementaryType, Family, OutOfRange, RealText, Rounding,
-    TextReading, Value,
+    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, Definition, ElementaryType, Family,
+    MomentText, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading, Value,
 };
 
 /// A choice that a definition may make.
@@ -18,17 +18,27 @@ use stickler_types::{
 enum StatedKey {
     Rounding,
     OutOfRange,
+    TruncationOutOfRange,
     TextReading,
     RealText,
     BitStringText,
+    MomentText,
+    BitsAsReal,
+    BitStringAsBool,
+    MomentUnits,
 }
 
-const KEYS: [StatedKey; 5] = [
+const KEYS: [StatedKey; 10] = [
     StatedKey::Rounding,
     StatedKey::OutOfRange,
+    StatedKey::TruncationOutOfRange,
     StatedKey::TextReading,
     StatedKey::RealText,
     StatedKey::BitStringText,
+    StatedKey::MomentText,
+    StatedKey::BitsAsReal,
+    StatedKey::BitStringAsBool,
+    StatedKey::MomentUnits,
 ];
 
 impl UnaryCall<'_> {
@@ -81,8 +91,9 @@ impl UnaryCall<'_> {
         let (from, to) = (self.from, self.to);
         match key {
             StatedKey::Rounding => is_pair && from.is_real() && to.is_integer(),
-            StatedKey::OutOfRange => {
-                from.is_real() && to.is_integer() && (is_pair || self.basis(&one(from)).is_some())
+            StatedKey::OutOfRange => is_pair && from.is_real() && to.is_integer(),
+            StatedKey::TruncationOutOfRange => {
+                from.is_real() && to.is_integer() && self.basis(&one(from)).is_some()
             }
             StatedKey::TextReading => {
                 is_pair
@@ -91,6 +102,12 @@ impl UnaryCall<'_> {
             }
             StatedKey::RealText => is_pair && from.is_real() && to.family() == Family::Text,
             StatedKey::BitStringText => is_pair && from.is_bit_string() && to.family() == Family::Text,
+            StatedKey::MomentText => is_pair && is_moment(from) && to.family() == Family::Text,
+            StatedKey::BitsAsReal => {
+                is_pair && (from.is_bit_string() && to.is_real() || from.is_real() && to.is_bit_string())
+            }
+            StatedKey::BitStringAsBool => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
+            StatedKey::MomentUnits => is_pair && (is_moment(from) || is_moment(to)),
         }
     }
 
@@ -98,10 +115,21 @@ impl UnaryCall<'_> {
     fn documents(self, key: StatedKey) -> bool {
         match key {
             StatedKey::Rounding => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
-            StatedKey::OutOfRange => self.rules == Rules::Matiec,
-            StatedKey::TextReading | StatedKey::RealText | StatedKey::BitStringText => false,
+            StatedKey::OutOfRange | StatedKey::TruncationOutOfRange => self.rules == Rules::Matiec,
+            StatedKey::BitsAsReal => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),
+            StatedKey::BitStringAsBool => self.rules == Rules::Rusty,
+            StatedKey::TextReading
+            | StatedKey::RealText
+            | StatedKey::BitStringText
+            | StatedKey::MomentText
+            | StatedKey::MomentUnits => false,
         }
     }
+}
+
+/// Returns whether a type is a duration, a date, a time of day or both.
+fn is_moment(ty: ElementaryType) -> bool {
+    ty.is_duration() || ty.is_date_or_time()
 }
 
 /// Returns the number 1 of a real type.
@@ -116,55 +144,64 @@ fn one(ty: ElementaryType) -> Value {
 impl StatedKey {
     /// Returns the basis of the definition's statement, if the definition makes this choice.
     fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
+        fn basis<T>(stated: &'static Option<Stated<T>>) -> Option<&'static str> {
+            stated.as_ref().map(|stated| &*stated.basis)
+        }
         match self {
-            StatedKey::Rounding => definition.rounding.as_ref().map(|stated| &*stated.basis),
-            StatedKey::OutOfRange => definition.out_of_range.as_ref().map(|stated| &*stated.basis),
-            StatedKey::TextReading => definition.text_reading.as_ref().map(|stated| &*stated.basis),
-            StatedKey::RealText => definition.real_text.as_ref().map(|stated| &*stated.basis),
-            StatedKey::BitStringText => definition.bit_string_text.as_ref().map(|stated| &*stated.basis),
+            StatedKey::Rounding => basis(&definition.rounding),
+            StatedKey::OutOfRange => basis(&definition.out_of_range),
+            StatedKey::TruncationOutOfRange => {
+                basis(&definition.truncation_out_of_range).or_else(|| basis(&definition.out_of_range))
+            }
+            StatedKey::TextReading => basis(&definition.text_reading),
+            StatedKey::RealText => basis(&definition.real_text),
+            StatedKey::BitStringText => basis(&definition.bit_string_text),
+            StatedKey::MomentText => basis(&definition.moment_text),
+            StatedKey::BitsAsReal => basis(&definition.bits_as_real),
+            StatedKey::BitStringAsBool => basis(&definition.bit_string_as_bool),
+            StatedKey::MomentUnits => basis(&definition.moment_units),
         }
     }
 
     /// Returns the choices with every alternative for this key; a few numbers of digits represent all.
     fn others(self, choices: ConversionChoices) -> Vec<ConversionChoices> {
-        let all: Vec<ConversionChoices> = match self {
-            StatedKey::Rounding => [
-                Rounding::Truncate,
-                Rounding::HalfToEven,
-                Rounding::HalfAwayFromZero,
-            ]
-            .map(|rounding| ConversionChoices { rounding, ..choices })
-            .to_vec(),
-            StatedKey::OutOfRange => OutOfRange::ALL
-                .iter()
-                .map(|&out_of_range| ConversionChoices {
-                    out_of_range,
-                    truncation_out_of_range: out_of_range,
-                    ..choices
-                })
-                .collect(),
-            StatedKey::TextReading => TextReading::ALL
-                .iter()
-                .map(|&text_reading| ConversionChoices {
-                    text_reading,
-                    ..choices
-                })
-                .collect(),
-            StatedKey::RealText => [
-                RealText::Shortest,
-                RealText::SignificantDigits(1),
-                RealText::SignificantDigits(6),
-                RealText::SignificantDigits(17),
-            ]
-            .map(|real_text| ConversionChoices { real_text, ..choices })
-            .to_vec(),
-            StatedKey::BitStringText => BitStringText::ALL
-                .iter()
-                .map(|&bit_string_text| ConversionChoices {
-                    bit_string_text,
-                    ..choices
-                })
-                .collect(),
+        /// Returns the choices with each option in turn.
+        fn each<T: Copy>(
+            options: &[T],
+            choices: ConversionChoices,
+            set: impl Fn(&mut ConversionChoices, T),
+        ) -> Vec<ConversionChoices> {
+            let with = |option: &T| {
+                let mut other = choices;
+                set(&mut other, *option);
+                other
+            };
+            options.iter().map(with).collect()
+        }
+        let texts = [
+            RealText::Shortest,
+            RealText::ByWidth,
+            RealText::SignificantDigits(1),
+            RealText::SignificantDigits(6),
+            RealText::SignificantDigits(17),
+        ];
+        let all = match self {
+            StatedKey::Rounding => each(&Rounding::OF_CONVERSIONS, choices, |all, one| all.rounding = one),
+            StatedKey::OutOfRange => each(OutOfRange::ALL, choices, |all, one| all.out_of_range = one),
+            StatedKey::TruncationOutOfRange => each(OutOfRange::ALL, choices, |all, one| {
+                all.truncation_out_of_range = one;
+            }),
+            StatedKey::TextReading => each(TextReading::ALL, choices, |all, one| all.text_reading = one),
+            StatedKey::RealText => each(&texts, choices, |all, one| all.real_text = one),
+            StatedKey::BitStringText => {
+                each(BitStringText::ALL, choices, |all, one| all.bit_string_text = one)
+            }
+            StatedKey::MomentText => each(MomentText::ALL, choices, |all, one| all.moment_text = one),
+            StatedKey::BitsAsReal => each(BitsAsReal::ALL, choices, |all, one| all.bits_as_real = one),
+            StatedKey::BitStringAsBool => each(BitStringAsBool::ALL, choices, |all, one| {
+                all.bit_string_as_bool = one;
+            }),
+            StatedKey::MomentUnits => each(MomentUnits::ALL, choices, |all, one| all.moment_units = one),
         };
         all.into_iter().filter(|other| *other != choices).collect()
     }

@@ -89,7 +89,19 @@ fn stated(definition: &Definition) -> Vec<(&'static str, bool)> {
         | Flag::IntegerLiteralAsReal
         | Flag::IntegerLiteralAsBitString
         | Flag::NestedComments
-        | Flag::RoundingFunctions => None,
+        | Flag::RoundingFunctions
+        | Flag::LiteralsByWidth
+        | Flag::EnumerationsAsIntegers
+        | Flag::LengthsInParentheses
+        | Flag::AmpersandAndPower
+        | Flag::ModuloByZeroIsZero
+        | Flag::DivisionStops
+        | Flag::MuxOutsideTakesLast
+        | Flag::FunctionsPromote
+        | Flag::NegatesDurations
+        | Flag::NanDiffers
+        | Flag::MixedLocations
+        | Flag::SingleValueSubranges => None,
     };
     let flags = definition.flags.iter();
     flags
