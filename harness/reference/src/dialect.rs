@@ -65,6 +65,10 @@ pub struct Dialect {
     ///
     /// Basis: twincat-builds: recordings/twincat.build.json (`cc_enum_…`).
     pub enumerations_as_integers: bool,
+    /// A user-defined name of an elementary type, and a subrange of one, convert implicitly as the type does.
+    ///
+    /// Basis: matiec: User-defined types; rule: not-stated; implicit-conversion-rules: ANY_DATE, STRING and user defined, by which they do not.
+    pub derived_types_convert: bool,
     /// The length of a text may stand in parentheses: `STRING(80)`.
     ///
     /// Basis: twincat-builds: recordings/twincat.build.json (`cc_string_…`); ironplc-problem-codes: P4042.
@@ -232,6 +236,7 @@ impl Dialect {
             nan_differs: true,
             literals_by_width: false,
             enumerations_as_integers: false,
+            derived_types_convert: true,
             lengths_in_parentheses: false,
             ampersand_and_power: true,
             modulo_by_zero_is_zero: false,
@@ -327,6 +332,14 @@ impl Dialect {
         Dialect {
             name: DialectName::Plcnext,
             widening: Widening::Plcnext,
+            derived_types_convert: false,
+            ..Dialect::with_third_edition()
+        }
+    }
+
+    /// What the dialects with the types, the comments and the locations of the third edition have in common.
+    const fn with_third_edition() -> Dialect {
+        Dialect {
             cross_family_widening: false,
             integer_literal_as_real: true,
             integer_literal_as_bit_string: true,
@@ -359,7 +372,7 @@ impl Dialect {
                 moment_units: MomentUnits::DaysAndMilliseconds,
                 ..COMMON_CHOICES
             },
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -382,7 +395,7 @@ impl Dialect {
                 bit_string_as_bool: BitStringAsBool::LowestBit,
                 ..COMMON_CHOICES
             },
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -420,7 +433,7 @@ impl Dialect {
                 moment_units: MomentUnits::Counts,
                 ..COMMON_CHOICES
             },
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -447,7 +460,7 @@ impl Dialect {
             name: DialectName::Logix,
             widening: Widening::NumbersApartFromBool,
             operands: OperandTypes::Promoted,
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -461,7 +474,7 @@ impl Dialect {
             name: DialectName::ControlExpert,
             widening: Widening::NumbersButNoRealAsBits,
             operands: OperandTypes::Promoted,
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -476,7 +489,7 @@ impl Dialect {
             operands: OperandTypes::HigherRank,
             compared: ComparedTypes::OfOneKind,
             nan_differs: false,
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 
@@ -487,12 +500,13 @@ impl Dialect {
     pub const fn iec_ed3() -> Dialect {
         Dialect {
             name: DialectName::IecEd3,
+            widening: Widening::Plcnext,
             partial_access: PartialAccess::UpToDoubleWords,
             conversions: ConversionChoices {
                 bits_as_real: BitsAsReal::Copy,
                 ..COMMON_CHOICES.with_rounding(Rounding::HalfToEven)
             },
-            ..Dialect::plcnext()
+            ..Dialect::with_third_edition()
         }
     }
 

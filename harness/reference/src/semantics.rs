@@ -19,6 +19,7 @@ mod contexts;
 mod conversions;
 mod cycles;
 mod declare;
+mod derived;
 mod direct;
 mod emitter;
 mod enumeration;

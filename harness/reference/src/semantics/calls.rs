@@ -101,15 +101,27 @@ impl<'m> Lowering<'m> {
     pub(super) fn infer_call(&mut self, callee: ExpressionId, arguments: &'m [Argument<'m>]) -> Inferred {
         match self.callee(callee) {
             Callee::Block(_) => Inferred::Nothing,
-            Callee::Function(pou) => match self.model.pous[pou as usize].result {
-                Some(result) => self.inferred_of(self.model.variable(result).ty),
-                None => Inferred::Nothing,
-            },
+            Callee::Function(pou) => self
+                .result_type(pou)
+                .map_or(Inferred::Nothing, |ty| self.inferred_of(ty)),
             Callee::Standard(standard) => self.infer_standard(standard, arguments),
             Callee::Conversion(conversion) => self.infer_conversion(&conversion, arguments),
             Callee::Concatenation(concatenation) => Inferred::from(concatenation.result),
             Callee::Nothing(..) | Callee::Silent => Inferred::Error,
         }
+    }
+
+    /// Returns the type with which a function of the text declares its result; `None` where what is called is none, or gives nothing.
+    pub(super) fn declared_result(&mut self, callee: ExpressionId) -> Option<TypeId> {
+        match self.callee(callee) {
+            Callee::Function(pou) => self.result_type(pou),
+            _ => None,
+        }
+    }
+
+    fn result_type(&self, pou: u32) -> Option<TypeId> {
+        let result = self.model.pous[pou as usize].result?;
+        Some(self.model.variable(result).ty)
     }
 
     /// Lowers a call, and leaves its result on the stack.

@@ -3,6 +3,7 @@
 
 use super::common::settle;
 use super::constants::combine;
+use super::contexts::ValueContext;
 use super::expressions::fitting;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
@@ -131,6 +132,10 @@ impl Lowering<'_> {
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.
     pub(super) fn operand(&mut self, id: ExpressionId, value: LoweredValue, to: TypeId) -> LoweredValue {
+        if self.refuses_derived(id, Inferred::Known(value.ty), to) {
+            self.report_derived(id, Inferred::Known(value.ty), to, ValueContext::Operand);
+            return LoweredValue::ERROR;
+        }
         let converted = self.adapt(value, to);
         if let (Some(from), Some(to)) = (value.ty.elementary(), to.elementary()) {
             self.emitter.record(id, UseKind::Operand { from, to });

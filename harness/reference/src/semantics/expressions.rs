@@ -28,19 +28,27 @@ impl<'m> Lowering<'m> {
             return LoweredValue::ERROR;
         }
         let flexible = self.flexible_result(id, to).map_or(inferred, Inferred::from);
-        let fits = fit(
-            flexible,
-            to,
-            context,
-            &self.model.types,
-            self.model.source.dialect,
-        );
+        let fits = match self.refuses_derived(id, flexible, target) {
+            true => Fit::No,
+            false => fit(
+                flexible,
+                to,
+                context,
+                &self.model.types,
+                self.model.source.dialect,
+            ),
+        };
         // What does not fit is lowered all the same, for what is wrong inside. A call in which something is wrong knows what
         // is wanted of it, for its suggestions.
         let bare = self.expression(self.model.source.bare(id));
         let broken_call = fits == Fit::Silent && matches!(bare.kind, ExpressionKind::Call { .. });
         let wanted = fits == Fit::Yes || broken_call && to != TypeId::ERROR;
         let value = self.value(id, wanted.then_some(to));
+        if fits == Fit::No && self.refuses_derived(id, flexible, target) {
+            self.report_derived(id, inferred, target, context);
+            self.record_expected(id, flexible, to, false);
+            return LoweredValue::ERROR;
+        }
         if fits == Fit::No {
             self.report_lowered_misfit(id, inferred, value, to, context);
             self.record_expected(id, flexible, to, false);

@@ -231,7 +231,13 @@ impl<'m> Lowering<'m> {
         }
         let Inferred::Known(to) = target else { return false };
         let dialect = self.model.source.dialect;
-        if fit(Inferred::Known(from), to, ValueContext::Capture, types, dialect) != Fit::Yes {
+        let fits = fit(Inferred::Known(from), to, ValueContext::Capture, types, dialect) == Fit::Yes;
+        let is_derived = types.is_derived(output.ty);
+        let refused = from != to
+            && !dialect.derived_types_convert
+            && (is_derived || self.is_of_derived_type(capture.target));
+        if !fits || refused {
+            let types = &self.model.types;
             let message = format!(
                 "{} does not convert implicitly to {}",
                 types.name(from),

@@ -43,7 +43,8 @@ impl<'m> Lowering<'m> {
         self.report_misfit_as(id, inferred, TypeId::of(default), ValueContext::Argument, message);
     }
 
-    fn report_misfit_as(
+    /// Reports a value that does not fit where it stands, with a message of its own, and the conversion call that would make it fit.
+    pub(super) fn report_misfit_as(
         &mut self,
         id: ExpressionId,
         inferred: Inferred,

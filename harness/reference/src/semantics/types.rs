@@ -334,6 +334,11 @@ impl TypeTable {
         self.entry(id).root
     }
 
+    /// Returns whether a type is an alias or a subrange: user-defined, and yet of elementary values.
+    pub(super) fn is_derived(&self, id: TypeId) -> bool {
+        matches!(self.entry(id).kind, TypeKind::Alias | TypeKind::Subrange(_))
+    }
+
     /// The type that a value has: aliases, subranges and lengths of texts make no difference to it.
     pub(super) fn value_type(&self, id: TypeId) -> TypeId {
         if id.elementary().is_some() {

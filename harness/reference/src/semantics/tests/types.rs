@@ -1,6 +1,7 @@
 //! Declared types: enumerations, subranges, arrays, texts.
 
-use super::{codes, gives, says};
+use super::{codes, gives, says, says_in};
+use stickler_types::DialectName;
 
 #[test]
 fn enumerated_values_are_found_by_name() {
@@ -93,6 +94,49 @@ fn subranges_are_integers_with_limits() {
          PROGRAM main VAR h : HI; o : OWN; s : S; a : ARRAY[0..2] OF HI; z : INT(-5..5); END_VAR h := h + 1; END_PROGRAM",
         &["h = INT#11", "o = INT#15", "s.h = INT#10", "a[2] = INT#10", "z = INT#0"],
     );
+}
+
+#[test]
+fn user_defined_types_convert_to_no_other_in_plcnext() {
+    let program = |statement: &str| {
+        format!(
+            "TYPE LENGTH : INT; PCT : INT(0..100); FAR : DINT; S : STRUCT f : LENGTH; END_STRUCT; END_TYPE
+             FUNCTION GIVE : LENGTH VAR_INPUT in : INT; END_VAR GIVE := in; END_FUNCTION
+             FUNCTION_BLOCK FB VAR_OUTPUT o : LENGTH; p : INT; END_VAR END_FUNCTION_BLOCK
+             PROGRAM main VAR a : LENGTH; p : PCT; z : FAR; s : S; l : ARRAY[0..1] OF LENGTH; i : INT; d : DINT; b : BOOL; fb : FB; END_VAR
+             {statement} END_PROGRAM"
+        )
+    };
+    for same in [
+        "i := a; a := i; i := p; p := i; d := z; z := d; l[0] := s.f; i := GIVE(a); i := a + i; fb(o => i); fb(p => a); z := 5;",
+        "d := i; d := d + i; fb(p => d); d := INT_TO_DINT(a); b := a = i;",
+    ] {
+        assert!(says_in(DialectName::Plcnext, &program(same)).is_empty(), "{same}");
+    }
+    for (other, code) in [
+        ("d := a;", "P4035"),
+        ("d := p;", "P4035"),
+        ("z := i;", "P4035"),
+        ("d := (s.f);", "P4035"),
+        ("d := l[1];", "P4035"),
+        ("d := GIVE(i);", "P4027"),
+        ("z := INT#5;", "P4035"),
+        ("d := d + a;", "P4049"),
+        ("b := p < d;", "P4049"),
+        ("fb(o => d);", "P4035"),
+        ("fb(p => z);", "P4035"),
+        ("d := MAX(d, a);", "P4026"),
+    ] {
+        assert_eq!(
+            says_in(DialectName::Plcnext, &program(other)),
+            [format!("5 {code}")],
+            "{other}"
+        );
+        assert!(
+            says_in(DialectName::IronplcEd3, &program(other)).is_empty(),
+            "{other}"
+        );
+    }
 }
 
 #[test]

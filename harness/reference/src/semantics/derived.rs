@@ -1,0 +1,75 @@
+//! User-defined names of elementary types, and subranges of them: where a dialect converts them to no other type.
+
+use super::contexts::ValueContext;
+use super::inferred::Inferred;
+use super::lowering::Lowering;
+use super::misfit::describe;
+use super::types::{TypeId, TypeKind};
+use crate::syntax::tree::{ExpressionId, ExpressionKind};
+
+impl Lowering<'_> {
+    /// Returns whether a value would have to convert to the type of `target` although it, or `target`, is of a user-defined type that
+    /// converts to nothing. A value of the same elementary type stays what it is.
+    ///
+    /// Basis: implicit-conversion-rules: ANY_DATE, STRING and user defined.
+    pub(super) fn refuses_derived(&mut self, id: ExpressionId, from: Inferred, target: TypeId) -> bool {
+        if self.model.source.dialect.derived_types_convert {
+            return false;
+        }
+        let converts = matches!(from, Inferred::Known(from) if from != self.model.types.value_type(target));
+        converts && (self.model.types.is_derived(target) || self.is_of_derived_type(id))
+    }
+
+    /// Reports a value that is refused so, with the conversion call that would make it fit.
+    pub(super) fn report_derived(
+        &mut self,
+        id: ExpressionId,
+        inferred: Inferred,
+        target: TypeId,
+        context: ValueContext,
+    ) {
+        let declared = self
+            .declared_type_of(id)
+            .filter(|&ty| self.model.types.is_derived(ty));
+        let types = &self.model.types;
+        let from = declared.map_or_else(|| describe(types, inferred), |ty| types.name(ty));
+        let message = format!(
+            "{from} does not convert implicitly to {}: a user-defined type never does",
+            types.name(target)
+        );
+        self.report_misfit_as(id, inferred, types.value_type(target), context, message);
+    }
+
+    /// Returns whether an expression is a variable, or the result of a function, that is declared with a user-defined type.
+    pub(super) fn is_of_derived_type(&mut self, id: ExpressionId) -> bool {
+        self.declared_type_of(id)
+            .is_some_and(|ty| self.model.types.is_derived(ty))
+    }
+
+    /// Returns the type with which the variable or the function of an expression is declared; `None` for all that is computed.
+    fn declared_type_of(&mut self, id: ExpressionId) -> Option<TypeId> {
+        match self.expression(self.model.source.bare(id)).kind {
+            ExpressionKind::Name(name) => Some(self.variable(name.text)?.1.ty),
+            ExpressionKind::Field { base, field } => {
+                let ty = self.known_type(base)?;
+                Some(self.model.types.kind(ty).element(field.text)?.ty)
+            }
+            ExpressionKind::Index { base, .. } => {
+                let ty = self.known_type(base)?;
+                match self.model.types.kind(ty) {
+                    TypeKind::Array(shape) => Some(shape.element),
+                    _ => None,
+                }
+            }
+            ExpressionKind::Call { callee, .. } => self.declared_result(callee),
+            _ => None,
+        }
+    }
+
+    fn known_type(&mut self, id: ExpressionId) -> Option<TypeId> {
+        match self.infer(id) {
+            Inferred::Known(ty) => Some(ty),
+            _ => None,
+        }
+    }
+}
