@@ -23,7 +23,7 @@ use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
     RunRequest, Session,
 };
-use driver::{MatiecSubject, driver, without_locations};
+use driver::{LOCATIONS, MatiecSubject, driver};
 pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -218,7 +218,6 @@ impl MatiecSession<'_> {
         let warnings = translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;
-        without_locations(request.source).map_err(|reason| Outcome::Unsupported { reason })?;
         self.engine.builder.build(&driver.text, &self.folder)?;
         Ok(driver.execute(&self.folder)?.with_warnings(warnings))
     }
@@ -231,7 +230,7 @@ impl MatiecSession<'_> {
     /// Runs the compiler on a program, which reports its diagnostics and writes its C.
     fn compile(&self, source: &str) -> Result<Ended, Outcome> {
         self.folder.write("program.st", source).map_err(failed)?;
-        for left in ["POUS.c", "POUS.h"] {
+        for left in ["POUS.c", "POUS.h", LOCATIONS] {
             // What an earlier program left behind must not be taken for this one.
             let _ = std::fs::remove_file(self.folder.path().join(left));
         }

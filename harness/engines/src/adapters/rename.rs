@@ -33,7 +33,21 @@ const BLOCKS: &[&str] = &["STRUCT", "IF", "CASE", "FOR", "WHILE", "REPEAT"];
 /// `taken`, by the language or by the library of a compiler.
 #[must_use]
 pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
-    let mut reader = ProgramReader::default();
+    read(source, taken, ProgramReader::default())
+}
+
+/// Returns what [`declared`] does, and takes programs with directly represented variables, for a driver that gives each program memory
+/// of its own.
+#[must_use]
+pub(super) fn declared_or_located(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>> {
+    let reader = ProgramReader {
+        takes_locations: true,
+        ..ProgramReader::default()
+    };
+    read(source, taken, reader)
+}
+
+fn read(source: &str, taken: &HashSet<String>, mut reader: ProgramReader) -> Option<HashSet<String>> {
     for token in tokens(source) {
         reader.read(token)?;
     }
@@ -44,6 +58,8 @@ pub fn declared(source: &str, taken: &HashSet<String>) -> Option<HashSet<String>
 /// The state of reading a program.
 #[derive(Default)]
 struct ProgramReader {
+    /// Whether directly represented variables may occur.
+    takes_locations: bool,
     /// The units and blocks that have not ended, in capitals.
     open: Vec<String>,
     names: HashSet<String>,
@@ -75,6 +91,7 @@ impl ProgramReader {
     fn read(&mut self, token: SourceToken<'_>) -> Option<()> {
         let last = std::mem::replace(&mut self.last, Last::Other);
         match token {
+            SourceToken::Sign(b'%') if self.takes_locations => {}
             SourceToken::Unfinished | SourceToken::Pragma | SourceToken::Sign(b'%') => return None,
             SourceToken::Word(word) => self.word(word.text.to_ascii_uppercase(), last)?,
             SourceToken::Sign(b':') => {

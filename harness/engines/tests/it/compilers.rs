@@ -237,9 +237,9 @@ fn matiec_behaves() {
     behaves(engine.as_ref());
     divides_by_zero(engine.as_ref());
     reads_derived_types(engine.as_ref());
-    let located = "PROGRAM main VAR x AT %MW5 : INT; END_VAR x := 1; END_PROGRAM";
-    let outcome = ask(engine.as_ref(), located, &[("x", "INT", None)], 1);
-    assert!(matches!(outcome, Outcome::Unsupported { .. }), "{outcome:?}");
+    let located = "PROGRAM main VAR x AT %MW5 : INT; END_VAR x := x + 1; END_PROGRAM";
+    let outcome = ask(engine.as_ref(), located, &[("x", "INT", None)], 3);
+    assert_eq!(values(outcome), ["x = INT#3"]);
     let wrong = "PROGRAM main VAR x AT %MW5 : INT; END_VAR x := TRUE; END_PROGRAM";
     let outcome = ask(engine.as_ref(), wrong, &[("x", "INT", None)], 1);
     assert!(matches!(outcome, Outcome::Rejected { .. }), "{outcome:?}");

@@ -77,8 +77,23 @@ pub(super) fn translated(own: Option<&OwnConfiguration>) -> String {
         // The file of the resource includes those of the program organization units.
         Some(own) => format!("#include \"{}.c\"\n#include \"{}.c\"\n", own.name, own.resource),
     };
-    format!("TIME __CURRENT_TIME;\nBOOL __DEBUG;\n{files}")
+    format!("TIME __CURRENT_TIME;\nBOOL __DEBUG;\n{MEMORY_OF_LOCATIONS}#include \"{LOCATIONS}\"\n{files}")
 }
+
+/// The file with an entry for each directly represented variable, whose memory the runtime system provides.
+pub(super) const LOCATIONS: &str = "LOCATED_VARIABLES.h";
+
+/// The macros that give each location its memory, 0 at first: what a runtime system does. Variables with one location share it, whatever
+/// their types; programs of a pack run in processes of their own.
+const MEMORY_OF_LOCATIONS: &str = "\
+#define __LOCATED_VAR(type, name, ...) static long long located##name[64];
+#undef __INIT_LOCATED
+#define __INIT_LOCATED(type, location, name, retained) \\
+    { name.value = (type *)located##location; __INIT_RETAIN(name, retained) }
+#undef __INIT_GLOBAL_LOCATED
+#define __INIT_GLOBAL_LOCATED(domain, name, location, retained) \\
+    domain##__##name.value = (void *)located##location; __INIT_RETAIN(domain##__##name, retained)
+";
 
 /// Returns the C expression for the instance of a program in its own configuration.
 pub(super) fn configured(own: &OwnConfiguration) -> String {
@@ -108,8 +123,19 @@ pub(super) fn calls(program: &str, instance: &str, is_configured: bool, scan: &s
 }
 
 /// Returns the C expression for a variable of the instance of a program.
-pub(super) fn place(instance: &str, variable: &str) -> String {
-    format!("{instance}.{}.value", variable.to_ascii_uppercase())
+pub(super) fn place(instance: &str, variable: &str, source: &str) -> String {
+    let value = format!("{instance}.{}.value", variable.to_ascii_uppercase());
+    match is_located(source, variable) {
+        true => format!("(*{value})"),
+        false => value,
+    }
+}
+
+/// Tells whether a program declares a directly represented variable of this name, of which the C has a pointer.
+fn is_located(source: &str, variable: &str) -> bool {
+    // AT is a keyword, so no name.
+    let mut behind = words(source).skip(1);
+    words(source).any(|word| behind.next().is_some_and(|next| next.is("AT")) && word.is(variable))
 }
 
 /// Writes the function that runs a program, given with the expression for its instance.
@@ -134,18 +160,6 @@ fn write_run(
         "        {run}\n        look_{number}(scan);\n    }}\n    look_{number}(0);\n    return 0;\n}}\n"
     );
     Ok(())
-}
-
-/// Checks that a program has no directly represented variables, whose memory belongs to the runtime system.
-///
-/// # Errors
-/// A fragment that says why the program cannot be run.
-pub(super) fn without_locations(source: &str) -> Result<(), String> {
-    // AT is a keyword, so no name.
-    match words(source).any(|word| word.is("AT")) {
-        true => Err("the memory of its variables with a location (`AT`) belongs to the runtime system, which is not here".to_owned()),
-        false => Ok(()),
-    }
 }
 
 /// Tells whether the compiler has values of a type.
@@ -180,7 +194,7 @@ fn write_look(
 ) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(instance, subject.probes.variable(asked));
+        let variable = place(instance, subject.probes.variable(asked), subject.request.source);
         let call = match kind {
             PrintedKind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
             PrintedKind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
@@ -207,12 +221,12 @@ pub(super) fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u3
     let set = request
         .set
         .iter()
-        .map(|setting| Ok((setting.before, written(instance, setting)?)));
+        .map(|setting| Ok((setting.before, written(instance, setting, request.source)?)));
     clock.chain(set).collect()
 }
 
 /// Returns the statement that sets a variable.
-fn written(instance: &str, setting: &Setting) -> Result<String, String> {
+fn written(instance: &str, setting: &Setting, source: &str) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
     let Value::Plain { ty, raw } = setting.value else {
         return Err(cannot());
@@ -220,7 +234,7 @@ fn written(instance: &str, setting: &Setting) -> Result<String, String> {
     if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
-    let variable = place(instance, &setting.name);
+    let variable = place(instance, &setting.name, source);
     Ok(if is_time(ty) {
         let (seconds, rest) = split(raw.cast_signed());
         format!("{variable} = (TIME){{{seconds}, {rest}}};")
@@ -399,6 +413,13 @@ mod tests {
             "{}",
             driver.text
         );
+    }
+
+    #[test]
+    fn a_variable_with_a_location_is_a_pointer() {
+        let source = "PROGRAM main VAR x AT %MW1 : INT; y : INT; END_VAR END_PROGRAM";
+        assert_eq!(place("p", "x", source), "(*p.X.value)");
+        assert_eq!(place("p", "y", source), "p.Y.value");
     }
 
     #[test]

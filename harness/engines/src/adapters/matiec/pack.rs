@@ -8,7 +8,7 @@ use super::driver::{MatiecSubject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
-use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix, places_named};
+use crate::adapters::rename::{Renamed, declared_or_located, has_pack_suffix, pack_suffix, places_named};
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
@@ -27,7 +27,8 @@ struct PackMember<'r> {
 
 impl<'r> PackMember<'r> {
     fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<PackMember<'r>> {
-        let names = declared(request.source, taken)?;
+        // Locations have no memory in common: see the driver.
+        let names = declared_or_located(request.source, taken)?;
         let main = main_program(request.source)?;
         let probes = ProbeVariables::of(request);
         // Such a program may need more than one run.

@@ -1,6 +1,6 @@
 //! Writes what a person needs to run a program with `iec2c` and a C compiler alone.
 
-use super::driver::{before, calls, configured, has, is_time, place, translated, without_locations};
+use super::driver::{before, calls, configured, has, is_time, place, translated};
 use super::{COMPILER, HEADER, LIBRARY, added_configuration};
 use crate::adapters::builder::Language;
 use crate::adapters::printed::{self, PrintedKind};
@@ -58,7 +58,6 @@ fn text(
     main: &MainProgram,
     probes: &ProbeVariables,
 ) -> Result<String, NoReproduction> {
-    without_locations(request.source)?;
     let kinds = printed::kinds(request, has)?;
     let own = own_configuration(request.source, &main.name);
     let (instance, declaration) = match &own {
@@ -82,7 +81,7 @@ fn text(
         scan,
         after: observed
             .map(|(asked, kind)| {
-                let variable = place(&instance, probes.variable(asked));
+                let variable = place(&instance, probes.variable(asked), request.source);
                 (asked.after, print(asked, kind, variable))
             })
             .collect(),
@@ -142,9 +141,10 @@ mod tests {
         assert_eq!(
             driver.text,
             format!(
-                "{HEADER}#include <time.h>\n\nTIME __CURRENT_TIME;\nBOOL __DEBUG;\n#include \"POUS.h\"\n#include \"POUS.c\"\n\n\
+                "{HEADER}#include <time.h>\n\n{}\n\
                  static MAIN program;\n\nint main(void) {{\n    MAIN_init__(&program, 0);\n    MAIN_body__(&program);\n    \
-                 printf(\"x = %d\\n\", (int)program.X.value);\n    return 0;\n}}\n"
+                 printf(\"x = %d\\n\", (int)program.X.value);\n    return 0;\n}}\n",
+                translated(None)
             )
         );
     }
