@@ -225,15 +225,32 @@ impl<'p, 'd> FaultSite<'p, 'd> {
 
     /// Creates a value of an elementary type: a variable, an element, a field or an output.
     pub fn variable(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
-        match self.place(unit, |place, _| place.ty == Type::Elementary(ty)) {
+        self.variable_where(unit, ty, |_| true)
+    }
+
+    /// Creates a value of an elementary type: a part of a variable of which a predicate holds, or a new variable.
+    fn variable_where(
+        &mut self,
+        unit: Unit,
+        ty: ElementaryType,
+        eligible: impl Fn(&Variable) -> bool,
+    ) -> Option<ExpressionKind> {
+        let variables = unit.variables(self.original);
+        let suits = |place: &Place| {
+            place.ty == Type::Elementary(ty) && variables.get(place.variable.0).is_some_and(&eligible)
+        };
+        match self.place(unit, |place, _| suits(place)) {
             Some(place) => Some(ExpressionKind::Read(place)),
             None => self.declare_variable(unit, ty).map(ExpressionKind::Raw),
         }
     }
 
-    /// Creates a value of an elementary type that is no bare variable: an operation on one, where the type has operations.
+    /// Creates a value of an elementary type that is no bare variable: an operation on one, where the type has operations. A constant is
+    /// no operand, because its sum may not fit the type, which would be a second error.
+    ///
+    /// Basis: rule: constants-are-checked.
     pub fn operation(&mut self, unit: Unit, ty: ElementaryType) -> Option<ExpressionKind> {
-        let kind = self.variable(unit, ty)?;
+        let kind = self.variable_where(unit, ty, |variable| variable.section != VariableSection::Constant)?;
         let operand = || Box::new(Expression::elementary(ty, kind.clone()));
         Some(match ty.family() {
             Family::Signed | Family::Unsigned | Family::Real | Family::Duration => {

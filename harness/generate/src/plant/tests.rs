@@ -4,10 +4,11 @@ use super::example::example;
 use super::*;
 use crate::dialect::has_bits;
 use crate::generator::DIALECTS;
+use crate::model::{Type, Variable, VariableSection};
 use crate::oracles::judge_planted;
 use crate::writer::{Style, write};
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, ElementaryType};
 
 /// Returns bytes that choose differently for every number.
 fn choices(number: u64) -> Vec<u8> {
@@ -121,6 +122,35 @@ fn fields_elements_and_bits_of_constants_are_assigned() {
         }
         for bit in ["planted.0 := ", "planted.x.15 := ", "planted[1].0 := "] {
             assert_eq!(assigned(bit), has_bits(dialect), "{bit} in {dialect}: {lines:#?}");
+        }
+    }
+}
+
+#[test]
+fn no_constant_is_an_operand_of_a_planted_operation() {
+    for &dialect in DIALECTS.iter() {
+        let mut sound = example(dialect);
+        for ty in ElementaryType::ALL {
+            sound.main.variables.push(Variable {
+                name: format!("fixed_{ty}"),
+                ty: Type::Elementary(ty),
+                section: VariableSection::Constant,
+                initial: None,
+            });
+        }
+        let style = Style::default();
+        let kind = "a value of another type assigned";
+        let texts = (0..200).filter_map(|number| {
+            let planted = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number)))?;
+            Some(write(&planted.program, &style).text)
+        });
+        let texts: Vec<String> = texts.collect();
+        assert!(texts.iter().any(|text| text.contains(":= fixed_")), "{dialect}");
+        for text in texts {
+            let sum = text
+                .lines()
+                .find(|line| line.contains("fixed_") && line.contains(" + "));
+            assert_eq!(sum, None, "{dialect}");
         }
     }
 }

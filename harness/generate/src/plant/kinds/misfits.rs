@@ -280,8 +280,8 @@ fn converts_to_no_integer(ty: ElementaryType, dialect: DialectName) -> bool {
 pub(super) fn standard(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let (number, site, _) =
-        fault.pick_expression(|site, _| takes(site.context, ElementaryType::Date) == Some(false))?;
-    let wrong = types(dialect).filter(|&ty| takes(site.context, ty) == Some(false));
+        fault.pick_expression(|site, _| takes(site.context, ElementaryType::Date, dialect) == Some(false))?;
+    let wrong = types(dialect).filter(|&ty| takes(site.context, ty, dialect) == Some(false));
     let from = fault.choose(wrong.collect())?;
     let kind = fault.variable(site.unit, from)?;
     fault.replace(number, kind);
@@ -314,7 +314,7 @@ pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let ExpressionContext::Standard(_, place) = context else {
         return None;
     };
-    let wrong = types(dialect).filter(|&ty| takes(context, ty) == Some(false));
+    let wrong = types(dialect).filter(|&ty| takes(context, ty, dialect) == Some(false));
     let from = fault.choose(wrong.collect())?;
     let kind = fault.variable(site.unit, from)?;
     fault.change(number, |call| {
@@ -341,7 +341,9 @@ fn of_one_type(
         .zip(types)
         .filter_map(|(context, ty)| Some((context, ty?)));
     found
-        .filter(|&(context, ty)| takes(context, ElementaryType::Date) == Some(false) && !counts(context, ty))
+        .filter(|&(context, ty)| {
+            takes(context, ElementaryType::Date, program.dialect) == Some(false) && !counts(context, ty)
+        })
         .collect()
 }
 
@@ -352,7 +354,7 @@ fn counts(context: ExpressionContext, ty: ElementaryType) -> bool {
 
 /// Returns whether a parameter of a standard function takes a type; `None` where the type must be that of another argument,
 /// or where a dialect might convert it.
-fn takes(context: ExpressionContext, ty: ElementaryType) -> Option<bool> {
+fn takes(context: ExpressionContext, ty: ElementaryType, dialect: DialectName) -> Option<bool> {
     use StandardFunction as S;
     let ExpressionContext::Standard(function, number) = context else {
         return None;
@@ -360,7 +362,8 @@ fn takes(context: ExpressionContext, ty: ElementaryType) -> Option<bool> {
     match (function, number) {
         (S::Abs, 0) if ty.is_duration() => None,
         (S::Abs, 0) => Some(ty.is_integer() || ty.is_real()),
-        (S::Sel, 0) => Some(ty == ElementaryType::Bool),
+        (S::Sel, 0) if ty == ElementaryType::Bool => Some(true),
+        (S::Sel, 0) => never(ty, ElementaryType::Bool, dialect).then_some(false),
         (S::Mux, 0) | (S::Shl | S::Shr | S::Rol | S::Ror, 1) if ty.is_bit_string() || ty.is_duration() => {
             None
         }
@@ -370,5 +373,24 @@ fn takes(context: ExpressionContext, ty: ElementaryType) -> Option<bool> {
         (S::Len, 0) | (S::Concat, _) if ty.is_text() || ty.is_character() => None,
         (S::Len, 0) | (S::Concat, _) => Some(false),
         _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Where numbers stand for one another, a WORD is a selector like any other.
+    #[test]
+    fn a_selector_of_sel_is_wrong_where_it_does_not_convert_to_bool() {
+        let selector = ExpressionContext::Standard(StandardFunction::Sel, 0);
+        let word = |dialect| takes(selector, ElementaryType::Word, dialect);
+        assert_eq!(word(DialectName::Plcnext), Some(false));
+        assert_eq!(word(DialectName::Rusty), None);
+        assert_eq!(word(DialectName::Strucpp), None);
+        assert_eq!(
+            takes(selector, ElementaryType::Bool, DialectName::Rusty),
+            Some(true)
+        );
     }
 }
