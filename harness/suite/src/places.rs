@@ -53,6 +53,8 @@ pub struct ProgramPlace {
     groups: Vec<String>,
     /// The dialects whose documents promise the place, or for which the standard does.
     dialects: Vec<DialectName>,
+    /// Those of them whose documents only say what the place does not take: its programs claim rejections.
+    only_rejected: Vec<DialectName>,
     /// The types for which the place exists.
     only: Condition,
     /// The units in whose bodies the place may stand, by index.
@@ -237,8 +239,14 @@ impl ProgramPlace {
         self.texts.statement == "{statement}"
     }
 
-    /// Returns whether a dialect has the place for values that go from one type to another.
-    pub fn stands(&self, dialect: DialectName, from: &str, to: &str) -> bool {
-        self.dialects.contains(&dialect) && self.only.holds(&[from, to])
+    /// Returns whether a dialect has the place for values that go from one type to another, in programs that claim a rejection if
+    /// `rejected`, and in others if not.
+    pub fn stands(&self, dialect: DialectName, (from, to): (&str, &str), rejected: bool) -> bool {
+        self.is_promised(dialect, rejected) && self.only.holds(&[from, to])
+    }
+
+    /// Returns whether a document promises the place in a dialect, for programs that claim a rejection if `rejected`.
+    fn is_promised(&self, dialect: DialectName, rejected: bool) -> bool {
+        self.dialects.contains(&dialect) && (rejected || !self.only_rejected.contains(&dialect))
     }
 }

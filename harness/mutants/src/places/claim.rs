@@ -250,6 +250,12 @@ impl LiteralPair {
 }
 
 impl Rule {
+    /// Returns whether a program that must be rendered is rejected.
+    pub(super) fn refuses_rendering(self) -> bool {
+        let is_rendered = matches!(self.claim, ConversionClaim::Bit(BitClaim::Rendered, ..));
+        is_rendered && self.fault == ClaimBreach::Refused
+    }
+
     /// Returns all rules, in the order of the table.
     #[must_use]
     pub fn all() -> Vec<Rule> {
@@ -305,7 +311,7 @@ fn bit_rules() -> Vec<Rule> {
         ),
         (
             BitClaim::Rendered,
-            &[ClaimBreach::Wrong],
+            &[ClaimBreach::Refused, ClaimBreach::Wrong],
             &[PartForm::Short, PartForm::PartialAccess],
         ),
     ];

@@ -23,7 +23,10 @@ pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
         for role in [Role::Source, Role::Target, Role::Surrounding] {
             let places = suite.places.of(role).iter();
             for place in places.filter(|place| fits(rule, role, place)) {
-                let stands = |&(dialect, from, to): &ValueFlow| place.stands(dialect, from.name(), to.name());
+                let rejected = rule.fault == ClaimBreach::Admitted;
+                let stands = |&(dialect, from, to): &ValueFlow| {
+                    place.stands(dialect, (from.name(), to.name()), rejected)
+                };
                 if flows.iter().any(stands) {
                     let place = broken(role, place);
                     required.insert(Saboteur { rule, place });

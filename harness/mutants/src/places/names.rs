@@ -5,12 +5,23 @@ use stickler_reference::syntax::tree::{
     CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
     VariableBlock, VariableKind,
 };
+use stickler_types::ElementaryType;
 
 /// The program organization units and the global variables of a source text.
 #[derive(Debug, Default)]
 pub struct SourceNames<'u> {
+    derived: FxHashMap<CaseFolded<'u>, DerivedForm>,
     pous: FxHashMap<CaseFolded<'u>, &'u Pou<'u>>,
     globals: FxHashMap<CaseFolded<'u>, SectionVariable<'u>>,
+}
+
+/// A form of user-defined types with the values of an elementary one.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DerivedForm {
+    /// Another name of a type: `TYPE LENGTH : INT; END_TYPE`.
+    Alias,
+    /// A part of the values of a type: `TYPE PERCENT : INT(0..100); END_TYPE`.
+    Subrange,
 }
 
 /// The variables of a program organization unit.
@@ -49,10 +60,48 @@ impl<'u> SourceNames<'u> {
                     let blocks = configuration.globals.iter();
                     blocks.for_each(|block| declare(&mut names.globals, block));
                 }
-                Declaration::Types(_) => {}
+                Declaration::Types(types) => {
+                    for declared in types {
+                        let form = names.form(&declared.specification);
+                        let name = CaseFolded(declared.name.text);
+                        names.derived.extend(form.map(|form| (name, form)));
+                    }
+                }
             }
         }
         names
+    }
+
+    /// Returns the form of the type that a specification declares; `None` where it is none of these.
+    fn form(&self, specification: &TypeSpecification<'_>) -> Option<DerivedForm> {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) if ElementaryType::from_name(name.text).is_some() => {
+                Some(DerivedForm::Alias)
+            }
+            TypeSpecificationKind::Subrange { .. } => Some(DerivedForm::Subrange),
+            _ => self.derived(specification),
+        }
+    }
+
+    /// Returns the form of the type with which something is declared; `None` where it is not user-defined, or declared in other ways.
+    pub fn derived(&self, specification: &TypeSpecification<'_>) -> Option<DerivedForm> {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.derived.get(&CaseFolded(name.text)).copied(),
+            _ => None,
+        }
+    }
+
+    /// Returns whether a variable is an array of elements of such a type.
+    pub fn has_derived_elements(&self, variable: SectionVariable<'_>) -> bool {
+        match &variable.specification.kind {
+            TypeSpecificationKind::Array { element, .. } => self.derived(element).is_some(),
+            _ => false,
+        }
+    }
+
+    /// Returns the form of the type of a variable; `None` where it is none of these.
+    pub fn form_of(&self, variable: SectionVariable<'_>) -> Option<DerivedForm> {
+        self.derived(variable.specification)
     }
 
     /// Returns the kind of the program organization unit of a name.

@@ -158,6 +158,7 @@ impl Session for SabotagedSession {
             Some(analysis) if !analysis.is_rejected() => {
                 Ok(reference::syntax::render(&analysis.unit, source))
             }
+            Some(analysis) if self.0.rule.refuses_rendering() => Err(located(analysis)),
             _ => reference::render(source, dialect),
         };
         match rendered {

@@ -301,6 +301,8 @@ impl SiteFinder<'_, '_> {
             if let Some(form) = self.form(id) {
                 let claim = ConversionClaim::Bit(BitClaim::Rendered, direction, form);
                 self.add(claim, ClaimBreach::Wrong, standing, SourceChange::Bit(id));
+                let refused = SourceChange::Refuse(expression.span);
+                self.add(claim, ClaimBreach::Refused, standing, refused);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
 
-use super::names::{SectionVariable, SourceNames, Variables};
+use super::names::{DerivedForm, SectionVariable, SourceNames, Variables};
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::tree::{
     Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
@@ -432,7 +432,7 @@ impl<'u> Walk<'_, 'u> {
                     SectionVariable { located: true, .. } => "located",
                     SectionVariable { constant: true, .. } => "constant",
                     SectionVariable { retained: true, .. } => "retained",
-                    _ => "variable",
+                    _ => self.derived(variable).unwrap_or("variable"),
                 })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-output",
@@ -449,7 +449,7 @@ impl<'u> Walk<'_, 'u> {
                 let variable = self.names.variable(&self.variables, name.text)?;
                 section(variable.kind).unwrap_or(match variable.located {
                     true => "located",
-                    false => "assignment",
+                    false => self.derived(variable).unwrap_or("assignment"),
                 })
             }
             ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
@@ -474,9 +474,21 @@ impl<'u> Walk<'_, 'u> {
             _ => return None,
         };
         match &self.unit.expressions[base.0 as usize].kind {
-            ExpressionKind::Name(_) => Some(place),
+            ExpressionKind::Name(name) => {
+                let variable = self.names.variable(&self.variables, name.text);
+                let derived = variable.is_some_and(|variable| self.names.has_derived_elements(variable));
+                Some(if derived { "alias-element" } else { place })
+            }
             _ => Some("path"),
         }
+    }
+
+    /// Returns the place of a variable of a user-defined type, which is both a source and a target; `None` for other variables.
+    fn derived(&self, variable: SectionVariable<'_>) -> Option<&'static str> {
+        self.names.form_of(variable).map(|form| match form {
+            DerivedForm::Alias => "alias",
+            DerivedForm::Subrange => "subrange",
+        })
     }
 }
 

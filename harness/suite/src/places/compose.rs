@@ -15,6 +15,8 @@ pub(crate) struct Wording<'a> {
     pub(crate) expression: &'a str,
     /// The variable that stands for `{target}`, itself with `{target}`.
     pub(crate) variable: &'a str,
+    /// Declarations in front of those of the places.
+    pub(crate) declarations: &'a str,
     /// Statements before the one that is tested.
     pub(crate) before: &'a str,
     /// The condition of the mark that claims a rejection; `None` for no mark.
@@ -55,6 +57,11 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
     );
     let own = fill(wording.before, &[("target", &target.target)]);
     let before = [joined(|texts| &texts.before, "\n", ""), own].join("\n");
+    let declarations = [
+        wording.declarations.to_owned(),
+        joined(|texts| &texts.declarations, "\n\n", ""),
+    ]
+    .join("\n\n");
     let globals = joined(|texts| &texts.globals, "\n", "");
     let configuration = match globals.is_empty() {
         true => String::new(),
@@ -63,7 +70,7 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
     let text = fill(
         &unit.text,
         &[
-            ("declarations", &joined(|texts| &texts.declarations, "\n\n", "")),
+            ("declarations", &declarations),
             (
                 "parameters",
                 &joined(|texts| &texts.parameters, "\n", &unit.parameters),

@@ -24,6 +24,8 @@ pub(crate) struct Arrangement {
 /// The combinations that a probe may take.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Design {
+    /// Whether the programs claim a rejection.
+    is_rejected: bool,
     sources: Vec<usize>,
     targets: Vec<usize>,
     arrangements: Vec<Arrangement>,
@@ -39,13 +41,17 @@ impl Design {
         targets: Vec<usize>,
         surroundings: &[usize],
         dialects: &[DialectName],
+        is_rejected: bool,
     ) -> Design {
-        let mut design = Design::default();
+        let mut design = Design {
+            is_rejected,
+            ..Design::default()
+        };
         for (at, &source) in sources.iter().enumerate() {
             for (beside, &target) in targets.iter().enumerate() {
                 let first = design.arrangements.len();
                 for &dialect in dialects {
-                    let fitting = fitting(places, source, target, surroundings, dialect);
+                    let fitting = fitting(places, source, target, surroundings, (dialect, is_rejected));
                     if fitting.is_empty() {
                         continue;
                     }
@@ -89,12 +95,13 @@ impl Design {
         places: &Places,
         number: usize,
         dialect: DialectName,
-        (from, to): (&str, &str),
+        types: (&str, &str),
     ) -> Vec<usize> {
         let standing = |indices: &[usize], all: &[ProgramPlace], literal: Option<bool>| -> Vec<usize> {
             let stands = |&index: &usize| {
                 let place = &all[index];
-                place.stands(dialect, from, to) && literal.is_none_or(|literal| place.literal == literal)
+                place.stands(dialect, types, self.is_rejected)
+                    && literal.is_none_or(|literal| place.literal == literal)
             };
             indices.iter().copied().filter(stands).collect()
         };
@@ -184,10 +191,10 @@ fn fitting(
     source: usize,
     target: usize,
     surroundings: &[usize],
-    dialect: DialectName,
+    (dialect, is_rejected): (DialectName, bool),
 ) -> Vec<Arrangement> {
     let (from, to) = (&places.sources[source], &places.targets[target]);
-    let promised = |place: &ProgramPlace| place.dialects.contains(&dialect);
+    let promised = |place: &ProgramPlace| place.is_promised(dialect, is_rejected);
     if !promised(from) || !promised(to) || (to.literal && !from.literal) {
         return Vec::new();
     }

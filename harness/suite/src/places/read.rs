@@ -68,6 +68,7 @@ struct PlaceKey {
     title: String,
     promised: Strings,
     absent: Option<Vec<Spanned<String>>>,
+    only_rejected: Option<Vec<Spanned<String>>>,
     only: Option<Spanned<String>>,
     units: Option<Vec<Spanned<String>>>,
     #[serde(default)]
@@ -218,12 +219,14 @@ impl PlacesReader<'_> {
         }
         self.check(role, at, &path, &key);
         let dialects = self.dialects(&path, &key);
+        let only_rejected = self.named(&path, key.only_rejected.as_deref());
         let only = self.only(&path, key.only.as_ref());
         let units = self.units(&path, key.units.as_deref());
         ProgramPlace {
             name: name.get_ref().as_str().into(),
             groups: key.groups,
             dialects,
+            only_rejected,
             only,
             units,
             literal: key.literal,
@@ -330,13 +333,7 @@ impl PlacesReader<'_> {
 
     /// Returns the dialects that have the place: those for which one of its sources speaks, without those that lack it.
     fn dialects(&mut self, path: &str, key: &PlaceKey) -> Vec<DialectName> {
-        let mut absent = Vec::new();
-        for name in key.absent.iter().flatten() {
-            match self.dialects.resolve(name.get_ref()) {
-                Ok(dialects) => absent.extend(dialects),
-                Err(message) => self.wrong(name.span().start, path, message),
-            }
-        }
+        let absent = self.named(path, key.absent.as_deref());
         let all = self.dialects.all().into_iter();
         let Some(sources) = self.sources else {
             return all.filter(|dialect| !absent.contains(dialect)).collect();
@@ -352,6 +349,18 @@ impl PlacesReader<'_> {
             !absent.contains(dialect) && speaking.iter().any(|source| source.speaks_for(*dialect))
         };
         all.filter(has).collect()
+    }
+
+    /// Returns the dialects of these names and groups.
+    fn named(&mut self, path: &str, names: Option<&[Spanned<String>]>) -> Vec<DialectName> {
+        let mut found = Vec::new();
+        for name in names.unwrap_or_default() {
+            match self.dialects.resolve(name.get_ref()) {
+                Ok(dialects) => found.extend(dialects),
+                Err(message) => self.wrong(name.span().start, path, message),
+            }
+        }
+        found
     }
 
     fn only(&mut self, path: &str, only: Option<&Spanned<String>>) -> Condition {

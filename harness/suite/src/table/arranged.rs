@@ -171,7 +171,8 @@ fn design(reader: &mut ProbeReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<
         places.retain_statements(&mut targets);
     }
     let dialects = reader.context.dialects.all();
-    let design = Design::new(places, sources, targets, &surroundings, &dialects);
+    let is_rejected = key.get_ref().error.is_some();
+    let design = Design::new(places, sources, targets, &surroundings, &dialects, is_rejected);
     if design.arrangements().is_empty() && reader.mistakes.is_empty() {
         let message = "no source and no target of these can stand together in a surrounding";
         reader.wrong(key, KEY, message.to_owned());
@@ -192,6 +193,7 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
         typed: key.typed.as_deref().unwrap_or("{typed}"),
         expression: key.expression.as_deref().unwrap_or("{source}"),
         variable: key.variable.as_deref().unwrap_or("{target}"),
+        declarations: key.declarations.as_deref().unwrap_or_default(),
         before: key.before.as_deref().unwrap_or_default(),
         error: key.error.as_deref(),
         code: key.code.as_deref(),

@@ -121,6 +121,7 @@ pub(crate) struct PlacesKey {
     pub(crate) typed: Option<String>,
     pub(crate) expression: Option<String>,
     pub(crate) variable: Option<String>,
+    pub(crate) declarations: Option<String>,
     pub(crate) before: Option<String>,
     pub(crate) error: Option<String>,
     pub(crate) code: Option<String>,

@@ -122,6 +122,39 @@ fn a_cell_takes_every_source_and_every_target_that_its_dialect_has() {
 }
 
 #[test]
+fn a_place_of_rejections_only_takes_no_value_that_is_accepted() {
+    let places = PLACES.replace(
+        "[source.literal]",
+        "[source.literal]\nonly-rejected = ['plcnext']",
+    );
+    let suite = suite(&places, &matrix(""));
+    assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
+    let of_literals = |dialect: DialectName, probe: &str| {
+        let ids = ids(&suite, dialect).into_iter();
+        ids.filter(|id| id.contains(probe) && id.contains("literal"))
+            .count()
+    };
+    assert_eq!(of_literals(DialectName::Plcnext, "accepted"), 0);
+    assert!(of_literals(DialectName::Plcnext, "rejected") > 0);
+    assert!(of_literals(DialectName::Matiec, "accepted") > 0);
+}
+
+#[test]
+fn declarations_of_a_probe_stand_before_those_of_its_places() {
+    let suite = suite(PLACES, &matrix("declarations = 'TYPE OWN : {row}; END_TYPE'"));
+    assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
+    let cases = suite.cases.iter();
+    let accepted: Vec<&str> = cases
+        .filter(|case| case.id.contains("::accepted"))
+        .map(|case| &*case.source)
+        .collect();
+    assert!(!accepted.is_empty());
+    for source in accepted {
+        assert!(source.starts_with("TYPE OWN : INT; END_TYPE\n"), "{source}");
+    }
+}
+
+#[test]
 fn a_program_is_put_together_line_by_line() {
     let suite = suite(PLACES, &matrix(""));
     let find = |id: &str| suite.cases.iter().find(|case| &*case.id == id).unwrap();
@@ -364,7 +397,7 @@ fn the_shipped_rejections_cover_the_places() {
             let stands = |target: &&Arc<str>| {
                 let mut places = suite.places.of(Role::Target).iter();
                 let place = places.find(|place| place.name() == &***target).unwrap();
-                place.stands(cases[0].dialect, cell.1, cell.2)
+                place.stands(cases[0].dialect, (cell.1, cell.2), true)
             };
             let standing: BTreeSet<_> = targets.iter().filter(stands).cloned().collect();
             assert_eq!(met, standing, "{cell:?} of {compiler}");
