@@ -9,7 +9,7 @@ use std::str::FromStr;
 /// An engine claims one of them as the best that can be asked of it: a compiler without codes of its own, or whose adapter
 /// cannot map them onto those of the registry, is right to the line at best.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(any(test, feature = "schema"), derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Grade {
     /// The right codes on the right lines, and no others.

@@ -11,6 +11,7 @@ use std::{fs, io};
 /// All that a person needs to run one program on a compiler, with the compiler's own tools only: the program and what stands
 /// around it, and the commands. Nothing in it depends on the machine on which it was made.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Reproduction {
     /// The files of the folder in which the commands run. The first is the program.
     pub files: Vec<ReproductionFile>,
@@ -22,6 +23,7 @@ pub struct Reproduction {
 
 /// A file of a reproduction.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReproductionFile {
     /// The name of the file, without a folder.
     pub name: String,
@@ -31,6 +33,7 @@ pub struct ReproductionFile {
 
 /// A program or folder of a compiler, which a variable of the shell names.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ReproductionTool {
     /// The name of the variable, such as `IEC2C`.
     pub variable: String,

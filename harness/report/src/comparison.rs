@@ -10,14 +10,13 @@ mod page;
 pub use json::write_json;
 pub use page::write;
 
-use crate::LogError;
 use crate::engine;
-use crate::events::{Completeness, Reader};
+use crate::events::Completeness;
 use crate::overview::kept;
+use crate::{EventSource, LogError};
 use older_case::OlderCase;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, HashMap};
-use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
 
 /// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
@@ -160,10 +159,7 @@ impl Comparison {
     ///
     /// # Errors
     /// [`ComparisonError`] where one of the runs is incomplete, or they have no engine in common.
-    pub fn of(
-        mut old: Reader<impl BufRead>,
-        mut new: Reader<impl BufRead>,
-    ) -> Result<Comparison, ComparisonError> {
+    pub fn of(mut old: impl EventSource, mut new: impl EventSource) -> Result<Comparison, ComparisonError> {
         let in_old = |error: LogError| ComparisonError::Old(error.into());
         let in_new = |error: LogError| ComparisonError::New(error.into());
         let headers = (old.header().map_err(in_old)?, new.header().map_err(in_new)?);
@@ -192,7 +188,7 @@ impl Comparison {
     }
 }
 
-fn whole(reader: &Reader<impl BufRead>) -> Result<(), IncomparableRun> {
+fn whole(reader: &impl EventSource) -> Result<(), IncomparableRun> {
     match reader.completeness() {
         Completeness::Complete => Ok(()),
         truncated => Err(IncomparableRun::Truncated(truncated)),

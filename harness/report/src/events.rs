@@ -15,7 +15,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use stickler_run::{Event, FORMAT, Header};
+use stickler_run::{Event, FORMAT};
 
 /// The name of the log in a folder of reports.
 pub const NAME: &str = "events.jsonl";
@@ -210,17 +210,6 @@ impl<R: BufRead> Reader<R> {
         }
     }
 
-    /// Reads the header, which every log begins with.
-    ///
-    /// # Errors
-    /// [`LogError`] where the input is no event log.
-    pub fn header(&mut self) -> Result<Header, LogError> {
-        match self.next().transpose()? {
-            Some(Event::Header(header)) => Ok(header),
-            _ => Err(LogError::NoHeader),
-        }
-    }
-
     /// Returns whether the events that were read cover a whole run; meaningful only at the end.
     pub const fn completeness(&self) -> Completeness {
         match self.complete {
@@ -303,7 +292,7 @@ const RESULTS: &[u8] = b"{\"format\":";
 ///
 /// # Errors
 /// [`LogError::Results`], [`LogError::Earlier`] and [`LogError::Later`].
-fn check_format(line: &[u8]) -> Result<(), LogError> {
+pub(crate) fn check_format(line: &[u8]) -> Result<(), LogError> {
     if let Some(behind) = line.strip_prefix(RESULTS) {
         let digits = behind.iter().take_while(|byte| byte.is_ascii_digit());
         let format = digits.fold(0, |number: u32, digit| {

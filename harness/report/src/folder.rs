@@ -85,22 +85,11 @@ impl Reports {
 #[cfg(test)]
 mod tests {
     use super::Reports;
-    use crate::overview::Overview;
-    use crate::{ReportError, sample};
+    use crate::ReportError;
+    use crate::sample::{self, report as write};
     use std::fs;
-    use std::path::Path;
     use stickler_conversions::overview::Statements;
-    use stickler_run::{CaseEvent, Event, Fact};
-
-    fn write(folder: &Path, events: &[Event]) {
-        let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
-        let mut overview = Overview::default();
-        for event in events {
-            reports.take(event).expect("taken");
-            overview.take(event);
-        }
-        reports.finish(&overview).expect("finished");
-    }
+    use stickler_run::{CaseEvent, Fact};
 
     #[test]
     fn a_whole_run_leaves_every_report_and_nothing_else() {

@@ -45,6 +45,7 @@ mod page;
 pub mod parts;
 mod pending;
 mod results;
+mod run_file;
 #[cfg(test)]
 mod sample;
 mod sarif;
@@ -60,3 +61,5 @@ pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};
 pub use folder::Reports;
 pub use overview::Overview;
+pub use results::ResultsError;
+pub use run_file::{EventSource, RunFileError};

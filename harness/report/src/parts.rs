@@ -5,6 +5,7 @@
 
 mod belonging;
 
+use crate::EventSource;
 use crate::LogError;
 use crate::events::{Completeness, Reader};
 use std::io::BufRead;

@@ -3,24 +3,39 @@
 //! A case that did not pass is in `cases` with all its properties. The cases that passed are in `passed`, each with only its
 //! arguments and its times, under the common properties of its probe.
 
+mod check;
+mod document;
 mod passed;
+mod read;
+#[cfg(test)]
+mod schema_check;
+#[cfg(test)]
+mod schema_tests;
 
-use crate::claims::Standing;
+pub use read::ResultsError;
+pub(crate) use read::read;
+
 use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::spool::Spool;
 use crate::{ReportError, engine};
+use document::{CaseResult, ClaimResult, EngineResult};
 use passed::Passed;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_run::{
-    BaselineNote, CaseEvent, EngineHeader, Event, Fact, Footer, Grade, Header, Observed, Totals, Verdict,
-};
+use stickler_run::{EngineHeader, Event, Footer, Header, Verdict};
+
+/// The name of the document in a folder of reports.
+pub(crate) const NAME: &str = "results.json";
 
 /// The version of the format of `results.json`.
 pub(crate) const FORMAT: u32 = 2;
+
+/// The JSON Schema of `results.json`, as it is published.
+pub(crate) const SCHEMA: &str = include_str!("../schemas/results.schema.json");
 
 /// The results of a run, gathered until the document is written: it begins with the totals and claims, which are known last.
 pub(crate) struct Results {
@@ -92,6 +107,8 @@ impl Results {
         key(out, "started", &header.started)?;
         key(out, "duration_ms", &footer.duration_ms)?;
         key(out, "engines", &engines(header, footer))?;
+        key(out, "filters", &header.filters)?;
+        key(out, "dialects", &header.dialects)?;
         key(out, "shard", &header.shard)?;
         key(out, "broken_files", &header.broken_files)?;
         key(out, "baselines", &header.baselines)?;
@@ -100,9 +117,9 @@ impl Results {
         let mut list = JsonList::default();
         for claim in overview.claims.iter() {
             list.push(&ClaimResult {
-                engine: claim.engine,
-                source: claim.source,
-                section: claim.section,
+                engine: claim.engine.into(),
+                source: claim.source.into(),
+                section: claim.section.into(),
                 standing: claim.standing,
             })?;
         }
@@ -155,84 +172,12 @@ fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> 
         .engines
         .iter()
         .map(|engine| EngineResult {
-            name: &engine.name,
-            version: &engine.version,
-            dialects: &engine.dialects,
+            name: Cow::Borrowed(&engine.name),
+            version: Cow::Borrowed(&engine.version),
+            dialects: Cow::Borrowed(&engine.dialects),
             strict: engine.strict,
-            rerun: &engine.rerun,
+            rerun: Cow::Borrowed(&engine.rerun),
             totals: totals(&engine.name).map(|found| found.totals).unwrap_or_default(),
         })
         .collect()
-}
-
-#[derive(Serialize)]
-struct EngineResult<'a> {
-    name: &'a str,
-    version: &'a str,
-    dialects: &'a [String],
-    strict: Grade,
-    rerun: &'a str,
-    totals: Totals,
-}
-
-#[derive(Serialize)]
-struct ClaimResult<'a> {
-    engine: &'a str,
-    source: &'a str,
-    section: &'a str,
-    standing: Standing,
-}
-
-/// A case that did not pass.
-#[derive(Serialize)]
-struct CaseResult<'a> {
-    id: &'a str,
-    dialect: &'a str,
-    engine: &'a str,
-    verdict: Verdict,
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    open: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    grade: Option<Grade>,
-    title: &'a str,
-    basis: &'a str,
-    area: &'a str,
-    file: &'a str,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    line: Option<u32>,
-    expected: &'a [Fact],
-    got: &'a [Fact],
-    duration_us: u64,
-    rerun: String,
-    #[serde(skip_serializing_if = "<[Observed]>::is_empty")]
-    observations: &'a [Observed],
-    #[serde(skip_serializing_if = "Option::is_none")]
-    program: Option<&'a str>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    baseline: Option<&'a BaselineNote>,
-}
-
-impl<'a> CaseResult<'a> {
-    fn of(case: &'a CaseEvent, engine: Option<&EngineHeader>) -> CaseResult<'a> {
-        CaseResult {
-            id: &case.id,
-            dialect: &case.dialect,
-            engine: &case.engine,
-            verdict: case.verdict,
-            open: case.open,
-            grade: case.grade,
-            title: &case.title,
-            basis: &case.basis,
-            area: &case.area,
-            file: &case.file,
-            line: case.line,
-            expected: &case.expected,
-            got: &case.got,
-            duration_us: case.duration_us,
-            rerun: engine::rerun(engine, case),
-            observations: &case.observations,
-            program: case.program.as_deref(),
-            baseline: case.baseline.as_ref(),
-        }
-    }
 }

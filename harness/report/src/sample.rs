@@ -1,8 +1,10 @@
 //! A small run for the tests of this crate, and helpers to build and inspect its parts.
 
+use crate::{Overview, Reports};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use stickler_conversions::overview::Statements;
 use stickler_run::{
     BaselineHeader, BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases,
     FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, Reproducer, SourceHeader, Totals, Verdict,
@@ -262,6 +264,17 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         duration_ms: 34,
     }));
     events
+}
+
+/// Writes every report of a run into a folder.
+pub(crate) fn report(folder: &Path, events: &[Event]) {
+    let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
+    let mut overview = Overview::default();
+    for event in events {
+        reports.take(event).expect("taken");
+        overview.take(event);
+    }
+    reports.finish(&overview).expect("finished");
 }
 
 /// Returns the names of the entries of a folder, sorted.

@@ -7,9 +7,10 @@ mod front_page;
 mod history;
 mod html;
 mod run;
+mod versions;
 
-use crate::events::Completeness;
-use crate::{ComparisonError, LogError, ReportError};
+use crate::{ComparisonError, ReportError, RunFileError};
+use crate::{events, results};
 use history::History;
 use run::SiteRun;
 use std::fs;
@@ -32,28 +33,28 @@ pub enum SiteError {
     /// No run was named.
     #[error("a site needs a run: name the folder of reports of at least one, such as reports/latest")]
     NoRun,
-    /// The event log of a run cannot be read.
+    /// A run cannot be read, or is not whole.
     #[error("{}", path.display())]
-    Log {
-        /// The path of the log.
+    Run {
+        /// The path of the run.
         path: PathBuf,
         /// The error of reading it.
-        source: LogError,
+        source: Box<RunFileError>,
     },
-    /// A run was cut short.
-    #[error("{}: {completeness}; run its cases again, or leave it out", path.display())]
-    Truncated {
-        /// The path of the log.
+    /// The date of a run is none.
+    #[error("{}: the run began at `{started}`, which is no time such as 2026-09-01T12:00:00Z", path.display())]
+    Date {
+        /// The path of the run.
         path: PathBuf,
-        /// The description of what is missing.
-        completeness: Completeness,
+        /// What stands in place of the time.
+        started: String,
     },
     /// Two runs cannot be compared, for a reason that was not seen when each of them was read.
     #[error("{} and {}", old.display(), new.display())]
     Comparison {
-        /// The path of the older run's log.
+        /// The path of the older run.
         old: PathBuf,
-        /// The path of the newer run's log.
+        /// The path of the newer run.
         new: PathBuf,
         /// The error of the comparison.
         source: Box<ComparisonError>,
@@ -61,12 +62,26 @@ pub enum SiteError {
     /// The place of the site is a file.
     #[error("{} is a file; name a folder for the site, which is created where it is missing", .0.display())]
     NoFolder(PathBuf),
+    /// The place of the site is the folder of a run.
+    #[error("{} has the reports of a run, which the site would overwrite; name another folder for the site", .0.display())]
+    RunFolder(PathBuf),
     /// A page cannot be written.
     #[error(transparent)]
     Write(#[from] ReportError),
 }
 
-/// Builds the site of these runs, each named by its folder of reports or its event log. Equal runs give equal files; files
+impl SiteError {
+    /// Returns a closure for `map_err` that adds the path of a run to the error of reading it.
+    fn run(path: &Path) -> impl Fn(RunFileError) -> SiteError + use<> {
+        let path = path.to_owned();
+        move |source| SiteError::Run {
+            path: path.clone(),
+            source: Box::new(source),
+        }
+    }
+}
+
+/// Builds the site of these runs, each named by its folder of reports, its event log or its `results.json`. Equal runs give equal files; files
 /// of the folder that the site does not write stay.
 ///
 /// # Errors
@@ -77,6 +92,12 @@ pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
     }
     if site.is_file() {
         return Err(SiteError::NoFolder(site.to_owned()));
+    }
+    if [events::NAME, results::NAME]
+        .iter()
+        .any(|name| site.join(name).is_file())
+    {
+        return Err(SiteError::RunFolder(site.to_owned()));
     }
     let runs = SiteRun::read_all(paths)?;
     let histories = History::of_engines(&runs)?;
@@ -95,6 +116,7 @@ pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
             &engine_page::page(history),
         )?;
     }
+    write_page(&site.join("results.schema.json"), results::SCHEMA)?;
     write_page(&site.join("index.html"), &front_page::page(&histories))?;
     Ok(SiteSummary {
         runs: runs.len(),

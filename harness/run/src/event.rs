@@ -83,6 +83,7 @@ pub struct Header {
 
 /// A custom dialect: another dialect with some of its rules overridden.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct DefinedHeader {
     /// The name of the dialect.
     pub name: String,
@@ -206,6 +207,7 @@ impl CaseEvent {
 
 /// An observation: a result that is recorded and not judged.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Observed {
     /// The observed variable (`q`, `a[1]`, `q@3`), or `acceptance`, or `fault`.
     pub name: String,

@@ -9,6 +9,7 @@ use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
 /// `Display` gives the words in which every report shows a fact: one line, or one line of text for each line of a rendered
 /// source. As JSON a fact is an object tagged by `fact`, such as `{"fact":"value","name":"r","value":"INT#5"}`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(tag = "fact", rename_all = "kebab-case")]
 pub enum Fact {
     /// The program is accepted.
@@ -36,6 +37,7 @@ pub enum Fact {
     Fault {
         /// The kind of fault; in JSON its word.
         #[serde(serialize_with = "spelled", deserialize_with = "fault")]
+        #[cfg_attr(feature = "schema", schemars(with = "String"))]
         fault: Fault,
         /// The line (from 1) on which it stops; `None` where the engine does not name it.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -47,6 +49,7 @@ pub enum Fact {
         name: String,
         /// The value of the variable; in JSON a typed literal.
         #[serde(serialize_with = "spelled", deserialize_with = "value")]
+        #[cfg_attr(feature = "schema", schemars(with = "String"))]
         value: Value,
     },
     /// The engine did not give the value of a variable.

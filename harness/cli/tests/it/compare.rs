@@ -278,11 +278,11 @@ fn a_site_is_built_of_two_versions_and_refused_without_a_run() {
         ),
         (
             &["site", "missing", "-o", "none"],
-            "error: missing: cannot read the event log",
+            "error: missing: cannot be read; name a folder of reports, its events.jsonl, or a results.json: ",
         ),
         (
-            &["site", "old/results.json", "-o", "none"],
-            "error: old/results.json: ",
+            &["site", "old/index.html", "-o", "none"],
+            "error: old/index.html: ",
         ),
         (
             &["site", "old", "-o", "site/index.html"],
@@ -297,7 +297,7 @@ fn a_site_is_built_of_two_versions_and_refused_without_a_run() {
     let twice = output(folder.path(), &["site", "old", "old", "-o", "twice"]);
     let said = text(&twice.stderr);
     assert!(
-        said.starts_with("note: old/events.jsonl is a run of reference 0.1.0 as a later one is"),
+        said.starts_with("note: old/events.jsonl does not count for reference 0.1.0: the later run of "),
         "{said}"
     );
 }

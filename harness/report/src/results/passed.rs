@@ -2,11 +2,11 @@
 //! them.
 
 use super::JsonList;
+use super::document::{ActualFacts, ByArguments, ObservedResult, PassedResult};
 use crate::groups::{Group, GroupNumber, Groups};
-use serde::Serialize;
-use serde::ser::{SerializeMap, Serializer};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
-use stickler_run::{CaseEvent, Fact, Grade, Verdict};
+use stickler_run::{CaseEvent, Fact, Verdict};
 
 /// The cases that passed, and the observations of all cases, by group.
 #[derive(Default)]
@@ -57,17 +57,17 @@ impl Passed {
                 let dialects = shared.dialects(groups);
                 let group = probe.group;
                 list.push(&PassedResult {
-                    id: &group.id,
-                    engine: &group.engine,
+                    id: Cow::Borrowed(&group.id),
+                    engine: Cow::Borrowed(&group.engine),
                     dialects,
-                    title: &group.title,
-                    basis: &group.basis,
-                    file: &group.file,
-                    area: &group.area,
+                    title: Cow::Borrowed(&group.title),
+                    basis: Cow::Borrowed(&group.basis),
+                    file: Cow::Borrowed(&group.file),
+                    area: Cow::Borrowed(&group.area),
                     open: group.open,
                     grade: group.grade,
                     got: self.got(&shared, groups),
-                    duration_us: Cases(&shared.cases),
+                    duration_us: shared.by_arguments(|duration| *duration),
                 })?;
             }
         }
@@ -76,12 +76,8 @@ impl Passed {
 
     /// Returns the actual facts of those cases whose expectation and observations do not imply them, by arguments and
     /// dialect.
-    fn got<'a>(
-        &'a self,
-        shared: &SharedCases<'a, u64>,
-        groups: &'a Groups,
-    ) -> BTreeMap<&'a str, BTreeMap<&'a str, &'a [Fact]>> {
-        let mut all: BTreeMap<&str, BTreeMap<&str, &[Fact]>> = BTreeMap::new();
+    fn got<'a>(&'a self, shared: &SharedCases<'a, u64>, groups: &'a Groups) -> ActualFacts<'a> {
+        let mut all = ActualFacts::new();
         let is_here: HashMap<&str, ()> = shared
             .cases
             .iter()
@@ -90,8 +86,9 @@ impl Passed {
         for &member in &shared.members {
             for (arguments, got) in self.groups.get(member).iter().flat_map(|cases| &cases.got) {
                 if is_here.contains_key(&**arguments) {
-                    let by_dialect = all.entry(arguments).or_default();
-                    by_dialect.insert(&groups.all()[member].dialect, got);
+                    let by_dialect = all.entry(Cow::Borrowed(arguments)).or_default();
+                    let dialect = &groups.all()[member].dialect;
+                    by_dialect.insert(Cow::Borrowed(dialect), Cow::Borrowed(got));
                 }
             }
         }
@@ -113,11 +110,11 @@ impl Passed {
                 let of = |member: &usize| self.groups.get(*member)?.observed.get(name);
                 for shared in shared(&probe.members, of) {
                     list.push(&ObservedResult {
-                        id: &probe.group.id,
-                        engine: &probe.group.engine,
+                        id: Cow::Borrowed(&probe.group.id),
+                        engine: Cow::Borrowed(&probe.group.engine),
                         dialects: shared.dialects(groups),
-                        name,
-                        values: Cases(&shared.cases),
+                        name: Cow::Borrowed(name),
+                        values: shared.by_arguments(|value| Cow::Borrowed(value.as_str())),
                     })?;
                 }
             }
@@ -160,10 +157,18 @@ struct SharedCases<'a, T> {
     cases: Vec<(&'a str, Vec<&'a T>)>,
 }
 
-impl<T> SharedCases<'_, T> {
-    fn dialects<'g>(&self, groups: &'g Groups) -> Vec<&'g str> {
-        let dialect = |&member: &GroupNumber| groups.all()[member].dialect.as_str();
+impl<'a, T> SharedCases<'a, T> {
+    fn dialects<'g>(&self, groups: &'g Groups) -> Vec<Cow<'g, str>> {
+        let dialect = |&member: &GroupNumber| Cow::Borrowed(groups.all()[member].dialect.as_str());
         self.members.iter().map(dialect).collect()
+    }
+
+    fn by_arguments<V>(&self, value: impl Fn(&'a T) -> V) -> ByArguments<'a, V> {
+        let cases = self.cases.iter().map(|(arguments, known)| {
+            let values = known.iter().map(|known| value(known)).collect();
+            (Cow::Borrowed(*arguments), values)
+        });
+        ByArguments(cases.collect())
     }
 }
 
@@ -195,44 +200,4 @@ fn shared<'a, T: 'a>(
         lists[place].cases.push((arguments, known));
     }
     lists
-}
-
-/// A JSON object with a key for the arguments of each case.
-struct Cases<'a, T>(&'a [(&'a str, Vec<&'a T>)]);
-
-impl<T: Serialize> Serialize for Cases<'_, T> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (arguments, known) in self.0 {
-            map.serialize_entry(arguments, known)?;
-        }
-        map.end()
-    }
-}
-
-#[derive(Serialize)]
-struct PassedResult<'a> {
-    id: &'a str,
-    engine: &'a str,
-    dialects: Vec<&'a str>,
-    title: &'a str,
-    basis: &'a str,
-    file: &'a str,
-    area: &'a str,
-    #[serde(skip_serializing_if = "std::ops::Not::not")]
-    open: bool,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    grade: Option<Grade>,
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    got: BTreeMap<&'a str, BTreeMap<&'a str, &'a [Fact]>>,
-    duration_us: Cases<'a, u64>,
-}
-
-#[derive(Serialize)]
-struct ObservedResult<'a> {
-    id: &'a str,
-    engine: &'a str,
-    dialects: Vec<&'a str>,
-    name: &'a str,
-    values: Cases<'a, String>,
 }

@@ -1,6 +1,6 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
-use super::front_page::{date, numbers};
+use super::front_page::numbers;
 use super::history::{History, Step, VersionRun};
 use super::html::{chart, escaped, page as whole, share};
 use crate::comparison::{Change, Kind};
@@ -14,7 +14,8 @@ const MAX_LISTED: usize = 20;
 /// Returns the page.
 pub(super) fn page(history: &History<'_>) -> String {
     let shares = history
-        .counted()
+        .counted
+        .iter()
         .filter_map(|run| run.run.sum(history.name).per_mille());
     let shares: Vec<u64> = shares.collect();
     let steps: String = history.steps.iter().rev().map(write_step).collect();
@@ -48,12 +49,16 @@ fn run_row(engine: &str, run: &VersionRun<'_>) -> String {
     };
     let part = header.shard.iter().map(|shard| format!("; part {shard}"));
     let replaced = run
-        .replaced
-        .then(|| "; a later run of this version counts".to_owned());
-    let notes: String = part.chain(replaced).collect();
+        .reason(engine)
+        .map(|reason| format!("; does not count: {reason}"));
+    let alone = match run.run.tells_expectations() {
+        true => None,
+        false => Some("; from its results.json".to_owned()),
+    };
+    let notes: String = part.chain(alone).chain(replaced).collect();
     format!(
         "<tr><td>{}</td><td>{}</td>{}<td>{page}; suite {}{}</td></tr>\n",
-        escaped(date(&header.started)),
+        run.run.date(),
         escaped(run.version),
         share(run.run.sum(engine)),
         escaped(&header.suite),

@@ -10,7 +10,9 @@ use std::fmt::Write;
 pub(super) fn page(histories: &[History<'_>]) -> String {
     let body = format!(
         "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
-         supports.</p>\n{}<h2>Changes</h2>\n{}",
+         supports.</p>\n{}<h2>Changes</h2>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
+         <code>results.json</code> of any run of <code>stickler run --engine …</code>; <a href=\"results.schema.json\">its JSON \
+         Schema</a> is beside this page.</p>\n",
         table(histories),
         feed(histories)
     );
@@ -55,14 +57,9 @@ fn row(history: &History<'_>, areas: &BTreeSet<&str>) -> String {
         history.file,
         escaped(history.name),
         escaped(newest.version),
-        escaped(date(&newest.run.header.started)),
+        newest.run.date(),
         share(newest.run.sum(history.name)),
     )
-}
-
-/// Returns the day of a time such as `2026-09-01T12:00:00Z`.
-pub(super) fn date(started: &str) -> &str {
-    started.split_once('T').map_or(started, |(day, _)| day)
 }
 
 fn feed(histories: &[History<'_>]) -> String {
@@ -80,7 +77,7 @@ fn feed(histories: &[History<'_>]) -> String {
         let _ = writeln!(
             list,
             "<li>{}: <a href=\"engines/{}\">{}</a> from {} to {}: {}</li>",
-            escaped(date(&step.new.run.header.started)),
+            step.new.run.date(),
             history.file,
             escaped(history.name),
             escaped(step.old.version),

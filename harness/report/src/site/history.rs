@@ -2,17 +2,21 @@
 
 use super::SiteError;
 use super::run::SiteRun;
+use super::versions;
 use crate::comparison::{Change, Comparison, ComparisonError, Kind};
 use crate::discrepancies::file_name;
-use crate::events::Reader;
 use std::collections::{BTreeMap, BTreeSet};
+use stickler_types::counted;
 
-/// The runs of one engine, oldest first.
+/// The runs of one engine.
 pub(super) struct History<'r> {
     pub(super) name: &'r str,
     /// The file name of the engine's page.
     pub(super) file: String,
+    /// All runs, oldest first.
     pub(super) runs: Vec<VersionRun<'r>>,
+    /// The run of each version that counts, oldest version first.
+    pub(super) counted: Vec<VersionRun<'r>>,
     /// The steps from version to version, oldest first.
     pub(super) steps: Vec<Step<'r>>,
 }
@@ -22,8 +26,8 @@ pub(super) struct History<'r> {
 pub(super) struct VersionRun<'r> {
     pub(super) run: &'r SiteRun,
     pub(super) version: &'r str,
-    /// Whether the next run has the same version and takes the place of this one.
-    pub(super) replaced: bool,
+    /// The run of the same version that counts in place of this one.
+    pub(super) replaced: Option<&'r SiteRun>,
 }
 
 /// The changes of an engine from one version to the next.
@@ -40,51 +44,66 @@ impl<'r> History<'r> {
         let mut by_engine: BTreeMap<&str, Vec<VersionRun<'r>>> = BTreeMap::new();
         for run in runs {
             for engine in &run.header.engines {
-                let runs = by_engine.entry(&engine.name).or_default();
-                if let Some(last) = runs.last_mut() {
-                    last.replaced = last.version == engine.version;
-                }
-                runs.push(VersionRun {
+                by_engine.entry(&engine.name).or_default().push(VersionRun {
                     run,
                     version: &engine.version,
-                    replaced: false,
+                    replaced: None,
                 });
             }
         }
         let mut files = BTreeSet::new();
-        let histories = by_engine.into_iter().map(|(name, runs)| {
+        let histories = by_engine.into_iter().map(|(name, mut runs)| {
+            versions::replace(name, &mut runs);
+            let counted = versions::in_order(&runs);
             Ok(History {
                 name,
                 file: page_name(name, &mut files),
-                steps: steps(name, &runs)?,
+                steps: steps(name, &counted)?,
+                counted,
                 runs,
             })
         });
         histories.collect()
     }
 
-    /// Returns the newest run.
+    /// Returns the run of the newest version that counts.
     pub(super) fn newest(&self) -> VersionRun<'r> {
-        *self.runs.last().expect("an engine of the site is one of a run")
-    }
-
-    /// Returns the runs that count: of each version in turn, the newest.
-    pub(super) fn counted(&self) -> impl Iterator<Item = &VersionRun<'r>> {
-        self.runs.iter().filter(|run| !run.replaced)
+        *self
+            .counted
+            .last()
+            .expect("an engine of the site is one of a run")
     }
 
     /// Describes the runs that do not count.
     pub(super) fn replaced(&self) -> Vec<String> {
-        let replaced = self.runs.iter().filter(|run| run.replaced);
         let sentence = |run: &VersionRun<'_>| {
-            format!(
-                "{} is a run of {} {} as a later one is, which counts; the history lists it",
-                run.run.log.display(),
+            let reason = run.reason(self.name)?;
+            Some(format!(
+                "{} does not count for {} {}: {reason}; the history lists it",
+                run.run.file.path().display(),
                 self.name,
                 run.version
-            )
+            ))
         };
-        replaced.map(sentence).collect()
+        self.runs.iter().filter_map(sentence).collect()
+    }
+}
+
+impl VersionRun<'_> {
+    /// Returns why the run does not count, as a fragment; `None` where it counts.
+    pub(super) fn reason(&self, engine: &str) -> Option<String> {
+        let other = self.replaced?;
+        let [own, others] = [self.run, other].map(|run| run.sum(engine).cases());
+        let cases = |number| counted(number, "case", "cases");
+        Some(match other.number > self.run.number {
+            true => format!("the later run of {} counts, with {}", other.date(), cases(others)),
+            false => format!(
+                "it has {}, and the run of {} counts, with {}",
+                cases(own),
+                other.date(),
+                cases(others)
+            ),
+        })
     }
 }
 
@@ -98,7 +117,11 @@ impl Step<'_> {
 
 /// Returns the file name of an engine's page, another one for each engine.
 fn page_name(engine: &str, taken: &mut BTreeSet<String>) -> String {
-    let name = file_name(engine);
+    let name = match file_name(engine) {
+        // A file whose name begins with a dot is hidden.
+        name if name.is_empty() => "engine".to_owned(),
+        name => name,
+    };
     let names = (1..).map(|number| match number {
         1 => format!("{name}.html"),
         _ => format!("{name}-{number}.html"),
@@ -108,8 +131,7 @@ fn page_name(engine: &str, taken: &mut BTreeSet<String>) -> String {
     free.next().expect("there is always a further number")
 }
 
-fn steps<'r>(engine: &str, runs: &[VersionRun<'r>]) -> Result<Vec<Step<'r>>, SiteError> {
-    let counted: Vec<VersionRun<'r>> = runs.iter().copied().filter(|run| !run.replaced).collect();
+fn steps<'r>(engine: &str, counted: &[VersionRun<'r>]) -> Result<Vec<Step<'r>>, SiteError> {
     let pairs = counted.iter().zip(counted.iter().skip(1));
     let step = |(old, new): (&VersionRun<'r>, &VersionRun<'r>)| {
         Ok(Step {
@@ -122,26 +144,25 @@ fn steps<'r>(engine: &str, runs: &[VersionRun<'r>]) -> Result<Vec<Step<'r>>, Sit
 }
 
 fn changes(engine: &str, old: &SiteRun, new: &SiteRun) -> Result<Result<Vec<Change>, String>, SiteError> {
-    let open = |run: &SiteRun| {
-        Reader::open(&run.log).map_err(|source| SiteError::Log {
-            path: run.log.clone(),
-            source,
-        })
-    };
+    let open = |run: &SiteRun| run.file.open().map_err(SiteError::run(run.file.path()));
     match Comparison::of(open(old)?, open(new)?) {
         Ok(comparison) if comparison.same == 0 && comparison.changes.is_empty() => {
             Ok(Err("no case is in both runs".to_owned()))
         }
         Ok(mut comparison) => {
             comparison.changes.retain(|change| change.engine == engine);
+            if !(old.tells_expectations() && new.tells_expectations()) {
+                let changes = comparison.changes.iter_mut();
+                changes.for_each(|change| change.expectation_changed = false);
+            }
             Ok(Ok(comparison.changes))
         }
         Err(error @ (ComparisonError::Parts { .. } | ComparisonError::NoEngine { .. })) => {
             Ok(Err(error.to_string()))
         }
         Err(source) => Err(SiteError::Comparison {
-            old: old.log.clone(),
-            new: new.log.clone(),
+            old: old.file.path().to_owned(),
+            new: new.file.path().to_owned(),
             source: Box::new(source),
         }),
     }

@@ -1,20 +1,24 @@
 //! A run of the site: its header, and the results of each engine by area.
 
 use super::SiteError;
+use crate::EventSource;
 use crate::claims::{Standing, entry};
-use crate::events::{self, Completeness, Reader};
+use crate::events::Completeness;
+use crate::run_file::{RunFile, RunFileError};
+use jiff::Timestamp;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use stickler_run::{Cause, Event, Header};
 
 /// A run, counted.
 pub(super) struct SiteRun {
-    /// The path of the event log.
-    pub(super) log: PathBuf,
+    /// The file from which the run was read.
+    pub(super) file: RunFile,
     /// The page of the run, where its folder has one.
     pub(super) page: Option<PathBuf>,
     /// The place of the run among all, from 1 for the oldest.
     pub(super) number: usize,
+    pub(super) started: Timestamp,
     pub(super) header: Header,
     /// The results by engine and area.
     pub(super) standings: BTreeMap<String, BTreeMap<String, Standing>>,
@@ -26,7 +30,7 @@ impl SiteRun {
     pub(super) fn read_all(paths: &[PathBuf]) -> Result<Vec<SiteRun>, SiteError> {
         let runs: Result<Vec<SiteRun>, SiteError> = paths.iter().map(|path| SiteRun::read(path)).collect();
         let mut runs = runs?;
-        runs.sort_by(|one, other| one.header.started.cmp(&other.header.started));
+        runs.sort_by_key(|run| run.started);
         for (at, run) in runs.iter_mut().enumerate() {
             run.number = at + 1;
         }
@@ -34,21 +38,24 @@ impl SiteRun {
     }
 
     fn read(path: &Path) -> Result<SiteRun, SiteError> {
-        let log = events::locate(path);
-        let unreadable = |source| SiteError::Log {
-            path: log.clone(),
-            source,
-        };
-        let mut reader = Reader::open(&log).map_err(unreadable)?;
+        let file = RunFile::locate(path).map_err(SiteError::run(path))?;
+        let mut events = file.open().map_err(SiteError::run(file.path()))?;
+        let unreadable = |error| SiteError::run(file.path())(RunFileError::Log(error));
+        let header = events.header().map_err(unreadable)?;
+        let started = header.started.parse().map_err(|_| SiteError::Date {
+            path: file.path().to_owned(),
+            started: header.started.clone(),
+        })?;
         let mut run = SiteRun {
-            page: Some(log.with_file_name("index.html")).filter(|page| page.is_file()),
+            page: Some(file.path().with_file_name("index.html")).filter(|page| page.is_file()),
             number: 0,
-            header: reader.header().map_err(unreadable)?,
+            started,
+            header,
             standings: BTreeMap::new(),
             causes: Vec::new(),
-            log: log.clone(),
+            file: file.clone(),
         };
-        for event in &mut reader {
+        for event in &mut events {
             match event.map_err(unreadable)? {
                 Event::Case(case) => {
                     let areas = entry(&mut run.standings, &case.engine);
@@ -58,13 +65,15 @@ impl SiteRun {
                 Event::Header(_) | Event::Footer(_) => {}
             }
         }
-        match reader.completeness() {
+        match events.completeness() {
             Completeness::Complete => Ok(run),
-            completeness => Err(SiteError::Truncated {
-                path: log,
-                completeness,
-            }),
+            cut => Err(SiteError::run(file.path())(RunFileError::Truncated(cut))),
         }
+    }
+
+    /// Returns whether the file tells what was expected of each case.
+    pub(super) const fn tells_expectations(&self) -> bool {
+        matches!(self.file, RunFile::Log(_))
     }
 
     /// Returns the name that the copy of the run's page has.
@@ -78,5 +87,10 @@ impl SiteRun {
         let areas = self.standings.get(engine).into_iter().flatten();
         areas.for_each(|(_, standing)| sum.add(*standing));
         sum
+    }
+
+    /// Returns the day on which the run began, such as `2026-09-01`.
+    pub(super) fn date(&self) -> String {
+        self.started.strftime("%F").to_string()
     }
 }

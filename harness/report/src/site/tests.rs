@@ -3,8 +3,10 @@
 use super::{SiteError, SiteSummary, write};
 use crate::events::{EventLog, NAME};
 use crate::sample;
+use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice;
 use stickler_run::{CaseEvent, Event, Verdict};
 
 /// Writes a run of an engine's version, started on a day of September.
@@ -98,13 +100,102 @@ fn of_two_runs_of_one_version_the_newer_counts_and_the_other_is_listed_and_named
     let front = fs::read_to_string(site.join("index.html")).expect("the front page");
     assert!(front.contains("2 of 2<span") && front.contains("No engine has runs of two versions yet."));
     let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
-    assert!(engine.contains("0 of 2<span") && engine.contains("a later run of this version counts"));
+    let reason = "does not count: the later run of 2026-09-02 counts, with 2 cases";
+    assert!(
+        engine.contains("0 of 2<span") && engine.contains(reason),
+        "{engine}"
+    );
+}
+
+#[test]
+fn a_small_late_run_does_not_hide_a_large_one_of_the_same_version() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let many = |verdict, number: usize| -> Vec<CaseEvent> {
+        (0..number)
+            .map(|number| sample::case(&format!("t::a({number})"), verdict))
+            .collect()
+    };
+    let paths = [
+        run(folder.path(), "large", 1, "1", many(Verdict::Pass, 20)),
+        run(folder.path(), "alike", 2, "1", many(Verdict::Fail, 18)),
+        run(folder.path(), "small", 3, "1", many(Verdict::Fail, 17)),
+    ];
+    let site = folder.path().join("site");
+    let summary = write(&paths, &site).expect("a site");
+    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
+    let reason = "it has 17 cases, and the run of 2026-09-02 counts, with 18 cases";
+    assert!(
+        engine.contains(reason) && summary.replaced[1].contains(reason),
+        "{summary:?}"
+    );
+    let reason = "the later run of 2026-09-02 counts, with 18 cases";
+    assert!(
+        engine.contains(reason) && summary.replaced[0].contains(reason),
+        "{summary:?}"
+    );
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert!(front.contains("0 of 18<span"), "{front}");
+}
+
+#[test]
+fn an_old_version_that_is_handed_in_late_is_old_all_the_same() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let paths = [
+        run(
+            folder.path(),
+            "new",
+            1,
+            "0.10",
+            cases(Verdict::Pass, Verdict::Pass),
+        ),
+        run(
+            folder.path(),
+            "old",
+            2,
+            "0.9",
+            cases(Verdict::Pass, Verdict::Fail),
+        ),
+    ];
+    let site = folder.path().join("site");
+    write(&paths, &site).expect("a site");
+    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert!(front.contains("from 0.9 to 0.10: 1 fixed, 0 broken"), "{front}");
+}
+
+#[test]
+fn a_run_is_known_from_its_results_alone_as_well() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let reported = |name: &str, day: u32, version: &str, cases: Vec<CaseEvent>| {
+        let mut events = sample::run_of(cases);
+        if let Event::Header(header) = &mut events[0] {
+            header.started = format!("2026-09-{day:02}T12:00:00Z");
+            header.engines[0].version = version.to_owned();
+        }
+        let reports = folder.path().join(name);
+        sample::report(&reports, &events);
+        reports
+    };
+    let old = reported("old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
+    let new = reported("new", 2, "2", cases(Verdict::Pass, Verdict::Fail));
+    let [whole, alone, mixed] = ["whole", "alone", "mixed"].map(|name| folder.path().join(name));
+    write(&[old.clone(), new.clone()], &whole).expect("a site of event logs");
+    // A file of any name, and a folder that has nothing else.
+    let handed_in = folder.path().join("of-a-vendor.json");
+    fs::copy(old.join("results.json"), &handed_in).expect("copied");
+    fs::remove_file(old.join(NAME)).expect("removed");
+    write(&[handed_in.clone(), old, new.clone()], &mixed).expect("a site of both");
+    write(&[handed_in, new.join("results.json")], &alone).expect("a site of results");
+    let front = |site: &Path| fs::read_to_string(site.join("index.html")).expect("the front page");
+    assert_eq!(front(&whole), front(&alone));
+    assert!(front(&mixed).contains("from 1 to 2: 1 fixed, 1 broken, 0 crashed"));
+    let engine = fs::read_to_string(alone.join("engines/reference.html")).expect("the engine's page");
+    assert!(engine.contains("; from its results.json") && !engine.contains("expects something else now"));
 }
 
 #[test]
 fn what_an_engine_says_of_itself_stays_text() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut events = sample::run_on(&["a/b", "a:b", "<b>"], Vec::new());
+    let mut events = sample::run_on(&["a/b", "a:b", "<b>", "..", ""], Vec::new());
     if let Event::Header(header) = &mut events[0] {
         header.engines[0].version = "<script>alert(1)</script>".to_owned();
     }
@@ -115,7 +206,7 @@ fn what_an_engine_says_of_itself_stays_text() {
     assert!(front.contains("&lt;script&gt;alert") && !front.contains("<script") && !front.contains("<b>"));
     assert_eq!(
         sample::names(&site.join("engines")),
-        ["-b-.html", "a-b-2.html", "a-b.html"]
+        ["-..html", "-b-.html", "a-b-2.html", "a-b.html", "engine.html"]
     );
 }
 
@@ -177,15 +268,41 @@ fn what_no_site_can_be_made_of_is_refused_with_its_place() {
     assert!(matches!(write(&[], &site), Err(SiteError::NoRun)));
     let whole = sample::run();
     let cut = written(&folder.path().join("cut"), &whole[..whole.len() - 1]);
-    let error = write(&[cut], &site).expect_err("no whole run").to_string();
+    let refused = |run: PathBuf| {
+        let error = write(&[run], &site).expect_err("no run");
+        let source = error.source().map(ToString::to_string);
+        format!("{error}: {}", source.unwrap_or_default())
+    };
+    let error = refused(cut);
     assert!(
-        error.contains("cut") && error.contains("after 4 cases"),
+        error.contains("cut/events.jsonl: the run was cut short after 4 cases"),
         "{error}"
     );
-    let missing = write(&[folder.path().join("missing")], &site).expect_err("no run");
-    assert!(missing.to_string().contains("missing"), "{missing}");
+    assert!(refused(folder.path().join("missing")).contains("missing: cannot be read"));
+    let error = refused(folder.path().to_owned());
+    assert!(
+        error.contains("has neither events.jsonl nor results.json"),
+        "{error}"
+    );
+    let started = |time: &str| {
+        let mut events = sample::run();
+        if let Event::Header(header) = &mut events[0] {
+            header.started = time.to_owned();
+        }
+        refused(written(&folder.path().join("undated"), &events))
+    };
+    assert!(started("today").contains("the run began at `today`, which is no time"));
     assert!(!site.exists(), "nothing is written of a site that is refused");
     fs::write(&site, "a file").expect("written");
     let run = written(&folder.path().join("run"), &whole);
-    assert!(matches!(write(&[run], &site), Err(SiteError::NoFolder(_))));
+    assert!(matches!(
+        write(slice::from_ref(&run), &site),
+        Err(SiteError::NoFolder(_))
+    ));
+    assert!(matches!(
+        write(slice::from_ref(&run), &run),
+        Err(SiteError::RunFolder(_))
+    ));
+    let below = write(&[run], &site.join("below")).expect_err("a file is no folder");
+    assert!(below.to_string().contains("cannot write"), "{below}");
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// A baseline that takes part in a run.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BaselineHeader {
     /// The name of the engine that the baseline is for.
     pub engine: String,
@@ -19,6 +20,7 @@ pub struct BaselineHeader {
 
 /// An entry of a baseline that no longer applies to anything.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct OutdatedEntry {
     /// The file and line of the entry.
     pub at: String,
@@ -30,6 +32,7 @@ pub struct OutdatedEntry {
 
 /// The note of a baseline on a case.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct BaselineNote {
     /// The file and line of the entry.
     pub at: String,

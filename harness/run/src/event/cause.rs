@@ -11,6 +11,7 @@ const MAX_TYPES: usize = 24;
 ///
 /// Causes are found after the cases, by asking the engine; `stickler_causes` says how. A run without that search has none.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Cause {
     /// The name of the engine.
     pub engine: String,
@@ -40,6 +41,7 @@ pub struct Cause {
 
 /// A program that shows a cause, what must happen and what happens.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Reproducer {
     /// The id of the case from which the program comes.
     pub case: String,
@@ -74,6 +76,7 @@ pub struct Reproducer {
 
 /// The extent to which a program was reduced.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Reduced {
     /// The program is as it was: the engine answered otherwise when it was asked again, or nothing can be left out.
@@ -87,6 +90,7 @@ pub enum Reduced {
 
 /// The outcomes of several runs of one program with which an engine does not do the same each time.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Repeats {
     /// The number of runs in which the engine deviated in the way of the cause.
     pub seen: u32,
@@ -99,6 +103,7 @@ pub struct Repeats {
 
 /// An outcome of several runs of one program.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct RepeatedOutcome {
     /// The facts of the outcome.
     pub got: Vec<Fact>,
@@ -108,6 +113,7 @@ pub struct RepeatedOutcome {
 
 /// A number of cases with a probe, dialect, claim and verdict in common.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct ExplainedCases {
     /// The beginning that the ids of the cases share: a case file and a probe.
     pub probe: String,

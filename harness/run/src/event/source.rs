@@ -6,6 +6,7 @@ use stickler_suite::{Source, Sources, address_of};
 
 /// A source that cases may cite, or Stickler's own rules.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct SourceHeader {
     /// The name with which a basis begins.
     pub key: String,

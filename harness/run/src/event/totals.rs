@@ -6,6 +6,7 @@ use std::ops::AddAssign;
 
 /// The number of times that each verdict came.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Totals {
     /// The number of [`Verdict::Pass`].
     pub pass: u64,

@@ -5,6 +5,7 @@ use std::fmt;
 
 /// The verdict on the result of a case on an engine. Basis: reports/README.md (the words).
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// The engine met the expectation.
