@@ -3,6 +3,7 @@
 //! Each run is read as a stream and only counted; two runs are compared by [`crate::comparison`], as `stickler compare` does.
 
 mod engine_page;
+mod feed;
 mod front_page;
 mod history;
 mod html;
@@ -116,6 +117,9 @@ pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
             &engine_page::page(history),
         )?;
     }
+    let feed_path = site.join(feed::NAME);
+    let feed = feed::feed(&histories).map_err(ReportError::writing(&feed_path))?;
+    fs::write(&feed_path, feed).map_err(ReportError::writing(&feed_path))?;
     write_page(&site.join("results.schema.json"), results::SCHEMA)?;
     write_page(&site.join("index.html"), &front_page::page(&histories))?;
     Ok(SiteSummary {

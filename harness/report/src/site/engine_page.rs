@@ -80,7 +80,7 @@ fn write_step(step: &Step<'_>) -> String {
         "<h2>From {} to {}</h2>\n<p>{}</p>\n{lists}",
         escaped(step.old.version),
         escaped(step.new.version),
-        numbers(step)
+        escaped(&numbers(step))
     )
 }
 

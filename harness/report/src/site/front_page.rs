@@ -1,7 +1,8 @@
 //! The first page of the site: a row an engine, a column an area, and the changes, newest first.
 
+use super::feed;
 use super::history::{History, Step};
-use super::html::{escaped, page as whole, share};
+use super::html::{escaped, page_with, share};
 use crate::comparison::Kind;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -10,13 +11,22 @@ use std::fmt::Write;
 pub(super) fn page(histories: &[History<'_>]) -> String {
     let body = format!(
         "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
-         supports.</p>\n{}<h2>Changes</h2>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
+         supports.</p>\n{}<h2>Changes</h2>\n<p><a href=\"feed.xml\">As an Atom feed</a></p>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
          <code>results.json</code> of any run of <code>stickler run --engine …</code>; <a href=\"results.schema.json\">its JSON \
          Schema</a> is beside this page.</p>\n",
         table(histories),
-        feed(histories)
+        changes(histories)
     );
-    whole("Stickler: conformance of IEC 61131-3 compilers", &body)
+    let alternate = format!(
+        "<link rel=\"alternate\" type=\"application/atom+xml\" title=\"{}\" href=\"{}\">\n",
+        feed::TITLE,
+        feed::NAME
+    );
+    page_with(
+        &alternate,
+        "Stickler: conformance of IEC 61131-3 compilers",
+        &body,
+    )
 }
 
 fn table(histories: &[History<'_>]) -> String {
@@ -62,7 +72,7 @@ fn row(history: &History<'_>, areas: &BTreeSet<&str>) -> String {
     )
 }
 
-fn feed(histories: &[History<'_>]) -> String {
+fn changes(histories: &[History<'_>]) -> String {
     let each = histories.iter();
     let mut steps: Vec<(&History<'_>, &Step<'_>)> = each
         .flat_map(|history| history.steps.iter().map(move |step| (history, step)))
@@ -82,16 +92,16 @@ fn feed(histories: &[History<'_>]) -> String {
             escaped(history.name),
             escaped(step.old.version),
             escaped(step.new.version),
-            numbers(step)
+            escaped(&numbers(step))
         );
     }
     list + "</ul>\n"
 }
 
-/// Returns the numbers of a step: `2 fixed, 1 broken, 0 crashed`, or why there are none.
+/// Returns the numbers of a step as text: `2 fixed, 1 broken, 0 crashed`, or why there are none.
 pub(super) fn numbers(step: &Step<'_>) -> String {
     match &step.changes {
-        Err(reason) => format!("not compared, since {}", escaped(reason)),
+        Err(reason) => format!("not compared, since {reason}"),
         Ok(_) => format!(
             "{} fixed, {} broken, {} crashed",
             step.of_kind(Kind::Fixed).count(),

@@ -10,13 +10,18 @@ const SITE_STYLE: &str = include_str!("site.css");
 
 /// Returns a whole page with this title and body; the body is HTML.
 pub(super) fn page(title: &str, body: &str) -> String {
+    page_with("", title, body)
+}
+
+/// Returns a whole page with further elements in its head; they and the body are HTML.
+pub(super) fn page_with(head: &str, title: &str, body: &str) -> String {
     let title = escaped(title);
     format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
          <meta name=\"color-scheme\" content=\"light dark\">\n\
-         <title>{title}</title>\n<style>\n{STYLE}{SITE_STYLE}</style>\n</head>\n<body>\n\
+         <title>{title}</title>\n{head}<style>\n{STYLE}{SITE_STYLE}</style>\n</head>\n<body>\n\
          <header><h1>{title}</h1></header>\n<main>\n{body}</main>\n</body>\n</html>\n"
     )
 }

@@ -193,6 +193,45 @@ fn a_run_is_known_from_its_results_alone_as_well() {
 }
 
 #[test]
+fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engine_is_called() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let named = |name: &str, day: u32, version: &str| {
+        let mut events = sample::run_on(&["a <b>&\u{1}"], Vec::new());
+        if let Event::Header(header) = &mut events[0] {
+            header.started = format!("2026-09-{day:02}T12:00:00Z");
+            header.engines[0].version = version.to_owned();
+        }
+        written(&folder.path().join(name), &events)
+    };
+    let [old, new, newest] = [("old", 1, "1"), ("new", 2, "2"), ("newest", 3, "3")]
+        .map(|(name, day, version)| named(name, day, version));
+    let feed_of = |runs: &[PathBuf]| {
+        let site = folder.path().join("site");
+        write(runs, &site).expect("a site");
+        fs::read_to_string(site.join("feed.xml")).expect("a feed")
+    };
+    let id = "<id>urn:x-stickler:change:a%20%3Cb%3E%26%01:1:2</id>";
+    let first = feed_of(&[old.clone(), new.clone()]);
+    let later = feed_of(&[old.clone(), new, newest]);
+    assert!(first.contains(id) && later.contains(id), "{first}");
+    assert_eq!(later.matches("<entry>").count(), 2);
+    for part in [
+        "<feed xmlns=\"http://www.w3.org/2005/Atom\">",
+        "<updated>2026-09-03T12:00:00Z</updated>",
+        "<author><name>Stickler</name></author>",
+        "<title>a &lt;b&gt;&amp;\\u{1} 3: not compared, since no case is in both runs</title>",
+        "<link rel=\"alternate\" href=\"engines/a--b---.html\"/>",
+    ] {
+        assert!(later.contains(part), "{part}\n{later}");
+    }
+    let mut reader = quick_xml::Reader::from_str(&later);
+    while !matches!(reader.read_event().expect("XML"), quick_xml::events::Event::Eof) {}
+    assert_eq!(feed_of(&[old]).matches("<entry>").count(), 0);
+    let front = fs::read_to_string(folder.path().join("site/index.html")).expect("the front page");
+    assert!(front.contains("<link rel=\"alternate\" type=\"application/atom+xml\""));
+}
+
+#[test]
 fn what_an_engine_says_of_itself_stays_text() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut events = sample::run_on(&["a/b", "a:b", "<b>", "..", ""], Vec::new());
