@@ -42,7 +42,7 @@ pub use inputs::Inputs;
 pub use merge::{Merged, merge};
 pub use oracle::{InputVerdict, Mismatch, Oracle, Worker};
 pub use plan::{CampaignPlan, Until};
-pub use promote::{CaseHead, FOUND, PromoteError, Promoted, promote};
+pub use promote::{CaseHead, FOUND, PromoteError, Promoted, check_name, promote};
 pub use record::{CampaignRequest, Record};
 pub use replay::{Replayed, replay};
 pub use run::{CampaignEnd, CampaignError, CampaignEvent, CampaignProgress, CampaignSummary, run};

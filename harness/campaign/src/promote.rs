@@ -69,10 +69,7 @@ pub struct CaseHead<'w> {
 /// [`PromoteError`]; then no file is left.
 pub fn promote(finding: &Finding, cases: &Path, words: &CaseHead<'_>) -> Result<Promoted, PromoteError> {
     let name = words.name.unwrap_or(&finding.id);
-    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
-    if name.is_empty() || name.starts_with('.') || !name.bytes().all(plain) {
-        return Err(PromoteError::Name(name.to_owned()));
-    }
+    check_name(name)?;
     let (text, chosen) = case_file(finding, words)?;
     let folder = cases.join(FOUND);
     let path = folder.join(format!("{name}.st"));
@@ -97,6 +94,18 @@ pub fn promote(finding: &Finding, cases: &Path, words: &CaseHead<'_>) -> Result<
         basis: chosen,
         proposed: words.basis.is_none(),
     })
+}
+
+/// Checks the name of a file of cases.
+///
+/// # Errors
+/// A name with other characters than letters, digits, `-`, `_` and `.`, or with a point in front.
+pub fn check_name(name: &str) -> Result<(), PromoteError> {
+    let plain = |byte: u8| byte.is_ascii_alphanumeric() || b"-_.".contains(&byte);
+    match name.is_empty() || name.starts_with('.') || !name.bytes().all(plain) {
+        true => Err(PromoteError::Name(name.to_owned())),
+        false => Ok(()),
+    }
 }
 
 /// Returns the first mistake that the suite finds in a file, lint's warnings included.

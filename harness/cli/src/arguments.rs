@@ -111,7 +111,7 @@ pub enum Command {
     /// Write what shows a case on a compiler without Stickler: its program, a driver and a script
     #[command(after_help = reproduce::REPRODUCE_EXAMPLES)]
     Reproduce(ReproduceArguments),
-    /// Turn a finding into a case
+    /// Turn a finding into a case, or a recording into tables of cases
     #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
     Promote(PromoteArguments),
     /// Merge the parts of a run, or of a campaign

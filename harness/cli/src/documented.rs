@@ -93,8 +93,8 @@ fn asserted_value(case: &Case) -> Option<&Value> {
 /// Returns a basis, with the product and version that its source recorded or measured.
 fn with_product(suite: &Suite, basis: &str) -> String {
     match suite.sources.of(basis) {
-        Some((source, _)) if matches!(source.kind, SourceKind::Recording | SourceKind::Measurement) => {
-            format!("{basis} ({}: {})", source.kind.as_str(), source.read)
+        Some((source, section)) if matches!(source.kind, SourceKind::Recording | SourceKind::Measurement) => {
+            format!("{basis} ({}: {})", source.kind.as_str(), source.read_of(section))
         }
         _ => basis.to_owned(),
     }

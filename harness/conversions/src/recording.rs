@@ -8,6 +8,7 @@ mod ask;
 mod imported;
 mod parse;
 mod questions;
+mod tables;
 mod write;
 
 use crate::implicit::{MatrixAnswer, TypePair};
@@ -20,6 +21,7 @@ use stickler_types::{DialectName, ElementaryType, Value};
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
 pub use questions::{Question, extreme};
+pub use tables::{RecordedTable, RecordedTables};
 
 /// The answers of one version of a compiler.
 #[derive(Clone, PartialEq, Debug)]

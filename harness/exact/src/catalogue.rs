@@ -267,7 +267,8 @@ const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal]
 ///
 /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax (the editions of its dialects); twincat-builds:
 /// recordings/twincat.build.json (no LDATE, LTOD, LDT).
-pub(crate) fn has_type(ty: ElementaryType, dialect: DialectName) -> bool {
+#[must_use]
+pub fn has_type(ty: ElementaryType, dialect: DialectName) -> bool {
     !ty.is_third_edition()
         || stated(dialect, Flag::ThirdEditionTypes).unwrap_or(match dialect.base() {
             BuiltIn::IronplcEd2 | BuiltIn::Matiec => false,

@@ -57,7 +57,7 @@ mod vendor_page;
 
 pub use basis::{Expected, expected, is_overridden};
 pub use bulk::Bulk;
-pub use catalogue::{functions, signatures};
+pub use catalogue::{functions, has_type, signatures};
 pub use choices::choices_of;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};

@@ -20,14 +20,14 @@ pub fn binds(
     if engine.name == Reference::NAME {
         return true;
     }
-    let Some((source, _)) = sources.of(basis) else {
+    let Some((source, section)) = sources.of(basis) else {
         return true;
     };
     match source.kind {
         SourceKind::Standard => true,
         SourceKind::Rule => strict_rules,
         _ if Compiler::from_name(&engine.name).is_some() => source.engines.contains(&engine.name),
-        _ => source.speaks_for(dialect) || source.speaks_for(dialect.base().name()),
+        _ => source.section_speaks_for(section, dialect),
     }
 }
 

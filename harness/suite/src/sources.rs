@@ -1,10 +1,12 @@
 //! The sources that an expectation may come from, and their sections.
 //!
 //! A basis is written `source: section`: a key of `sources.toml`, or `rule` for one of Stickler's own rules in `rules.md`, and a
-//! section by the name that it has there, so that a claim can be traced from a report to the sentence.
+//! section by the name that it has there, so that a claim can be traced from a report to the sentence. The recordings of compilers are
+//! a source, too: `recording`, whose sections are their files.
 
 mod lint;
 mod read;
+mod recordings;
 mod sections;
 
 use std::collections::BTreeMap;
@@ -18,11 +20,13 @@ use sections::Sections;
 
 /// The key of the source whose sections are Stickler's own rules.
 const RULE: &str = "rule";
+/// The key of the source whose sections are the files of recordings.
+const RECORDING: &str = "recording";
 
 /// The sources that the cases of a folder may cite.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sources {
-    /// Ordered by key; the rules stand last.
+    /// Ordered by key; the recordings and the rules stand last.
     sources: Vec<Source>,
     /// The paths of `sources.toml` and `rules.md`, as messages show them.
     file: String,
@@ -50,10 +54,21 @@ pub struct Source {
     /// The dialects for which the source speaks. A standard and the rules name none.
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,
+    /// Of recordings, what each says of its origin, or why no case can cite it; empty for every other source.
+    pub(crate) recorded: BTreeMap<String, Result<RecordedSection, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
     pub(crate) line: u32,
+}
+
+/// The origin of a recording.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct RecordedSection {
+    /// The product, its version and the date.
+    read: String,
+    /// The dialects in which the product was asked.
+    dialects: Vec<DialectName>,
 }
 
 /// The kind of a source.
@@ -100,7 +115,7 @@ impl SourceKind {
 }
 
 impl Sources {
-    /// Returns every source, ordered by key, with the rules last.
+    /// Returns every source, ordered by key, with the recordings and the rules last.
     pub fn iter(&self) -> impl Iterator<Item = &Source> {
         self.sources.iter()
     }
@@ -128,7 +143,7 @@ impl Sources {
             return Err(format!("`{basis}` is not written `source: section`"));
         };
         let Some(source) = self.get(key) else {
-            if self.sources.iter().all(|source| source.kind == SourceKind::Rule) {
+            if self.sources.iter().all(Source::is_built_in) {
                 return Err(format!(
                     "no source `{key}`; {} has none that can be read",
                     self.file
@@ -138,8 +153,12 @@ impl Sources {
             return Err(format!("no source `{key}`; {}", suggestion(key, known)));
         };
         let section = section.trim();
+        if let Some(Err(message)) = source.recorded.get(section) {
+            return Err(format!("no case can cite the recording `{section}`: {message}"));
+        }
         match source.sections.unknown(section) {
             None => Ok((source, section)),
+            Some(expected) if source.key == RECORDING => Err(format!("no recording `{section}`; {expected}")),
             Some(expected) if source.kind == SourceKind::Rule => {
                 Err(format!("no rule `{section}`; {expected}"))
             }
@@ -155,6 +174,34 @@ impl Source {
     pub fn speaks_for(&self, dialect: DialectName) -> bool {
         let names = |dialect| self.dialects.contains(&dialect);
         self.kind.speaks_for_all() || names(dialect) || names(dialect.base().name())
+    }
+
+    /// Returns whether a section of the source speaks for a dialect, or for the dialect that it extends: a recording only for those in which
+    /// its product was asked.
+    #[must_use]
+    pub fn section_speaks_for(&self, section: &str, dialect: DialectName) -> bool {
+        match self.recorded.get(section) {
+            Some(Ok(recorded)) => {
+                recorded.dialects.contains(&dialect) || recorded.dialects.contains(&dialect.base().name())
+            }
+            Some(Err(_)) => false,
+            None => self.speaks_for(dialect),
+        }
+    }
+
+    /// Returns the edition, version, commit or date at which a section was read: of a recording, the product, its version and the date.
+    #[must_use]
+    pub fn read_of(&self, section: &str) -> &str {
+        match self.recorded.get(section) {
+            Some(Ok(recorded)) => &recorded.read,
+            _ => &self.read,
+        }
+    }
+
+    /// Returns whether the source stands in no `sources.toml`: the recordings and the rules.
+    #[must_use]
+    pub fn is_built_in(&self) -> bool {
+        matches!(self.key.as_str(), RECORDING | RULE)
     }
 
     /// Returns the address at which a section stands: an address of the web, or a path below the parent of the folder of cases.
@@ -253,7 +300,10 @@ mod tests {
         for (basis, said) in [
             ("page", "is not written `source: section`"),
             ("pages: A heading", "no source `pages`; did you mean `page`?"),
-            ("elsewhere: x", "no source `elsewhere`; there are page · rule"),
+            (
+                "elsewhere: x",
+                "no source `elsewhere`; there are page · recording · rule",
+            ),
             ("page: A Heading", "did you mean `A heading`?, or write a cell"),
             ("page: P9876", "a code: `P4035`"),
             ("rule: one-rul", "no rule `one-rul`; did you mean `one-rule`?"),

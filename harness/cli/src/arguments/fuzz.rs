@@ -74,16 +74,20 @@ pub struct FuzzArguments {
 /// `stickler promote`.
 #[derive(Args, Debug)]
 pub struct PromoteArguments {
-    /// A finding: its folder, or its name in reports/findings
+    /// A finding: its folder, or its name in reports/findings; or a recording, such as conformance-cases/recordings/NAME.toml
     #[arg(value_name = "FINDING")]
     pub finding: PathBuf,
+    /// Of a recording: the dialect that gets the cases, the recorded one or one that extends it [default: the recorded one, where there
+    /// is one alone]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects(), conflicts_with_all = ["basis", "title"])]
+    pub dialect: Option<DialectName>,
     /// The document and section that say what must happen, `source: section` [default: as the finding proposes]
     #[arg(long, value_name = "BASIS")]
     pub basis: Option<String>,
     /// Give the case this title, a line that says what holds [default: what the program uses, and the symptom]
     #[arg(long, value_name = "TITLE", value_parser = NonEmptyStringValueParser::new())]
     pub title: Option<String>,
-    /// The name of the case, found/NAME [default: the finding's]
+    /// The name of the case, found/NAME, or of the tables [default: the finding's, or the recording's]
     #[arg(long, value_name = "NAME")]
     pub name: Option<String>,
     /// The folder of the cases [default: conformance-cases here or above, or those inside the program]
@@ -146,7 +150,8 @@ Examples:
   stickler promote my-compiler-value-int-3f2a91c0
   stickler promote reports/findings/my-compiler-value-int-3f2a91c0 \\
       --name mod-of-a-negative-dividend --basis 'iec-61131-3: Table 29' \\
-      --title 'MOD has the sign of its dividend'";
+      --title 'MOD has the sign of its dividend'
+  stickler promote conformance-cases/recordings/my-plc.toml --dialect mine";
 
 /// The examples at the end of the help of `merge`.
 pub const MERGE_EXAMPLES: &str = "\

@@ -1,4 +1,6 @@
-//! `stickler promote`: turns a finding into a case.
+//! `stickler promote`: turns a finding into a case, or a recording into tables of cases.
+
+mod recording;
 
 use super::fuzz::finding_place;
 use crate::arguments::PromoteArguments;
@@ -8,16 +10,19 @@ use crate::{output, shell};
 use std::io::Write;
 use stickler_campaign::{CaseHead, FOUND, load, promote};
 
-/// Writes the case, and shows the command that runs it.
+/// Writes the case or the tables, and shows the command that runs them.
 ///
 /// # Errors
-/// No such finding, no folder of cases, or a finding that no case can express.
+/// No such finding, no folder of cases, a finding that no case can express, or a recording that no case can cite.
 pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     if folder.is_carried {
         anyhow::bail!(
             "there is no folder of cases here or above to which the case could be added; name one with --cases DIR"
         );
+    }
+    if recording::is_recording(&arguments.finding) {
+        return recording::execute(arguments, &folder, out);
     }
     let finding = load(&finding_place(&arguments.finding, None))?;
     let words = CaseHead {

@@ -56,7 +56,7 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
 /// Returns the recording that a file holds already; `None` where there is no such file.
 ///
 /// # Errors
-/// A file that cannot be read, is no recording, or is one of another product or version.
+/// A file that cannot be read, is no recording, or is one of another product, version or commit.
 pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Recording>> {
     let shown = path.display();
     let text = match fs::read_to_string(path) {
@@ -65,12 +65,22 @@ pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Rec
         Err(error) => return Err(error).with_context(|| format!("cannot read {shown}")),
     };
     let older = Recording::parse(&shown.to_string(), &text)?;
-    let RecordingOrigin { product, version, .. } = &older.origin;
-    if (product, version) != (&origin.product, &origin.version) {
+    let (was, is) = (&older.origin, origin);
+    if (&was.product, &was.version) != (&is.product, &is.version) {
         bail!(
-            "{shown} is a recording of {product} {version}, not of {} {}; name another file",
-            origin.product,
-            origin.version
+            "{shown} is a recording of {} {}, not of {} {}; name another file, or say with --product and --product-version what it says",
+            was.product,
+            was.version,
+            is.product,
+            is.version
+        );
+    }
+    if was.commit != is.commit {
+        let said = |commit: &Option<String>| commit.clone().unwrap_or_else(|| "no commit".to_owned());
+        bail!(
+            "{shown} was recorded of commit {}, and this is {}; record all sections again, or say with --commit that it is the same",
+            said(&was.commit),
+            said(&is.commit)
         );
     }
     Ok(Some(older))

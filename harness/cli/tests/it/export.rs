@@ -5,7 +5,7 @@ use crate::dialects;
 use std::fs;
 use std::path::Path;
 
-fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+pub fn run(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
     let ended = output(folder, arguments);
     (ended.status.code(), text(&ended.stdout), text(&ended.stderr))
 }

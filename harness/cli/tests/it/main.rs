@@ -19,6 +19,7 @@ mod export;
 mod fuzz;
 mod links;
 mod pages;
+mod recordings;
 #[cfg(unix)]
 mod reduce;
 mod reproduce;

@@ -29,7 +29,7 @@ impl Sources {
                         .in_file(&self.rules)
                 };
                 warnings.extend(unused.map(warning));
-            } else if !is_cited(source) {
+            } else if !source.is_built_in() && !is_cited(source) {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());
                 warnings.push(mistake.hint("take it out").in_file(&self.file));
             }

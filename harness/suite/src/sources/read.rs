@@ -6,7 +6,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::sections::{SectionForm, headings};
-use super::{Lines, RULE, Sections, Source, SourceKind, Sources};
+use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, recordings};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::toml_text::{self, Strings};
@@ -74,7 +74,7 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
     };
     let (mut errors, remarks) = (in_file(reader.mistakes), in_file(reader.remarks));
     let (rules, mistakes) = rules(root);
-    sources.push(rules);
+    sources.extend([recordings::read(root), rules]);
     errors.extend(mistakes);
     SourcesRead {
         sources: Sources {
@@ -113,6 +113,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
             headings,
             forms: Vec::new(),
         },
+        recorded: BTreeMap::new(),
         limitations: BTreeMap::new(),
         line: 1,
     };
@@ -165,8 +166,9 @@ impl SourcesReader<'_> {
     fn source(&mut self, key: &Spanned<String>, entry: SourceEntry) -> Option<Source> {
         let name = key.get_ref().as_str();
         let at = key.span().start;
-        if name == RULE || name.contains([':', ' ']) {
-            let message = "a source's key has neither a colon nor a space, and is not `rule`";
+        if [RULE, RECORDING].contains(&name) || name.contains([':', ' ']) {
+            let message =
+                "a source's key has neither a colon nor a space, and is neither `rule` nor `recording`";
             self.wrong(at, name, message.to_owned());
             return None;
         }
@@ -216,6 +218,7 @@ impl SourcesReader<'_> {
             engines: entry.engines.unwrap_or_default(),
             dialects,
             sections,
+            recorded: BTreeMap::new(),
             limitations,
             line: self.lines.line(at),
         })

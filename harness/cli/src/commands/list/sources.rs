@@ -59,7 +59,7 @@ pub(super) fn write(out: &mut dyn Write, sources: &Sources, cases: &[&Case], jso
     Ok(())
 }
 
-/// Returns a line for a source, or one for each of the rules.
+/// Returns a line for a source, or one for each of the rules and recordings that a case rests on.
 fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
     let line = |name: String, section: &str, count: Count| SourceLine {
         source: name,
@@ -67,12 +67,12 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
         publisher: &source.publisher,
         kind: source.kind.as_str(),
         address: source.address_of(section),
-        read: &source.read,
+        read: source.read_of(section),
         engines: &source.engines,
         dialects: source.dialects.iter().map(|dialect| dialect.as_str()).collect(),
         count,
     };
-    if source.kind == SourceKind::Rule {
+    if source.is_built_in() {
         let rules = sections.iter();
         let rule = |(rule, count): (&&str, &Count)| line(format!("{}: {rule}", source.key), rule, *count);
         return rules.map(rule).collect();
@@ -87,6 +87,9 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
 }
 
 fn write_source(out: &mut dyn Write, source: &Source, lines: &[SourceLine<'_>]) -> io::Result<()> {
+    if lines.is_empty() {
+        return Ok(());
+    }
     if source.kind == SourceKind::Rule {
         let (publisher, title) = (&source.publisher, &source.title);
         writeln!(out, "{BOLD}{}{BOLD:#}  {publisher}: {title}", source.key)?;

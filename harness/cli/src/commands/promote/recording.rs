@@ -1,0 +1,118 @@
+//! Turns a recording into tables of cases whose basis is the recording.
+
+use crate::arguments::PromoteArguments;
+use crate::case_folder::CaseFolder;
+use crate::exit::Exit;
+use crate::{output, shell};
+use anyhow::{Context, bail};
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use stickler_campaign::check_name;
+use stickler_conversions::recording::{RecordedSection, RecordedTables, Recording};
+use stickler_suite::RECORDINGS;
+use stickler_types::DialectName;
+
+/// Returns whether the path names the file of a recording rather than a finding.
+pub(super) fn is_recording(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension == "toml") && path.is_file()
+}
+
+/// Writes the tables, and shows what was written, what is no case, and the command that runs them.
+///
+/// # Errors
+/// A file that is no recording, is not among those of the folder of cases, or has no answers in the dialect; a table that is there already.
+pub(super) fn execute(
+    arguments: &PromoteArguments,
+    folder: &CaseFolder,
+    out: &mut dyn Write,
+) -> anyhow::Result<Exit> {
+    let path = &arguments.finding;
+    let shown = path.display();
+    let text = fs::read_to_string(path).with_context(|| format!("cannot read {shown}"))?;
+    let recording = Recording::parse(&shown.to_string(), &text)?;
+    let own = folder
+        .path
+        .join(RECORDINGS)
+        .join(format!("{}.toml", recording.name));
+    if own.canonicalize().ok() != path.canonicalize().ok() {
+        bail!(
+            "cases cite a recording that lies beside them: move {shown} to {} first",
+            own.display()
+        );
+    }
+    let owner = owner(arguments, &recording)?;
+    let asked = match recording.dialects.contains(&owner) {
+        true => owner,
+        false => owner.base().name(),
+    };
+    let name = arguments.name.as_deref().unwrap_or(&recording.name);
+    check_name(name)?;
+    let made = recording.case_tables(asked, owner.as_str());
+    let place = |section| folder.path.join(area(section)).join(format!("{name}.toml"));
+    let places: Vec<PathBuf> = made.tables.iter().map(|table| place(table.section)).collect();
+    if let Some(known) = places.iter().find(|path| path.exists()) {
+        bail!(
+            "{} is there already; the ids of cases never change their meaning, so choose another name with --name",
+            known.display()
+        );
+    }
+    if places.is_empty() {
+        bail!("no answer of {shown} in {owner} says what a case could expect");
+    }
+    for (path, table) in places.iter().zip(&made.tables) {
+        let parent = path.parent().unwrap_or(&folder.path);
+        fs::create_dir_all(parent)
+            .and_then(|()| fs::write(path, &table.text))
+            .with_context(|| format!("cannot write {}", path.display()))?;
+        writeln!(out, "{}  {} cases", path.display(), table.rows)?;
+    }
+    note_left_out(&made);
+    writeln!(out, "  {} lint", shell::program())?;
+    writeln!(
+        out,
+        "  {} run --dialect {owner} --filter /{name}::",
+        shell::program()
+    )?;
+    Ok(Exit::AsExpected)
+}
+
+/// Returns the dialect to which the cases belong: the one that is named, or the only one of the recording.
+fn owner(arguments: &PromoteArguments, recording: &Recording) -> anyhow::Result<DialectName> {
+    let names = || {
+        let names: Vec<&str> = recording
+            .dialects
+            .iter()
+            .map(|dialect| dialect.as_str())
+            .collect();
+        names.join(", ")
+    };
+    let owner = match (arguments.dialect, &recording.dialects[..]) {
+        (Some(named), _) => named,
+        (None, [only]) => *only,
+        (None, _) => bail!(
+            "the recording has answers in {}; name one with --dialect",
+            names()
+        ),
+    };
+    if !recording.dialects.contains(&owner) && !recording.dialects.contains(&owner.base().name()) {
+        bail!("the recording has no answers in {owner}, only in {}", names());
+    }
+    Ok(owner)
+}
+
+/// Returns the area of the suite to which a section belongs.
+const fn area(section: RecordedSection) -> &'static str {
+    match section {
+        RecordedSection::Implicit => "widening",
+        RecordedSection::Bits => "bit-access",
+        RecordedSection::Comparisons => "language",
+        RecordedSection::Functions => "conversion",
+    }
+}
+
+fn note_left_out(made: &RecordedTables) {
+    for (reason, count) in &made.left_out {
+        output::note(format!("{count} no case: {reason}"));
+    }
+}

@@ -1,0 +1,254 @@
+//! Turns the answers of a recording into tables of cases, whose basis is the recording.
+
+use super::{FunctionAnswers, Question, RecordedSection, Recording};
+use crate::implicit::MatrixAnswer;
+use crate::program::ConversionProgram;
+use crate::session::RefusalKind;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use stickler_types::DialectName;
+use toml::Value as Toml;
+
+/// A table of cases that was made of a section of a recording.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct RecordedTable {
+    /// The section whose answers it holds.
+    pub section: RecordedSection,
+    /// The number of its rows, each of which is a case.
+    pub rows: usize,
+    /// The text of the file.
+    pub text: String,
+}
+
+/// The tables of cases of a recording, and the answers that are none.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct RecordedTables {
+    /// The tables, in the order of the sections; none without rows.
+    pub tables: Vec<RecordedTable>,
+    /// The number of answers that no case asserts, by the reason.
+    pub left_out: BTreeMap<&'static str, usize>,
+}
+
+/// A row: its name in the ids of cases, the program, and the word or value that must come.
+type TableRow = (String, ConversionProgram, String);
+
+/// The fate of an answer: a word or value that a case expects, or the reason why there is no case.
+type Expected = Result<String, &'static str>;
+
+impl Recording {
+    /// Makes tables of cases of the answers of a dialect. The cases belong to `owner`, the same dialect or one that extends it.
+    ///
+    /// A warning asserts no more than that the program is accepted, for the code of a warning was not recorded. A call that was refused, a part
+    /// that was refused in another form than `.n`, and an engine that crashed or took too long assert nothing.
+    #[must_use]
+    pub fn case_tables(&self, dialect: DialectName, owner: &str) -> RecordedTables {
+        let mut made = RecordedTables::default();
+        let mut rows: BTreeMap<RecordedSection, Vec<TableRow>> = BTreeMap::new();
+        for question in Question::all(dialect) {
+            let Some((section, answer)) = self.expected(dialect, &question) else {
+                continue;
+            };
+            match answer {
+                Ok(expected) => {
+                    rows.entry(section)
+                        .or_default()
+                        .push((question.id(), question.program(), expected))
+                }
+                Err(reason) => *made.left_out.entry(reason).or_default() += 1,
+            }
+        }
+        let table = |(section, rows): (RecordedSection, Vec<TableRow>)| RecordedTable {
+            section,
+            rows: rows.len(),
+            text: self.table(section, owner, &rows),
+        };
+        made.tables = rows.into_iter().map(table).collect();
+        made
+    }
+
+    /// Returns what a case expects of a question; `None` where it was not asked.
+    fn expected(&self, dialect: DialectName, question: &Question) -> Option<(RecordedSection, Expected)> {
+        match question {
+            Question::Implicit(pair) => {
+                let answer = self.implicit(dialect, *pair)?;
+                let has_types =
+                    stickler_exact::has_type(pair.0, dialect) && stickler_exact::has_type(pair.1, dialect);
+                let expected = match has_types {
+                    true => accepted_or_not(answer),
+                    false => Err("a type that the dialect does not have"),
+                };
+                Some((RecordedSection::Implicit, expected))
+            }
+            Question::Part(ty, part) => {
+                let expected = match (
+                    self.part(dialect, *ty, part)?,
+                    stickler_exact::has_type(*ty, dialect),
+                ) {
+                    (_, false) => Err("a type that the dialect does not have"),
+                    (MatrixAnswer::Rejects, _) if part.starts_with('%') => Err(
+                        "a part that is rejected: whether the form or the number is wrong was not recorded",
+                    ),
+                    (answer, _) => accepted_or_not(answer),
+                };
+                Some((RecordedSection::Bits, expected))
+            }
+            Question::Comparison(pair) => {
+                let expected = match self.comparison(dialect, *pair)? {
+                    Ok(true) => Ok("BOOL#TRUE".to_owned()),
+                    Ok(false) => Ok("BOOL#FALSE".to_owned()),
+                    Err(RefusalKind::Rejected) => Ok("no".to_owned()),
+                    Err(_) => Err(NO_ANSWER),
+                };
+                Some((RecordedSection::Comparisons, expected))
+            }
+            Question::Call(signature, call) => {
+                let key = (dialect, super::key(signature));
+                let answer = match self.functions.get(&key)? {
+                    FunctionAnswers::Refused(kind) => Err(*kind),
+                    FunctionAnswers::Calls(calls) => calls.iter().find(|(known, _)| known == call)?.1.clone(),
+                };
+                let expected = match answer {
+                    Ok(value) => Ok(value.to_string()),
+                    Err(RefusalKind::Rejected) => Err("a call that is rejected: why was not recorded"),
+                    Err(_) => Err(NO_ANSWER),
+                };
+                Some((RecordedSection::Functions, expected))
+            }
+        }
+    }
+
+    fn table(&self, section: RecordedSection, owner: &str, rows: &[TableRow]) -> String {
+        let product = format!("{} {}", self.origin.product, self.origin.version);
+        let product = product.replace('{', "{{").replace('}', "}}");
+        let (probe, code, observe) = match section {
+            RecordedSection::Implicit => ("converts", Some("P4035"), None),
+            RecordedSection::Bits => ("selects", Some("P4025"), None),
+            RecordedSection::Comparisons => ("compares", Some("P4049"), Some("BOOL")),
+            RecordedSection::Functions => ("gives", None, Some("{target}")),
+        };
+        let mut text = format!(
+            "# Made of recordings/{0}.toml by `stickler promote`.\n\
+             title    = {1}\nbasis    = {2}\ndialects = [{3}]\n\n",
+            self.name,
+            quoted(&format!("{product}, recorded: {{done}}")),
+            quoted(&format!("recording: {}", self.name)),
+            quoted(owner)
+        );
+        let targets = observe.is_some_and(|ty| ty.starts_with('{'));
+        let target = if targets { "\"target\", " } else { "" };
+        let _ = writeln!(
+            text,
+            "columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = ["
+        );
+        for (id, program, recorded) in rows {
+            let (declared, done) = parts(program);
+            let target = match targets {
+                true => format!("{}, ", quoted(program.ty.name())),
+                false => String::new(),
+            };
+            let cells = [id, &declared, &done].map(|cell| quoted(cell)).join(", ");
+            let _ = writeln!(text, "    [{cells}, {target}{}],", quoted(recorded));
+        }
+        let _ = write!(text, "]\n\n[[probe]]\nname    = {}\n", quoted(probe));
+        if let Some((ty, (_, program, _))) = observe.zip(rows.first()) {
+            let name = program.observed.first().map_or("", String::as_str);
+            let _ = writeln!(text, "observe = \"{name} : {ty}\"");
+        }
+        let mark = code.map(|code| format!(" (*! error {code} if recorded = no *)"));
+        let _ = write!(
+            text,
+            "expect  = \"{{recorded}}\"\nsource  = \"\"\"\nPROGRAM main\nVAR\n    {{declared}}\nEND_VAR\n    {{done}}{}\nEND_PROGRAM\n\"\"\"\n",
+            mark.unwrap_or_default()
+        );
+        text
+    }
+}
+
+/// The reason for which a crash, a time-out and the like assert nothing.
+const NO_ANSWER: &str = "no answer: a crash, a time-out, or a program that the engine does not support";
+
+fn accepted_or_not(answer: MatrixAnswer) -> Expected {
+    match answer {
+        MatrixAnswer::Accepts | MatrixAnswer::Warns => Ok("accepted".to_owned()),
+        MatrixAnswer::Rejects => Ok("no".to_owned()),
+        MatrixAnswer::Unsupported | MatrixAnswer::Fails => Err(NO_ANSWER),
+    }
+}
+
+/// Returns the declarations of a program and its statements, each on one line.
+fn parts(program: &ConversionProgram) -> (String, String) {
+    let one_line = |text: &str| {
+        let lines: Vec<&str> = text
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.is_empty())
+            .collect();
+        lines.join(" ")
+    };
+    let body = program.source.split_once("VAR\n").map_or("", |(_, body)| body);
+    let (declared, done) = body.split_once("END_VAR\n").unwrap_or((body, ""));
+    let done = done.trim_end().strip_suffix("END_PROGRAM").unwrap_or(done);
+    (one_line(declared), one_line(done))
+}
+
+fn quoted(text: &str) -> String {
+    Toml::from(text).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::recording::{RecordedSection, Recording};
+    use stickler_types::DialectName;
+
+    const MINE: &str = "[recording]\nproduct = \"MyPLC\"\nversion = \"2.1\"\nplatform = \"p\"\ndate = \"2026-11-24\"\n\
+        [[answers]]\ndialects = [\"codesys\"]\n\
+        [answers.implicit]\nINT = { accepts = \"INT DINT\", warns = \"UINT\", rejects = \"SINT CHAR\", fails = \"LINT\" }\n\
+        [answers.bits]\nBYTE = { accepts = \"7 %X7\", rejects = \"8 %X8\" }\n\
+        [answers.comparisons]\nINT = { true = \"UINT\", false = \"SINT\", rejected = \"BOOL\" }\n\
+        [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"3\"], [\"NaN\", \"0\"], [\"0.0\", \"crashed\"]]\n\
+        \"INT_TO_BOOL(INT) : BOOL\" = \"rejected\"\n";
+
+    #[test]
+    fn answers_become_rows_with_the_recording_as_their_basis() {
+        let recording = Recording::parse("recordings/mine.toml", MINE).unwrap();
+        let made = recording.case_tables(DialectName::Codesys, "my-plc");
+        let rows: Vec<(RecordedSection, usize)> = made
+            .tables
+            .iter()
+            .map(|table| (table.section, table.rows))
+            .collect();
+        assert_eq!(
+            rows,
+            [
+                (RecordedSection::Implicit, 5),
+                (RecordedSection::Bits, 3),
+                (RecordedSection::Comparisons, 3),
+                (RecordedSection::Functions, 2)
+            ]
+        );
+        let text = |at: usize| made.tables[at].text.as_str();
+        for (at, line) in [
+            (0, "basis    = \"recording: mine\""),
+            (0, "dialects = [\"my-plc\"]"),
+            (
+                0,
+                "[\"implicit(INT,SINT)\", \"given : INT; taken : SINT;\", \"taken := given;\", \"no\"]",
+            ),
+            (
+                0,
+                "[\"implicit(INT,UINT)\", \"given : INT; taken : UINT;\", \"taken := given;\", \"accepted\"]",
+            ),
+            (
+                1,
+                "[\"bits(BYTE,8)\", \"given : BYTE; taken : BOOL;\", \"taken := given.8;\", \"no\"]",
+            ),
+            (2, "observe = \"less1 : BOOL\""),
+            (3, "\"INT\", \"INT#3\"]"),
+            (3, "infinite := large * large; operand1a := infinite - infinite;"),
+        ] {
+            assert!(text(at).contains(line), "{line} in {}", text(at));
+        }
+        let refused: Vec<&str> = made.left_out.keys().map(|reason| &reason[..6]).collect();
+        assert_eq!(refused, ["a call", "a part", "no ans"], "{:?}", made.left_out);
+    }
+}

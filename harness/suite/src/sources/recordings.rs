@@ -1,0 +1,186 @@
+//! The recordings of compilers below `recordings/` as a source: a case cites one by the name of its file, `recording: my-plc`.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use stickler_types::DialectName;
+
+use super::{RECORDING, RecordedSection, Sections, Source, SourceKind};
+use crate::files::{self, RECORDINGS};
+
+/// The part of the file of a recording that says what answered; the answers are none of the suite's business.
+#[derive(Deserialize)]
+struct RecordingHead {
+    recording: Origin,
+    #[serde(default)]
+    answers: Vec<Answers>,
+}
+
+#[derive(Deserialize)]
+struct Origin {
+    product: String,
+    version: String,
+    date: String,
+}
+
+#[derive(Deserialize)]
+struct Answers {
+    dialects: Vec<String>,
+}
+
+/// Returns the recordings of the suite at `root` as a source, whose sections are their files.
+pub(super) fn read(root: &files::Root) -> Source {
+    let read = |name: String| {
+        let text = files::read(&root.path().join(format!("{RECORDINGS}/{name}.toml")));
+        let section = text
+            .map_err(|mistake| mistake.message)
+            .and_then(|text| section(&text));
+        (name, section)
+    };
+    let recorded: BTreeMap<String, Result<RecordedSection, String>> =
+        names(root).into_iter().map(read).collect();
+    let usable = recorded
+        .iter()
+        .filter_map(|(name, section)| Some((name, section.as_ref().ok()?)));
+    let mut dialects: Vec<DialectName> = usable
+        .clone()
+        .flat_map(|(_, section)| section.dialects.clone())
+        .collect();
+    dialects.sort_unstable();
+    dialects.dedup();
+    Source {
+        key: RECORDING.to_owned(),
+        title: "Recordings of compilers".to_owned(),
+        publisher: "Contributors".to_owned(),
+        kind: SourceKind::Recording,
+        address: root.shown(&format!("{RECORDINGS}/{{section}}.toml")),
+        read: "as each file says".to_owned(),
+        engines: Vec::new(),
+        dialects,
+        sections: Sections {
+            headings: usable.map(|(name, _)| (name.clone(), 1)).collect(),
+            forms: Vec::new(),
+        },
+        recorded,
+        limitations: BTreeMap::new(),
+        line: 1,
+    }
+}
+
+/// Returns the names of the files of recordings, without their endings, in order; none where there is no such folder.
+fn names(root: &files::Root) -> Vec<String> {
+    let entries = std::fs::read_dir(root.path().join(RECORDINGS))
+        .into_iter()
+        .flatten();
+    let stem = |entry: std::io::Result<std::fs::DirEntry>| {
+        let path = entry.ok()?.path();
+        let is_table = path.extension().is_some_and(|extension| extension == "toml");
+        is_table.then(|| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()))?
+    };
+    let mut names: Vec<String> = entries.filter_map(stem).collect();
+    names.sort();
+    names
+}
+
+/// Returns what the text of a recording says about its origin.
+///
+/// # Errors
+/// A message where it does not say its product, version and date: nobody could tell for whom it speaks.
+fn section(text: &str) -> Result<RecordedSection, String> {
+    let RecordingHead { recording, answers } = toml::from_str(&head(text)).map_err(|error| {
+        let message = error.message().trim_end().replace('\n', "; ");
+        format!("{message}; it says in [recording] its product, version, platform and date")
+    })?;
+    let Origin {
+        product,
+        version,
+        date,
+    } = recording;
+    for (key, text) in [("product", &product), ("version", &version), ("date", &date)] {
+        if text.trim().is_empty() {
+            return Err(format!("its `{key}` is empty"));
+        }
+    }
+    let names = answers.iter().flat_map(|answers| &answers.dialects);
+    Ok(RecordedSection {
+        read: format!("{product} {version}, {date}"),
+        dialects: names.filter_map(|name| name.parse().ok()).collect(),
+    })
+}
+
+/// Returns the text without the tables of its answers, so that reading it costs little.
+fn head(text: &str) -> String {
+    let mut is_answer = false;
+    let mut head = String::new();
+    for line in text.lines() {
+        if line.starts_with('[') {
+            is_answer = line.starts_with("[answers.");
+        }
+        if !is_answer {
+            head.push_str(line);
+            head.push('\n');
+        }
+    }
+    head
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use stickler_types::DialectName;
+
+    use super::*;
+    use crate::{Dialects, Sources};
+
+    const MINE: &str = "[recording]\nproduct = 'MyPLC'\nversion = '2.1'\nplatform = 'p'\ndate = '2026-11-25'\n\
+                        [[answers]]\ndialects = ['codesys']\n[answers.bits]\nBYTE = { accepts = '0' }\n\
+                        [[answers]]\ndialects = ['matiec']\n";
+
+    fn sources(text: &str) -> Sources {
+        let folder = tempfile::tempdir().unwrap();
+        std::fs::create_dir(folder.path().join(RECORDINGS)).unwrap();
+        let write = |path: &str, text: &str| std::fs::write(folder.path().join(path), text).unwrap();
+        write("sources.toml", "");
+        write("recordings/mine.toml", text);
+        write("recordings/README.md", "");
+        super::super::read(&files::Root::new(folder.path()), &Dialects::default()).sources
+    }
+
+    #[test]
+    fn a_recording_is_cited_by_the_name_of_its_file_in_its_dialects() {
+        let sources = sources(MINE);
+        let (source, section) = sources.check("recording: mine").unwrap();
+        assert_eq!(source.kind, SourceKind::Recording);
+        assert_eq!(source.read_of(section), "MyPLC 2.1, 2026-11-25");
+        assert!(Path::new(&source.address_of(section)).ends_with("recordings/mine.toml"));
+        for (dialect, chosen) in [
+            (DialectName::Codesys, Some("recording: mine")),
+            (DialectName::Matiec, Some("recording: mine")),
+            (DialectName::Plcnext, None),
+        ] {
+            assert_eq!(sources.choose("recording: mine", dialect), chosen, "{dialect}");
+        }
+        let message = sources.check("recording: mini").unwrap_err();
+        assert!(
+            message.contains("no recording `mini`; did you mean `mine`?"),
+            "{message}"
+        );
+    }
+
+    #[test]
+    fn a_recording_without_product_or_version_cannot_be_cited() {
+        for (from, to, said) in [
+            ("product", "# product", "missing field `product`"),
+            ("version", "# version", "missing field `version`"),
+            ("'2.1'", "' '", "its `version` is empty"),
+        ] {
+            let sources = sources(&MINE.replacen(from, to, 1));
+            let message = sources.check("recording: mine").unwrap_err();
+            assert!(
+                message.starts_with("no case can cite the recording `mine`: ") && message.contains(said),
+                "{message}"
+            );
+        }
+    }
+}
