@@ -34,7 +34,13 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     // A file that cannot be completed is seen before the compiler is asked for minutes.
     let older = match &arguments.output {
-        Some(path) if !arguments.only.is_empty() => older(path, &origin)?,
+        Some(path) if !arguments.only.is_empty() => {
+            let older = older(path, &origin)?;
+            if let Some(older) = &older {
+                check_commit(path, older.origin.commit.as_deref(), origin.commit.as_deref())?;
+            }
+            older
+        }
         _ => None,
     };
     let bar = Progress::new(Recording::questions(&dialects, sections) as u64);
@@ -56,7 +62,7 @@ pub fn execute(arguments: &RecordArguments, out: &mut dyn Write) -> anyhow::Resu
 /// Returns the recording that a file holds already; `None` where there is no such file.
 ///
 /// # Errors
-/// A file that cannot be read, is no recording, or is one of another product, version or commit.
+/// A file that cannot be read, is no recording, or is one of another product or version.
 pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Recording>> {
     let shown = path.display();
     let text = match fs::read_to_string(path) {
@@ -75,15 +81,23 @@ pub fn older(path: &Path, origin: &RecordingOrigin) -> anyhow::Result<Option<Rec
             is.version
         );
     }
-    if was.commit != is.commit {
-        let said = |commit: &Option<String>| commit.clone().unwrap_or_else(|| "no commit".to_owned());
+    Ok(Some(older))
+}
+
+/// Checks that a file was recorded of the commit that answers now.
+///
+/// # Errors
+/// Another commit, or one where the other has none: two compilers of the same version need not answer the same.
+fn check_commit(path: &Path, recorded: Option<&str>, asked: Option<&str>) -> anyhow::Result<()> {
+    if recorded != asked {
         bail!(
-            "{shown} was recorded of commit {}, and this is {}; record all sections again, or say with --commit that it is the same",
-            said(&was.commit),
-            said(&is.commit)
+            "{} was recorded of {}, and this is {}; record all sections again, or say with --commit that it is the same",
+            path.display(),
+            recorded.map_or("no commit".to_owned(), |commit| format!("commit {commit}")),
+            asked.unwrap_or("none that is named")
         );
     }
-    Ok(Some(older))
+    Ok(())
 }
 
 /// Writes a recording to a file.

@@ -162,3 +162,42 @@ fn a_recording_elsewhere_or_in_another_dialect_is_not_promoted() {
         assert!(notes.contains(said), "{notes}");
     }
 }
+
+#[test]
+fn a_section_is_asked_again_of_the_same_compiler_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = folder.path();
+    let record = |more: &[&str]| {
+        let bits = [
+            "record",
+            "--engine",
+            "reference",
+            "--dialect",
+            "matiec",
+            "--only",
+            "bits",
+            "-o",
+            "mine.toml",
+        ];
+        run(folder, &[&bits, more].concat())
+    };
+    let (code, _, notes) = record(&["--commit", "abc"]);
+    assert_eq!(code, Some(0), "{notes}");
+    for (more, said) in [
+        (
+            &["--commit", "abd"][..],
+            "was recorded of commit abc, and this is abd",
+        ),
+        (&[], "was recorded of commit abc, and this is none that is named"),
+        (
+            &["--commit", "abc", "--product", "Mine"],
+            "say with --product and --product-version what it says",
+        ),
+    ] {
+        let (code, _, notes) = record(more);
+        assert_eq!(code, Some(2), "{notes}");
+        assert!(notes.contains(said), "{notes}");
+    }
+    let (code, _, notes) = record(&["--commit", "abc"]);
+    assert_eq!(code, Some(0), "{notes}");
+}

@@ -6,7 +6,7 @@ use crate::program::ConversionProgram;
 use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Value};
 use toml::Value as Toml;
 
 /// A table of cases that was made of a section of a recording.
@@ -108,6 +108,9 @@ impl Recording {
                     FunctionAnswers::Calls(calls) => calls.iter().find(|(known, _)| known == call)?.1.clone(),
                 };
                 let expected = match answer {
+                    Ok(Value::OutOfRange { .. }) => {
+                        Err("a result beyond the range of its type, which no literal writes")
+                    }
                     Ok(value) => Ok(value.to_string()),
                     Err(RefusalKind::Rejected) => Err("a call that is rejected: why was not recorded"),
                     Err(_) => Err(NO_ANSWER),
@@ -206,6 +209,7 @@ mod tests {
         [answers.bits]\nBYTE = { accepts = \"7 %X7\", rejects = \"8 %X8\" }\n\
         [answers.comparisons]\nINT = { true = \"UINT\", false = \"SINT\", rejected = \"BOOL\" }\n\
         [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"3\"], [\"NaN\", \"0\"], [\"0.0\", \"crashed\"]]\n\
+        \"LINT_TO_TIME(LINT) : TIME\" = [[\"-9223372036854775808\", \"TIME#-9223372036854775808000000000ns\"]]\n\
         \"INT_TO_BOOL(INT) : BOOL\" = \"rejected\"\n";
 
     #[test]
@@ -249,6 +253,11 @@ mod tests {
             assert!(text(at).contains(line), "{line} in {}", text(at));
         }
         let refused: Vec<&str> = made.left_out.keys().map(|reason| &reason[..6]).collect();
-        assert_eq!(refused, ["a call", "a part", "no ans"], "{:?}", made.left_out);
+        assert_eq!(
+            refused,
+            ["a call", "a part", "a resu", "no ans"],
+            "{:?}",
+            made.left_out
+        );
     }
 }
