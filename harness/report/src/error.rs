@@ -9,7 +9,7 @@ use stickler_run::FORMAT;
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
     /// The folder, or a file in it, cannot be created or written.
-    #[error("cannot write {}", path.display())]
+    #[error("cannot write {}{}", path.display(), writing_advice(source.kind()))]
     Write {
         /// The path that was to be written.
         path: PathBuf,
@@ -29,6 +29,23 @@ impl ReportError {
             path: path.clone(),
             source,
         }
+    }
+}
+
+/// Returns what to do where a file or folder cannot be written for a reason of this kind; empty for other reasons.
+const fn writing_advice(reason: io::ErrorKind) -> &'static str {
+    use io::ErrorKind as Kind;
+    match reason {
+        Kind::PermissionDenied | Kind::ReadOnlyFilesystem => {
+            "; make the folder writable, or name another one for the reports"
+        }
+        Kind::StorageFull | Kind::QuotaExceeded | Kind::FileTooLarge => {
+            "; make room, or name another folder for the reports"
+        }
+        Kind::NotADirectory | Kind::AlreadyExists | Kind::IsADirectory => {
+            "; name another folder for the reports, or remove what stands there"
+        }
+        _ => "",
     }
 }
 

@@ -3,10 +3,10 @@
 use crate::claims::{Claims, entry};
 use crate::engine;
 use crate::observations::Observations;
-use crate::text::clip_facts;
 use std::collections::BTreeMap;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, Event, Footer, Header, OutdatedEntry, SourceHeader, Totals, Verdict,
+    clip_facts,
 };
 
 /// The maximum number of failing cases that are kept whole. The rest is counted; the event log has them all.
@@ -14,8 +14,6 @@ pub const MAX_KEPT_FAILURES: usize = 500;
 
 /// The maximum number of lines that are kept of each text of a failing case.
 const MAX_KEPT_LINES: usize = 100;
-/// The maximum number of characters that are kept of each line of a failing case.
-const MAX_KEPT_CHARACTERS: usize = 1000;
 
 /// The overview of a run: its totals, claims, failures and observations.
 #[derive(Debug, Default)]
@@ -147,8 +145,8 @@ impl Overview {
 /// Copies a case with no more of its texts than any view shows, since the texts of a foreign engine may have any length.
 pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
     CaseEvent {
-        expected: clip_facts(&case.expected, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
-        got: clip_facts(&case.got, MAX_KEPT_LINES, MAX_KEPT_CHARACTERS),
+        expected: clip_facts(&case.expected, MAX_KEPT_LINES),
+        got: clip_facts(&case.got, MAX_KEPT_LINES),
         ..case.clone()
     }
 }

@@ -25,7 +25,7 @@ const MAX_SHOWN_FAILURES: usize = 100;
 /// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 60;
 /// The maximum number of characters that are shown of each line.
-const MAX_SHOWN_CHARACTERS: usize = 400;
+const MAX_SHOWN_CHARACTERS: usize = 1200;
 
 /// The summary of a run, written when the run is over.
 pub(crate) struct Summary {

@@ -2,7 +2,7 @@
 //! share.
 
 use std::fmt::Write;
-use stickler_run::{BaselineNote, Fact, Grade, OutdatedEntry, Verdict};
+use stickler_run::{BaselineNote, Grade, OutdatedEntry, Verdict, clip_line};
 use stickler_types::counted;
 
 /// Escapes the control characters of a text (`\u{1b}`), except line ends and tabs, so that an engine's message cannot move
@@ -37,35 +37,6 @@ pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
     kept.join("\n")
 }
 
-/// Clips facts to so many lines, and each text of foreign origin in them to so many characters; a last fact states how many
-/// lines are left out.
-pub(crate) fn clip_facts(facts: &[Fact], lines: usize, characters: usize) -> Vec<Fact> {
-    let mut room = lines;
-    let mut kept = Vec::with_capacity(facts.len().min(lines));
-    let mut left_out = 0;
-    for fact in facts {
-        let fact_lines = fact.lines();
-        if room == 0 {
-            left_out += fact_lines;
-            continue;
-        }
-        left_out += fact_lines.saturating_sub(room);
-        let mut fact = fact.clone();
-        fact.edit_texts(|texts| {
-            texts.truncate(room);
-            texts
-                .iter_mut()
-                .for_each(|text| *text = clip_line(text, characters));
-        });
-        kept.push(fact);
-        room = room.saturating_sub(fact_lines);
-    }
-    if left_out > 0 {
-        kept.push(Fact::LeftOut { lines: left_out });
-    }
-    kept
-}
-
 /// Shortens a line to so many characters at most, for a column of a table.
 pub(crate) fn shortened(line: &str, characters: usize) -> String {
     match line.char_indices().nth(characters) {
@@ -95,19 +66,6 @@ pub(crate) fn wrapped(sentence: &str, columns: Option<usize>) -> String {
         used += length;
     }
     text
-}
-
-fn clip_line(line: &str, characters: usize) -> String {
-    let Some((end, _)) = line.char_indices().nth(characters) else {
-        return line.to_owned();
-    };
-    let clipped = format!("{} ... {} bytes more", &line[..end], line.len() - end);
-    // A text that is longer when cut than it is whole stays whole.
-    if clipped.len() < line.len() {
-        clipped
-    } else {
-        line.to_owned()
-    }
 }
 
 /// Returns the note that follows the name of an engine whose rejections need not match code and line to pass.
@@ -187,8 +145,8 @@ mod tests {
     #[test]
     fn what_is_clipped_is_said() {
         assert_eq!(clip("a\nb\nc\nd", 2, 10), "a\nb\n... 2 lines more");
-        let long = "abcdef".repeat(5);
-        assert_eq!(clip(&long, 2, 4), "abcd ... 26 bytes more");
+        let long = "abcdef".repeat(10);
+        assert_eq!(clip(&long, 2, 4), "abcd ... 56 bytes more");
         assert_eq!(
             clip("abcdef", 2, 4),
             "abcdef",

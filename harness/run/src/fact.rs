@@ -1,5 +1,9 @@
 //! Facts: what a case expects and what an engine did, as typed data until a report prints them.
 
+mod clip;
+
+pub(crate) use clip::clip_answer;
+pub use clip::{clip_facts, clip_line};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt::{self, Write};
 use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
@@ -161,28 +165,28 @@ impl Fact {
         }
     }
 
-    /// Edits the texts of foreign origin, which may have any length: the lines of a rendered source, or the one message or
-    /// reason of another fact.
-    pub fn edit_texts(&mut self, edit: impl FnOnce(&mut Vec<String>)) {
-        let text = match self {
-            Fact::Rendered { lines } => return edit(lines),
-            Fact::Diagnostic(Diagnostic { message: text, .. })
-            | Fact::Warning(Diagnostic { message: text, .. })
-            | Fact::NotRendered {
-                rejection: Some(text),
-                ..
+    /// Returns the texts of foreign origin, which may have any length.
+    fn texts_mut(&mut self) -> Vec<&mut String> {
+        match self {
+            Fact::Rendered { lines } => lines.iter_mut().collect(),
+            Fact::Diagnostic(diagnostic) | Fact::Warning(diagnostic) => {
+                let Diagnostic {
+                    message,
+                    code,
+                    suggestion,
+                    ..
+                } = diagnostic;
+                std::iter::once(message).chain(code).chain(suggestion).collect()
             }
-            | Fact::RenderedOtherwise { text, .. }
+            Fact::NotRendered { rejection: text, .. } => text.iter_mut().collect(),
+            Fact::RenderedOtherwise { text, .. }
             | Fact::Unsupported { reason: text }
             | Fact::NotImplemented { reason: text, .. }
             | Fact::Unusable { reason: text }
             | Fact::Crashed { reason: text }
-            | Fact::Error { message: text } => text,
-            _ => return,
-        };
-        let mut texts = vec![std::mem::take(text)];
-        edit(&mut texts);
-        *text = texts.pop().unwrap_or_default();
+            | Fact::Error { message: text } => vec![text],
+            _ => Vec::new(),
+        }
     }
 }
 

@@ -11,6 +11,7 @@ pub use bodies::rendered_bodies;
 pub use diagnostics::tells_too_little_only;
 pub use rendered::{differ_in_blanks_only, renders_bit_access};
 
+use crate::fact::clip_answer;
 use crate::{Answers, Fact, Grade, Observed, Verdict};
 use findings::Findings;
 use stickler_engines::{Diagnostic, NamedValue, Outcome};
@@ -43,7 +44,7 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
             verdict,
             grade: None,
             expected,
-            got: vec![got],
+            got: clip_answer(vec![got]),
             observations: Vec::new(),
         };
     }
@@ -67,7 +68,7 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
         verdict,
         grade,
         expected,
-        got,
+        got: clip_answer(got),
         observations: observations(case, &answers.run),
     }
 }

@@ -34,7 +34,7 @@ pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
 pub use event::{CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, Observed, PROGRAM};
 pub use event::{Cause, ExplainedCases, Reduced, RepeatedOutcome, Repeats, Reproducer};
 pub use event::{SourceHeader, Totals, Verdict};
-pub use fact::Fact;
+pub use fact::{Fact, clip_facts, clip_line};
 pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};
 pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};

@@ -16,7 +16,8 @@ fn a_file_that_must_not_grow_is_told_and_does_not_end_the_process_by_a_signal() 
     assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
     let reported = text(&run.stderr);
     assert!(
-        reported.contains("cannot write reports/latest/") && reported.contains("File too large"),
+        reported.contains("cannot write reports/latest/")
+            && reported.contains("; make room, or name another folder for the reports: File too large"),
         "{reported}"
     );
     assert!(
@@ -37,7 +38,8 @@ fn a_full_disk_is_told_and_is_no_verdict() {
     assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
     let reported = text(&run.stderr);
     assert!(
-        reported.contains("cannot write reports/latest/events.jsonl") && reported.contains("No space left"),
+        reported.contains("cannot write reports/latest/events.jsonl; make room, or name another folder")
+            && reported.contains("No space left"),
         "{reported}"
     );
     assert!(
@@ -45,4 +47,24 @@ fn a_full_disk_is_told_and_is_no_verdict() {
         "{}",
         text(&run.stdout)
     );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_folder_in_which_nobody_may_write_is_told_before_anything_runs() {
+    // Permissions do not bind the user root, so the folder is one of the kernel's, in which nobody makes a file.
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let run = output(
+        folder.path(),
+        &["run", "--cases", SUITE, "--report", "/sys/kernel"],
+    );
+    assert_eq!(run.status.code(), Some(2), "{}", text(&run.stderr));
+    let reported = text(&run.stderr);
+    assert!(
+        reported.contains(
+            "cannot write /sys/kernel/events.jsonl; make the folder writable, or name another one for the reports: "
+        ),
+        "{reported}"
+    );
+    assert_eq!(text(&run.stdout), "", "nothing was run");
 }

@@ -17,6 +17,8 @@ mod engines;
 mod export;
 #[cfg(unix)]
 mod fuzz;
+#[cfg(unix)]
+mod hostile_output;
 mod links;
 mod pages;
 mod recordings;

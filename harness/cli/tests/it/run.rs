@@ -214,7 +214,7 @@ fn a_report_folder_that_cannot_be_written_is_an_error_before_the_run() {
     );
     assert_eq!(run.status.code(), Some(2));
     assert!(
-        text(&run.stderr).contains("cannot write blocked/latest"),
+        text(&run.stderr).contains("cannot write blocked/latest; name another folder for the reports"),
         "{}",
         text(&run.stderr)
     );

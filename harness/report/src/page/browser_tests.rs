@@ -191,7 +191,7 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         failed(
             "evil::p(1)",
             evil,
-            sample::reported(3, "P4035", "no <b>bold</b> value"),
+            sample::reported(3, "P4035", "no <b>bold</b> value \u{fffd}\u{1b}[31m"),
         ),
         sample::case("b::write(BYTE,8)", Verdict::Pass),
     ]));
@@ -322,7 +322,7 @@ fn every_part_of_the_page_opens_by_its_address() {
     let case = dom("#case?engine=reference&dialect=ironplc-ed2&id=widening%2Fevil%3A%3Ap(1)");
     assert!(
         case.contains("&lt;/script&gt;&lt;img src=x&gt;")
-            && case.contains("no &lt;b&gt;bold&lt;/b&gt; value"),
+            && case.contains("no &lt;b&gt;bold&lt;/b&gt; value \u{fffd}\\u{1b}[31m"),
         "{case}"
     );
     assert!(

@@ -2,9 +2,9 @@
 
 use super::texts::{TextNumber, TextTable};
 use crate::groups::{Group, GroupNumber, Groups};
-use crate::text::{clip_facts, noted, visible};
+use crate::text::{noted, visible};
 use serde::Serialize;
-use stickler_run::{CaseEvent, Fact, Grade, Totals, Verdict};
+use stickler_run::{CaseEvent, Fact, Grade, Totals, Verdict, clip_facts};
 use stickler_types::WordTable;
 
 /// The maximum number of cases that are listed; the others are counted by their group, and `results.json` has them all.
@@ -12,9 +12,6 @@ const MAX_CASES: usize = 50_000;
 
 /// The maximum number of lines of what was expected or came.
 const MAX_LINES: usize = 60;
-
-/// The maximum number of characters of such a line.
-const MAX_CHARACTERS: usize = 500;
 
 /// The cases that did not pass, gathered while the run goes on.
 #[derive(Default)]
@@ -108,7 +105,7 @@ impl MissedCases {
             return None;
         }
         let mut facts = |facts: &[Fact]| {
-            let clipped = clip_facts(facts, MAX_LINES, MAX_CHARACTERS);
+            let clipped = clip_facts(facts, MAX_LINES);
             texts.number(&visible(&Fact::text(&clipped)))
         };
         columns.expected.push(facts(&case.expected));

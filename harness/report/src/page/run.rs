@@ -3,16 +3,13 @@
 use crate::claims::Standing;
 use crate::discrepancies::cause_page_of;
 use crate::overview::Overview;
-use crate::text::{clip_facts, visible};
+use crate::text::visible;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals};
+use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals, clip_facts};
 
 /// The maximum number of lines of the facts of a cause.
 const MAX_LINES: usize = 60;
-
-/// The maximum number of characters of such a line.
-const MAX_CHARACTERS: usize = 1000;
 
 /// The maximum number of bytes of all causes; those that explain the fewest cases are counted, and `discrepancies` has them all.
 const MAX_CAUSE_BYTES: usize = 2 << 20;
@@ -163,7 +160,7 @@ fn engine<'o>(overview: &'o Overview, cause: &Cause) -> Option<&'o EngineHeader>
 }
 
 fn reproducer(reproducer: &Reproducer) -> WitnessData<'_> {
-    let facts = |facts: &[Fact]| visible(&Fact::text(&clip_facts(facts, MAX_LINES, MAX_CHARACTERS)));
+    let facts = |facts: &[Fact]| visible(&Fact::text(&clip_facts(facts, MAX_LINES)));
     let reproduction = reproducer.reproduction.as_ref();
     WitnessData {
         case: &reproducer.case,

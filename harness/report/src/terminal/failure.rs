@@ -14,7 +14,7 @@ const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 /// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 40;
 /// The maximum number of characters that are shown of each line.
-const MAX_SHOWN_CHARACTERS: usize = 400;
+const MAX_SHOWN_CHARACTERS: usize = 1200;
 
 /// Writes one case that is not as expected, and how to run it again.
 ///

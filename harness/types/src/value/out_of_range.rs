@@ -1,8 +1,12 @@
-//! Durations and dates that a compiler's variable holds and that 64 bits of nanoseconds do not.
+//! Values as engines give them: durations and dates that 64 bits of nanoseconds do not hold, and texts that are too long.
 
 use super::Value;
 use crate::elementary::ElementaryType;
 use crate::literal::{LiteralError, wide_duration};
+
+/// The maximum number of bytes of a value that an engine gives, so that reports stay small whatever it prints. A `STRING` of 5000
+/// characters that are all written as escapes fits.
+const MAX_OBSERVED_LEN: usize = 16 << 10;
 
 impl Value {
     /// Returns the duration, date or time of day with this number of nanoseconds, which a compiler may keep in more than 64 bits.
@@ -18,8 +22,14 @@ impl Value {
     /// out of the range of 64 bits, `TIME#9223372036854775808000ns`. No program and no expectation has such a value.
     ///
     /// # Errors
-    /// As [`Value::parse`].
+    /// As [`Value::parse`]; and [`LiteralError::Malformed`] for a text of more than 16 KiB.
     pub fn parse_observed(literal: &str) -> Result<Value, LiteralError> {
+        if literal.len() > MAX_OBSERVED_LEN {
+            return Err(LiteralError::malformed(
+                MAX_OBSERVED_LEN,
+                "the end of the value, which has at most 16 KiB,",
+            ));
+        }
         Value::parse(literal).or_else(|error| out_of_range(literal).ok_or(error))
     }
 }
@@ -74,5 +84,17 @@ mod tests {
             assert!(Value::parse_observed(literal).is_err(), "{literal}");
         }
         assert_eq!(Value::parse_observed("INT#5"), Value::parse("INT#5"));
+    }
+
+    #[test]
+    fn a_text_that_no_case_can_expect_is_refused() {
+        let text = |length: usize| format!("STRING#'{}'", "x".repeat(length));
+        let value = Value::parse(&text(5000)).unwrap();
+        assert_eq!(Value::parse_observed(&text(5000)), Ok(value));
+        let error = Value::parse_observed(&text(1 << 20)).unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "expected the end of the value, which has at most 16 KiB, at byte 16384"
+        );
     }
 }
