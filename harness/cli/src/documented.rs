@@ -56,6 +56,12 @@ pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
     builder.finish(&recordings)
 }
 
+/// Returns what documents state about the conversions of all cases of a folder.
+pub fn of_all_cases(folder: &CaseFolder) -> Statements {
+    let suite = folder.load_with([]);
+    statements(&suite.cases.iter().collect::<Vec<_>>(), folder)
+}
+
 fn statement(case: &Case, word: MatrixWord) -> CaseStatement<'_> {
     CaseStatement {
         dialect: case.dialect,

@@ -25,6 +25,7 @@
 #![forbid(unsafe_code)]
 
 pub mod annotations;
+mod answers;
 mod badge;
 pub mod basis;
 pub mod claims;

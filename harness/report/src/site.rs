@@ -5,6 +5,8 @@
 mod engine_page;
 mod feed;
 mod front_page;
+mod function_page;
+mod functions;
 mod history;
 mod html;
 mod run;
@@ -12,10 +14,12 @@ mod versions;
 
 use crate::{ComparisonError, ReportError, RunFileError};
 use crate::{events, results};
+use functions::Functions;
 use history::History;
 use run::SiteRun;
 use std::fs;
 use std::path::{Path, PathBuf};
+use stickler_conversions::overview::Statements;
 
 /// What a site was built from.
 #[derive(PartialEq, Eq, Debug)]
@@ -24,6 +28,8 @@ pub struct SiteSummary {
     pub runs: usize,
     /// The number of engines.
     pub engines: usize,
+    /// The number of conversion functions.
+    pub functions: usize,
     /// The runs that a later run of the same version replaces, each as a sentence.
     pub replaced: Vec<String>,
 }
@@ -83,11 +89,12 @@ impl SiteError {
 }
 
 /// Builds the site of these runs, each named by its folder of reports, its event log or its `results.json`. Equal runs give equal files; files
-/// of the folder that the site does not write stay.
+/// of the folder that the site does not write stay. `statements` are what documents state of conversions and recorded compilers answered; the pages
+/// of the functions show them beside what the engines do.
 ///
 /// # Errors
 /// [`SiteError`] where a run cannot be read or is not whole, or a page cannot be written.
-pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
+pub fn write(paths: &[PathBuf], site: &Path, statements: &Statements) -> Result<SiteSummary, SiteError> {
     if paths.is_empty() {
         return Err(SiteError::NoRun);
     }
@@ -102,6 +109,7 @@ pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
     }
     let runs = SiteRun::read_all(paths)?;
     let histories = History::of_engines(&runs)?;
+    let functions = Functions::gather(statements, &histories, &runs)?;
     for folder in [site, &site.join("engines"), &site.join("runs")] {
         fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
     }
@@ -114,24 +122,44 @@ pub fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
     for history in &histories {
         write_page(
             &site.join("engines").join(&history.file),
-            &engine_page::page(history),
+            &engine_page::page(history, &functions),
         )?;
     }
+    write_functions(&functions, &site.join("functions"))?;
     let feed_path = site.join(feed::NAME);
     let feed = feed::feed(&histories).map_err(ReportError::writing(&feed_path))?;
     fs::write(&feed_path, feed).map_err(ReportError::writing(&feed_path))?;
     write_page(&site.join("results.schema.json"), results::SCHEMA)?;
-    write_page(&site.join("index.html"), &front_page::page(&histories))?;
+    write_page(
+        &site.join("index.html"),
+        &front_page::page(&histories, &functions),
+    )?;
     Ok(SiteSummary {
         runs: runs.len(),
         engines: histories.len(),
+        functions: functions.tables.len(),
         replaced: histories.iter().flat_map(History::replaced).collect(),
     })
+}
+
+/// Writes a page for each function and their list, if there is any function.
+fn write_functions(functions: &Functions<'_>, folder: &Path) -> Result<(), ReportError> {
+    if functions.tables.is_empty() {
+        return Ok(());
+    }
+    fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+    for (name, tables) in &functions.tables {
+        let page = function_page::page(name, tables, functions);
+        write_page(&folder.join(functions::file(name)), &page)?;
+    }
+    write_page(&folder.join("index.html"), &function_page::index(functions))
 }
 
 fn write_page(path: &Path, page: &str) -> Result<(), ReportError> {
     fs::write(path, page).map_err(ReportError::writing(path))
 }
 
+#[cfg(test)]
+mod function_tests;
 #[cfg(test)]
 mod tests;

@@ -9,6 +9,10 @@ pub struct SiteArguments {
     /// The reports of a run: their folder, its events.jsonl, or a results.json that somebody handed in
     #[arg(value_name = "DIR")]
     pub runs: Vec<PathBuf>,
+    /// Read the cases, of whose conversion functions the site tells, from DIR [default: conformance-cases here or above, or those
+    /// inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
     /// The folder of the site; created where it is missing
     #[arg(short, long, value_name = "SITE")]
     pub output: PathBuf,

@@ -1,6 +1,8 @@
 //! `stickler site`: a static site of several runs.
 
 use crate::arguments::SiteArguments;
+use crate::case_folder::CaseFolder;
+use crate::documented::of_all_cases;
 use crate::exit::Exit;
 use crate::output;
 use std::io::Write;
@@ -12,15 +14,21 @@ use stickler_types::counted;
 /// # Errors
 /// A run that cannot be read or is not whole; a folder that cannot be written.
 pub fn execute(arguments: &SiteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let summary = site::write(&arguments.runs, &arguments.output)?;
+    let folder = CaseFolder::locate(arguments.cases.as_deref())?;
+    let summary = site::write(&arguments.runs, &arguments.output, &of_all_cases(&folder))?;
     for replaced in &summary.replaced {
         output::note(replaced);
     }
     writeln!(
         out,
-        "{} of {}: {}",
+        "{} of {}, {}: {}",
         counted(summary.runs as u64, "run", "runs"),
         counted(summary.engines as u64, "engine", "engines"),
+        counted(
+            summary.functions as u64,
+            "conversion function",
+            "conversion functions"
+        ),
         arguments.output.join("index.html").display()
     )?;
     Ok(Exit::AsExpected)

@@ -331,3 +331,69 @@ fn the_examples_give_the_action_inputs_that_it_has_and_the_script_reads_all_of_t
         }
     });
 }
+
+#[test]
+fn the_script_of_the_site_keeps_the_newest_runs_of_each_version_and_what_was_handed_in() {
+    let job = Job::new();
+    let reports = |name: &str, version: &str, day: u32| {
+        let run = Command::new(STICKLER)
+            .args(["run", "--cases", SUITE, "--report", name])
+            .current_dir(job.folder.path())
+            .output()
+            .expect("the command runs");
+        assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
+        let path = job.path(&format!("{name}/results.json"));
+        let results = fs::read_to_string(&path).expect("results");
+        let (before, started) = results.split_once("\"started\":\"").expect("a date");
+        let (_, after) = started.split_once('"').expect("its end");
+        let dated = format!("{before}\"started\":\"2026-11-{day:02}T12:00:00Z\"{after}");
+        let versioned = dated.replacen("\"version\":\"0.1.0\"", &format!("\"version\":\"{version}\""), 1);
+        fs::write(path, versioned).expect("written");
+    };
+    reports("first", "1.0 beta", 1);
+    reports("second", "1.0 beta", 2);
+    reports("third", "1.1", 3);
+    fs::create_dir_all(job.path("kept/handed-in")).expect("a folder");
+    fs::copy(
+        job.path("first/results.json"),
+        job.path("kept/handed-in/mine.json"),
+    )
+    .expect("copied");
+    let site = |reports: &[&str]| {
+        let built = Command::new("bash")
+            .arg(format!("{ROOT}/.ci/site"))
+            .args(["kept", "site"])
+            .args(reports)
+            .env("STICKLER", STICKLER)
+            .env("CASES", SUITE)
+            .env("KEEP", "1")
+            .current_dir(job.folder.path())
+            .output()
+            .expect("bash");
+        assert!(built.status.success(), "{}", text(&built.stderr));
+        text(&built.stdout)
+    };
+    site(&["first", "third"]);
+    let told = site(&["second"]);
+    assert!(told.starts_with("3 runs of 1 engine"), "{told}");
+    let kept = fs::read_dir(job.path("kept/runs")).expect("a folder");
+    let kept: BTreeSet<String> = kept
+        .map(|entry| {
+            entry
+                .expect("an entry")
+                .file_name()
+                .to_string_lossy()
+                .into_owned()
+        })
+        .collect();
+    let newest = [
+        "reference-1.0-beta-2026-11-02T12-00-00Z",
+        "reference-1.1-2026-11-03T12-00-00Z",
+    ];
+    assert_eq!(kept, newest.map(str::to_owned).into());
+    assert!(
+        job.path("site/runs/2.html").is_file(),
+        "the page of a run is kept too"
+    );
+    assert!(job.read("site/index.html").contains("from 1.0 beta to 1.1"));
+}

@@ -265,36 +265,34 @@ fn a_site_is_built_of_two_versions_and_refused_without_a_run() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     run(folder.path(), "old", &[]);
     edited(folder.path(), "old", "new", later);
-    let built = output(folder.path(), &["site", "old", "new", "-o", "site"]);
+    let site = |arguments: &[&str]| output(folder.path(), &[&["site", "--cases", SUITE], arguments].concat());
+    let built = site(&["old", "new", "-o", "site"]);
     assert_eq!(built.status.code(), Some(0), "{}", text(&built.stderr));
-    assert_eq!(text(&built.stdout), "2 runs of 1 engine: site/index.html\n");
+    assert_eq!(
+        text(&built.stdout),
+        "2 runs of 1 engine, 0 conversion functions: site/index.html\n"
+    );
     let front = fs::read_to_string(folder.path().join("site/index.html")).expect("the front page");
     assert!(front.contains("1 fixed, 1 broken, 1 crashed"), "{front}");
     assert!(folder.path().join("site/runs/1.html").is_file());
     for (arguments, message) in [
+        (&["-o", "none"][..], "error: a site needs a run: name the folder"),
         (
-            &["site", "-o", "none"][..],
-            "error: a site needs a run: name the folder",
-        ),
-        (
-            &["site", "missing", "-o", "none"],
+            &["missing", "-o", "none"],
             "error: missing: cannot be read; name a folder of reports, its events.jsonl, or a results.json: ",
         ),
+        (&["old/index.html", "-o", "none"], "error: old/index.html: "),
         (
-            &["site", "old/index.html", "-o", "none"],
-            "error: old/index.html: ",
-        ),
-        (
-            &["site", "old", "-o", "site/index.html"],
+            &["old", "-o", "site/index.html"],
             "error: site/index.html is a file; name a folder",
         ),
     ] {
-        let refused = output(folder.path(), arguments);
+        let refused = site(arguments);
         let said = text(&refused.stderr);
         assert_eq!(refused.status.code(), Some(2), "{said}");
         assert!(said.starts_with(message), "{said}");
     }
-    let twice = output(folder.path(), &["site", "old", "old", "-o", "twice"]);
+    let twice = site(&["old", "old", "-o", "twice"]);
     let said = text(&twice.stderr);
     assert!(
         said.starts_with("note: old/events.jsonl does not count for reference 0.1.0: the later run of "),

@@ -18,15 +18,16 @@ pub struct RecordedAnswers {
     /// The dialect.
     pub dialect: DialectName,
     /// The answers, in the order of their questions.
-    pub answers: Vec<(QuestionNumber, RecordedAnswer)>,
+    pub answers: Vec<(QuestionNumber, ComparedAnswer)>,
     /// Whether the [`extreme`](crate::recording::extreme) value of a type is less than that of another, for each pair that was asked, by
     /// the word of the answer.
     pub comparisons: Vec<(TypePair, &'static str)>,
 }
 
-/// A recorded answer, compared with what a source states.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub enum RecordedAnswer {
+/// An answer of an engine or of a recorded compiler, compared with what a source states. Of several answers to one question the greatest
+/// counts, so that what deviates is seen.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub enum ComparedAnswer {
     /// The compiler answers as the source says.
     Met,
     /// No source says what the answer must be; holds the answer.
@@ -122,7 +123,7 @@ impl<'r> RecordedColumn<'r> {
     }
 }
 
-fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> RecordedAnswer {
+fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> ComparedAnswer {
     let said = match answer {
         MatrixAnswer::Accepts if word == Some(MatrixWord::Warn) => "no warning",
         MatrixAnswer::Accepts => "accepted",
@@ -133,17 +134,17 @@ fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> RecordedAnswer {
     };
     let says_no_warning = matches!(word, Some(MatrixWord::Yes | MatrixWord::Same));
     match (answer, word) {
-        (MatrixAnswer::Unsupported | MatrixAnswer::Fails, _) => RecordedAnswer::Other(said.to_owned()),
-        _ if answer.contradicts(word) => RecordedAnswer::Other(said.to_owned()),
-        (_, None | Some(MatrixWord::Open)) => RecordedAnswer::Open(said.to_owned()),
+        (MatrixAnswer::Unsupported | MatrixAnswer::Fails, _) => ComparedAnswer::Other(said.to_owned()),
+        _ if answer.contradicts(word) => ComparedAnswer::Other(said.to_owned()),
+        (_, None | Some(MatrixWord::Open)) => ComparedAnswer::Open(said.to_owned()),
         // It contradicts nothing, but is worth to be seen.
-        (MatrixAnswer::Warns, _) if says_no_warning => RecordedAnswer::Open(said.to_owned()),
-        _ => RecordedAnswer::Met,
+        (MatrixAnswer::Warns, _) if says_no_warning => ComparedAnswer::Open(said.to_owned()),
+        _ => ComparedAnswer::Met,
     }
 }
 
 /// Returns the answer to a call; `None` where it was not recorded.
-fn called(compared: ComparedResult) -> Option<RecordedAnswer> {
+fn called(compared: ComparedResult) -> Option<ComparedAnswer> {
     let contradicts = compared.contradicts();
     let said = match &compared.got {
         Err(Refusal {
@@ -154,26 +155,26 @@ fn called(compared: ComparedResult) -> Option<RecordedAnswer> {
         Err(refusal) => refusal.kind.word().to_owned(),
     };
     Some(match compared.got {
-        _ if contradicts => RecordedAnswer::Other(said),
-        Ok(_) if compared.expected.basis.is_some() => RecordedAnswer::Met,
-        _ => RecordedAnswer::Open(said),
+        _ if contradicts => ComparedAnswer::Other(said),
+        Ok(_) if compared.expected.basis.is_some() => ComparedAnswer::Met,
+        _ => ComparedAnswer::Open(said),
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{RecordedAnswer, accepted};
+    use super::{ComparedAnswer, accepted};
     use crate::implicit::MatrixAnswer;
     use stickler_types::MatrixWord;
 
     #[test]
     fn an_answer_is_met_open_or_another_one() {
-        let open = |text: &str| RecordedAnswer::Open(text.to_owned());
-        let other = |text: &str| RecordedAnswer::Other(text.to_owned());
+        let open = |text: &str| ComparedAnswer::Open(text.to_owned());
+        let other = |text: &str| ComparedAnswer::Other(text.to_owned());
         for (answer, word, expected) in [
-            (MatrixAnswer::Accepts, Some(MatrixWord::Yes), RecordedAnswer::Met),
+            (MatrixAnswer::Accepts, Some(MatrixWord::Yes), ComparedAnswer::Met),
             (MatrixAnswer::Warns, Some(MatrixWord::Yes), open("warned")),
-            (MatrixAnswer::Warns, Some(MatrixWord::Warn), RecordedAnswer::Met),
+            (MatrixAnswer::Warns, Some(MatrixWord::Warn), ComparedAnswer::Met),
             (MatrixAnswer::Accepts, Some(MatrixWord::Warn), other("no warning")),
             (MatrixAnswer::Warns, Some(MatrixWord::No), other("warned")),
             (MatrixAnswer::Accepts, Some(MatrixWord::No), other("accepted")),

@@ -4,10 +4,13 @@
 //! Programs that show conversions, such as the page of a run, read them as one table, in which a word stands once and
 //! everything else is a number.
 
+mod functions;
+
 use super::inputs;
 use super::recorded::{RecordedAnswers, RecordedColumn};
 use super::results::ExpectedResult;
 use crate::recording::Recording;
+pub use functions::{FunctionCall, FunctionTable, StatedResult};
 use serde::{Serialize, Serializer};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -502,6 +505,33 @@ mod tests {
         );
         assert!(bases[2].is_null(), "no document of PLCnext says how it rounds");
         assert_eq!(word(&bases[3]), json!("codesys-recording: here"));
+    }
+
+    #[test]
+    fn a_function_is_told_as_texts_with_the_same_questions() {
+        let statements = statements();
+        let functions = statements.functions();
+        let [function] = &functions[..] else {
+            panic!("{functions:?}");
+        };
+        assert_eq!((function.name, function.result), ("REAL_TO_INT", "INT"));
+        assert_eq!(function.dialects, ["ironplc-ed3", "matiec", "plcnext", "codesys"]);
+        let question = statements.question("c::p(REAL,INT,2.25)").unwrap();
+        let call = function
+            .calls
+            .iter()
+            .find(|call| call.question == question)
+            .unwrap();
+        assert_eq!(
+            (&call.operands[..], call.is_boundary),
+            (&["REAL#2.25"][..], false)
+        );
+        let values = call
+            .stated
+            .iter()
+            .map(|stated| stated.as_ref().map(|one| one.value));
+        let values: Vec<Option<&str>> = values.collect();
+        assert_eq!(values, [Some("INT#2"), Some("INT#2"), None, Some("INT#77")]);
     }
 
     #[test]

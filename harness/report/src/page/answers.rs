@@ -1,15 +1,13 @@
 //! The answers of engines to the questions about conversions that the cases of a run ask, and those of recorded compilers.
 
+use crate::answers::{answer_of, shortened};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::implicit::TypePair;
-use stickler_conversions::overview::{QuestionNumber, RecordedAnswer, RecordedAnswers};
+use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers};
 use stickler_conversions::recording::{RecordingOrigin, extreme};
-use stickler_run::{CaseEvent, Fact, Observed, Verdict};
-use stickler_types::{Diagnostic, Value, WordTable};
-
-/// The maximum number of characters of an answer.
-const MAX_CHARACTERS: usize = 80;
+use stickler_run::CaseEvent;
+use stickler_types::WordTable;
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]
@@ -69,17 +67,23 @@ struct ColumnData {
     other: (Vec<QuestionNumber>, Vec<u32>, Vec<Option<usize>>),
 }
 
+impl EngineAnswer {
+    fn of(answer: &ComparedAnswer, number: Option<usize>, words: &mut WordTable) -> EngineAnswer {
+        match answer {
+            ComparedAnswer::Met => EngineAnswer::Met,
+            ComparedAnswer::Open(text) => EngineAnswer::Recorded(words.number(shortened(text))),
+            ComparedAnswer::Other(text) => EngineAnswer::Other(words.number(shortened(text)), number),
+        }
+    }
+}
+
 impl PageAnswers {
     /// Adds the answer of a case to a question. `number` is that of the case among those that did not pass.
     pub(super) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
-        let answer = match case.verdict {
-            Verdict::Pass | Verdict::Xpass if case.open => match recorded(case) {
-                Some(recorded) => EngineAnswer::Recorded(self.words.number(recorded)),
-                None => return,
-            },
-            Verdict::Pass | Verdict::Xpass => EngineAnswer::Met,
-            _ => EngineAnswer::Other(self.words.number(&other(case)), number),
+        let Some(answer) = answer_of(case) else {
+            return;
         };
+        let answer = EngineAnswer::of(&answer, number, &mut self.words);
         let key = (self.words.number(&case.engine), self.words.number(&case.dialect));
         let next = self.columns.len();
         let column = *self.numbers.entry(key).or_insert(next);
@@ -100,14 +104,9 @@ impl PageAnswers {
     pub(super) fn add_recorded(&mut self, recorded: &RecordedAnswers) {
         let RecordingOrigin { product, version, .. } = &recorded.origin;
         let words = &mut self.words;
-        let mut answer = |answer: &RecordedAnswer| match answer {
-            RecordedAnswer::Met => EngineAnswer::Met,
-            RecordedAnswer::Open(text) => EngineAnswer::Recorded(words.number(shortened(text))),
-            RecordedAnswer::Other(text) => EngineAnswer::Other(words.number(shortened(text)), None),
-        };
         let answers = recorded.answers.iter();
         let answers = answers
-            .map(|(question, given)| (*question, answer(given)))
+            .map(|(question, given)| (*question, EngineAnswer::of(given, None, words)))
             .collect();
         self.columns.push(AnswerColumn {
             engine: self.words.number(&format!("{product} {version}")),
@@ -172,59 +171,12 @@ impl AnswerColumn {
     }
 }
 
-/// Returns what was recorded of a case: the value of a variable, or else whether it was accepted, or the fault.
-fn recorded(case: &CaseEvent) -> Option<&str> {
-    let is_value = |observed: &&Observed| Value::parse(&observed.value).is_ok();
-    let value = case.observations.iter().find(is_value);
-    let observed = value.or_else(|| case.observations.first())?;
-    Some(shortened(&observed.value))
-}
-
-/// Returns what an engine did, in a word or a value: `rejected P4035`, or else what it did otherwise than expected.
-fn other(case: &CaseEvent) -> String {
-    let diagnostic = case.got.iter().find_map(Fact::diagnostic);
-    if let Some(diagnostic) = diagnostic {
-        return with_code("rejected", diagnostic);
-    }
-    let deviating = case.got.iter().find(|fact| !case.expected.contains(fact));
-    let missing = |fact: &Fact| matches!(fact, Fact::Warning(_)) && !case.got.contains(fact);
-    if deviating.is_none() && case.expected.iter().any(missing) {
-        return "no warning".to_owned();
-    }
-    match deviating.or(case.got.first()) {
-        Some(Fact::Value { value, .. }) => shortened(&value.to_string()).to_owned(),
-        Some(Fact::Warning(warning)) => with_code("warned", warning),
-        Some(Fact::Unsupported { .. }) => "unsupported".to_owned(),
-        Some(Fact::Crashed { .. }) => "crashed".to_owned(),
-        Some(fact) => {
-            let text = fact.to_string();
-            let (first, _) = text.split_once([':', '\n']).unwrap_or((&text, ""));
-            shortened(first).to_owned()
-        }
-        None => "nothing".to_owned(),
-    }
-}
-
-/// Returns a word with the code of a diagnostic behind it, if it has one.
-fn with_code(word: &str, diagnostic: &Diagnostic) -> String {
-    let code = diagnostic.code.as_deref().unwrap_or_default();
-    format!("{word} {code}").trim_end().to_owned()
-}
-
-fn shortened(text: &str) -> &str {
-    let end = text
-        .char_indices()
-        .nth(MAX_CHARACTERS)
-        .map_or(text.len(), |(end, _)| end);
-    &text[..end]
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{PageAnswers, other};
+    use super::PageAnswers;
     use crate::sample;
     use serde_json::json;
-    use stickler_run::{CaseEvent, Fact, Verdict};
+    use stickler_run::Verdict;
 
     #[test]
     fn what_deviates_is_seen_whichever_case_comes_first() {
@@ -248,39 +200,5 @@ mod tests {
             assert_eq!(column["other"], json!([[7], [word("INT#128")], [3]]));
             assert_eq!(column["recorded"], json!([[12], [word("INT#3")]]));
         }
-    }
-
-    #[test]
-    fn an_answer_names_what_departs_from_the_expectation() {
-        let value = |literal| sample::value("into", literal);
-        let warning = || sample::warning(6, "C0195");
-        let of = |expected, got| {
-            other(&CaseEvent {
-                expected,
-                got,
-                ..sample::case("a::p(1)", Verdict::Fail)
-            })
-        };
-        assert_eq!(
-            of(vec![Fact::Accepted], vec![Fact::Accepted, warning()]),
-            "warned C0195"
-        );
-        assert_eq!(
-            of(vec![Fact::Accepted, warning()], vec![Fact::Accepted]),
-            "no warning"
-        );
-        assert_eq!(
-            of(vec![value("INT#3"), warning()], vec![value("INT#3")]),
-            "no warning"
-        );
-        assert_eq!(of(vec![value("INT#3"), warning()], vec![value("INT#4")]), "INT#4");
-        assert_eq!(
-            of(vec![value("INT#3"), warning()], vec![value("INT#4"), warning()]),
-            "INT#4"
-        );
-        assert_eq!(
-            of(vec![Fact::Accepted, warning()], vec![sample::error(6, "P4035")]),
-            "rejected P4035"
-        );
     }
 }

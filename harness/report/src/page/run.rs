@@ -6,7 +6,9 @@ use crate::overview::Overview;
 use crate::text::visible;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use stickler_run::{Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals, clip_facts};
+use stickler_run::{
+    Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals, clip_facts,
+};
 
 /// The maximum number of lines of the facts of a cause.
 const MAX_LINES: usize = 60;

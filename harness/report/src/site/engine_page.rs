@@ -1,6 +1,7 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
 use super::front_page::numbers;
+use super::functions::{Functions, file};
 use super::history::{History, Step, VersionRun};
 use super::html::{chart, escaped, page as whole, share};
 use crate::comparison::{Change, Kind};
@@ -12,7 +13,7 @@ use stickler_types::counted;
 const MAX_LISTED: usize = 20;
 
 /// Returns the page.
-pub(super) fn page(history: &History<'_>) -> String {
+pub(super) fn page(history: &History<'_>, functions: &Functions<'_>) -> String {
     let shares = history
         .counted
         .iter()
@@ -20,10 +21,11 @@ pub(super) fn page(history: &History<'_>) -> String {
     let shares: Vec<u64> = shares.collect();
     let steps: String = history.steps.iter().rev().map(write_step).collect();
     let body = format!(
-        "<p><a href=\"../index.html\">All engines</a></p>\n<h2>History</h2>\n{}{}{steps}{}",
+        "<p><a href=\"../index.html\">All engines</a></p>\n<h2>History</h2>\n{}{}{steps}{}{}",
         chart(&shares),
         runs(history),
-        causes(history)
+        causes(history),
+        departures(history, functions)
     );
     whole(history.name, &body)
 }
@@ -147,4 +149,25 @@ fn causes(history: &History<'_>) -> String {
         true => String::new(),
         false => format!("<h2>Causes in the newest run</h2>\n<ol>\n{items}</ol>\n"),
     }
+}
+
+/// Returns the conversion functions for which the newest run has other results than its sources.
+fn departures(history: &History<'_>, functions: &Functions<'_>) -> String {
+    let item = |(name, calls): &(&str, usize)| {
+        let values = counted(*calls as u64, "value", "values");
+        format!(
+            "<li><a href=\"../functions/{}\">{}</a>: {values}</li>\n",
+            file(name),
+            escaped(name)
+        )
+    };
+    let departing = functions.departures(history.name);
+    if departing.is_empty() {
+        return String::new();
+    }
+    let items: String = departing.iter().map(item).collect();
+    format!(
+        "<h2>Conversion functions that give something else</h2>\n<details><summary>{}</summary><ul>\n{items}</ul></details>\n",
+        counted(departing.len() as u64, "function", "functions")
+    )
 }

@@ -1,6 +1,7 @@
 //! The first page of the site: a row an engine, a column an area, and the changes, newest first.
 
 use super::feed;
+use super::functions::Functions;
 use super::history::{History, Step};
 use super::html::{escaped, page_with, share};
 use crate::comparison::Kind;
@@ -8,10 +9,17 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// Returns the page.
-pub(super) fn page(histories: &[History<'_>]) -> String {
+pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> String {
+    let conversions = match functions.tables.len() {
+        0 => "",
+        _ => {
+            "<p><a href=\"functions/index.html\">Conversion functions</a>: what each gives for which value, by documents, on engines and \
+             on recorded compilers.</p>\n"
+        }
+    };
     let body = format!(
         "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
-         supports.</p>\n{}<h2>Changes</h2>\n<p><a href=\"feed.xml\">As an Atom feed</a></p>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
+         supports.</p>\n{}{conversions}<h2>Changes</h2>\n<p><a href=\"feed.xml\">As an Atom feed</a></p>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
          <code>results.json</code> of any run of <code>stickler run --engine …</code>; <a href=\"results.schema.json\">its JSON \
          Schema</a> is beside this page.</p>\n",
         table(histories),

@@ -1,13 +1,19 @@
 //! Tests sites of small runs.
 
-use super::{SiteError, SiteSummary, write};
+use super::{SiteError, SiteSummary};
 use crate::events::{EventLog, NAME};
 use crate::sample;
 use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::slice;
+use stickler_conversions::overview::Statements;
 use stickler_run::{CaseEvent, Event, Verdict};
+
+/// Builds the site of these runs, without documents about conversions.
+fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
+    super::write(paths, site, &Statements::default())
+}
 
 /// Writes a run of an engine's version, started on a day of September.
 fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>) -> PathBuf {
@@ -19,7 +25,7 @@ fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>
     written(&folder.join(name), &events)
 }
 
-fn written(folder: &Path, events: &[Event]) -> PathBuf {
+pub(super) fn written(folder: &Path, events: &[Event]) -> PathBuf {
     fs::create_dir_all(folder).expect("a folder");
     let mut log = EventLog::create(folder.join(NAME)).expect("a log");
     events.iter().for_each(|event| log.take(event).expect("written"));
@@ -54,6 +60,7 @@ fn a_site_shows_the_newest_run_and_what_changed_since_the_version_before() {
         SiteSummary {
             runs: 2,
             engines: 1,
+            functions: 0,
             replaced: Vec::new()
         }
     );

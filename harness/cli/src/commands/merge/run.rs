@@ -2,14 +2,13 @@
 
 use crate::arguments::MergeArguments;
 use crate::case_folder::CaseFolder;
-use crate::documented::statements;
+use crate::documented::of_all_cases;
 use crate::exit::{self, Exit};
 use crate::{output, shell};
 use anyhow::bail;
 use std::fs::{self, File};
 use std::io::{BufReader, Write};
 use std::path::Path;
-use stickler_conversions::overview::Statements;
 use stickler_report::events::{self, Reader};
 use stickler_report::parts::{self, RunPart};
 use stickler_report::terminal::{self, Surroundings};
@@ -23,7 +22,10 @@ use stickler_report::{Overview, ReportError, Reports};
 pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     refuse_to_overwrite(arguments)?;
     let parts = arguments.folders.iter().map(|folder| part(folder)).collect();
-    let mut reports = Reports::create(&arguments.output, of_all_cases())?;
+    // Without cases the page has no conversions.
+    let folder = CaseFolder::locate(None);
+    let stated = folder.map(|folder| of_all_cases(&folder)).unwrap_or_default();
+    let mut reports = Reports::create(&arguments.output, stated)?;
     let mut overview = Overview::default();
     let mut broken: Option<ReportError> = None;
     let missing = parts::merge(parts, &shell::command_line(), &mut |event| {
@@ -67,15 +69,6 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     Ok(exit::of_totals(&overview.sum(), outdated)
         .worst(whole)
         .worst(suite))
-}
-
-/// Returns what documents state about the conversions of the cases that there are; nothing where no folder of cases is found.
-fn of_all_cases() -> Statements {
-    let Ok(folder) = CaseFolder::locate(None) else {
-        return Statements::default();
-    };
-    let suite = folder.load_with([]);
-    statements(&suite.cases.iter().collect::<Vec<_>>(), &folder)
 }
 
 /// Opens the event log of one part; returns it with its name.
