@@ -101,7 +101,11 @@ mod tests {
         let long = "x".repeat(1 << 20);
         let clipped = clip_answer(vec![error("E1", "short"), error(&long, &long)]);
         assert_eq!(clipped[0], error("E1", "short"));
-        let cut = format!("{} ... {} bytes more", &long[..MAX_TEXT_LEN], long.len() - MAX_TEXT_LEN);
+        let cut = format!(
+            "{} ... {} bytes more",
+            &long[..MAX_TEXT_LEN],
+            long.len() - MAX_TEXT_LEN
+        );
         assert_eq!(clipped[1], error(&cut, &cut));
         assert_eq!(clip_answer(clipped.clone()), clipped, "a text is cut once");
     }
