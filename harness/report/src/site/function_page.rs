@@ -13,6 +13,12 @@ struct Notes<'s> {
     bases: Vec<&'s str>,
 }
 
+/// The cell of a call of which no source states the result.
+const OPEN: &str = "<td class=\"number dim\">open</td>";
+
+/// The cell of a call that no case of a run made, and no recording.
+const NOT_ASKED: &str = "<td class=\"number dim\">·</td>";
+
 /// A column of a table: its head, and a cell for each row.
 struct Column {
     origin: String,
@@ -109,10 +115,25 @@ fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut
 }
 
 fn head(column: &Column) -> String {
+    // A variant is named by its dialect and an option of the compiler: `ironplc-ed2+partial-access`.
+    let is_variant = |dialect: &&String| {
+        let options = column
+            .dialects
+            .iter()
+            .filter_map(|base| dialect.strip_prefix(base.as_str()));
+        options
+            .into_iter()
+            .any(|option| option.starts_with('+') || option.starts_with("-without-"))
+    };
+    let variants = column.dialects.iter().filter(is_variant).count() as u64;
+    let counted = (variants > 0).then(|| counted(variants, "variant", "variants"));
     let dialects: String = column
         .dialects
         .iter()
-        .map(|dialect| format!("<div class=\"dim\">{}</div>", escaped(dialect)))
+        .filter(|dialect| !is_variant(dialect))
+        .cloned()
+        .chain(counted)
+        .map(|dialect| format!("<div class=\"dim\">{}</div>", escaped(&dialect)))
         .collect();
     format!(
         "<th scope=\"col\" class=\"number\">{}{dialects}</th>",
@@ -128,7 +149,7 @@ fn documents<'s>(
     notes: &mut Notes<'s>,
 ) -> Column {
     let mut cell = |call: &&FunctionCall<'s>| match &call.stated[dialect] {
-        None => "<td class=\"number dim\">open</td>".to_owned(),
+        None => OPEN.to_owned(),
         Some(stated) => format!("<td class=\"number\">{}</td>", stated_value(stated, notes)),
     };
     Column {
@@ -161,7 +182,7 @@ fn answers(table: &FunctionTable<'_>, column: &AnswerColumn<'_>, shown: &[&Funct
     let cell = |call: &&FunctionCall<'_>| {
         let stated = dialect.and_then(|dialect| call.stated[dialect].as_ref());
         match column.answers.get(&call.question) {
-            None => "<td class=\"number dim\">·</td>".to_owned(),
+            None => NOT_ASKED.to_owned(),
             Some(ComparedAnswer::Met) => {
                 let value = stated
                     .map(|stated| escaped(bare(stated.value)))
@@ -200,11 +221,12 @@ fn answers(table: &FunctionTable<'_>, column: &AnswerColumn<'_>, shown: &[&Funct
     }
 }
 
-/// Joins the columns of one origin with the same cells, and leaves out those in which nothing was asked.
+/// Joins the columns of one origin with the same cells, and leaves out those in which no source speaks or nothing was asked.
 fn folded(columns: Vec<Column>) -> Vec<Column> {
     let mut kept: Vec<Column> = Vec::new();
-    let is_asked = |column: &Column| column.cells.iter().any(|cell| !cell.contains(">·<"));
-    for column in columns.into_iter().filter(is_asked) {
+    let is_silent = |cell: &String| cell == OPEN || cell == NOT_ASKED;
+    let speaks = |column: &Column| !column.cells.iter().all(is_silent);
+    for column in columns.into_iter().filter(speaks) {
         let same = |one: &&mut Column| one.origin == column.origin && one.cells == column.cells;
         match kept.iter_mut().find(same) {
             Some(one) => one.dialects.extend(column.dialects),
