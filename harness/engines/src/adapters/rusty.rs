@@ -8,6 +8,7 @@
 
 mod diagnostics;
 mod driver;
+mod library;
 mod pack;
 mod program;
 mod reproduction;
@@ -24,6 +25,7 @@ use crate::{
 };
 use diagnostics::{ErrorPart, LocatedDiagnostic, OutputParser};
 use driver::{HEADER, driver, functions};
+use library::StandardLibrary;
 use program::PackedProgram;
 pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
@@ -59,7 +61,7 @@ pub(super) struct Rusty {
     identity: Identity,
     compiler: PathBuf,
     declarations: PathBuf,
-    library: PathBuf,
+    library: StandardLibrary,
     builder: Builder,
     reader: OutputParser,
     /// The names that programs in a pack must not declare; read when first needed.
@@ -82,7 +84,7 @@ impl Rusty {
         ];
         let declarations = search.folder(DECLARATIONS, &include)?;
         let folders = [beside("lib"), beside("../lib/plc"), beside("")];
-        let library = search.folder(LIBRARY, &folders)?;
+        let library = StandardLibrary::new(search.folder(LIBRARY, &folders)?);
         let builder = Builder::find(search, Language::C, declarations.clone(), HEADER)?;
         let version = locate::version(&compiler, &["--version"], &Folder::new()?)?;
         Ok(Rusty {
@@ -109,62 +111,31 @@ impl Rusty {
         self.taken.get_or_init(|| library_words(&self.declarations, "st"))
     }
 
-    /// Returns the linker's inputs beside the driver: the object file, the standard library, shared where there is one, and the
-    /// libraries that the standard library needs. The static library of some versions cannot be linked: see
-    /// [`of_the_setup`].
-    fn linked(&self) -> Vec<OsString> {
-        let folder = &self.library;
-        let mut words = vec![OsString::from(OBJECT_FILE)];
-        match has_shared_library(folder) {
-            false => words.push(folder.join("libiec61131std.a").into()),
-            true => {
-                let mut path = OsString::from("-Wl,-rpath,");
-                path.push(folder);
-                words.extend(["-L".into(), folder.into(), path, "-liec61131std".into()]);
-            }
-        };
-        words.extend(["-lm", "-lpthread", "-ldl"].map(OsString::from));
+    /// Returns the linker's inputs beside the driver: the object file, the standard library, and the libraries that it needs.
+    ///
+    /// # Errors
+    /// A fragment that says why there is no standard library to link.
+    fn linked(&self) -> Result<Vec<OsString>, String> {
+        let library = self.library.shared(&self.builder)?;
+        let mut path = OsString::from("-Wl,-rpath,");
+        path.push(library);
+        let mut words = vec![OsString::from(OBJECT_FILE), "-L".into(), library.into(), path];
+        words.push("-liec61131std".into());
+        words.extend(library::NEEDED.map(OsString::from));
         // The object files hold addresses of texts, which a position-independent program must not have.
         if cfg!(target_os = "linux") {
             words.push("-no-pie".into());
         }
-        words
+        Ok(words)
     }
 
     /// Builds the driver with the object file and the standard library.
     ///
     /// # Errors
-    /// An outcome as [`Builder::build`] returns; [`Outcome::Error`] where the library is at fault.
+    /// An outcome as [`Builder::build`] returns; [`Outcome::Error`] where there is no standard library to link.
     fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
-        let built = self.builder.build_with(driver, &self.linked(), folder);
-        built.map_err(|outcome| of_the_setup(outcome, &self.library))
-    }
-}
-
-/// Tells whether a folder has the standard library as a shared library.
-fn has_shared_library(folder: &Path) -> bool {
-    ["so", "dylib"]
-        .iter()
-        .any(|kind| folder.join(format!("libiec61131std.{kind}")).is_file())
-}
-
-/// Returns the outcome of a program that could not be linked: an error of the set-up where the static library is at fault.
-///
-/// Basis: rusty: measured on a build of April 2025: each of several object files in `libiec61131std.a` defines the same
-/// functions `__user_init_…`, so that no program can be linked with it.
-fn of_the_setup(outcome: Outcome, library: &Path) -> Outcome {
-    match outcome {
-        Outcome::Unusable { reason }
-            if !has_shared_library(library) && reason.contains("multiple definition of `__user_init_") =>
-        {
-            failed(format!(
-                "no program can be linked with `libiec61131std.a` in `{}`, which defines a function twice; name a folder with \
-                 the shared library (`libiec61131std.so`) by {}: {reason}",
-                library.display(),
-                LIBRARY.variable
-            ))
-        }
-        other => other,
+        let linked = self.linked().map_err(failed)?;
+        self.builder.build_with(driver, &linked, folder)
     }
 }
 
@@ -182,7 +153,7 @@ impl Engine for Rusty {
         Fingerprint::of("rusty")
             .program(&self.compiler)
             .folder(&self.declarations)
-            .folder(&self.library)
+            .folder(self.library.folder())
             .with(self.builder.fingerprint())
             .finish()
     }
@@ -201,7 +172,7 @@ impl Engine for Rusty {
         let tools = [
             (COMPILER, self.compiler.as_path()),
             (DECLARATIONS, &self.declarations),
-            (LIBRARY, &self.library),
+            (LIBRARY, self.library.folder()),
             (builder::CC, self.builder.compiler()),
         ];
         tools.map(|(tool, path)| tool.at(path)).to_vec()

@@ -83,10 +83,10 @@ pub(super) fn translated(own: Option<&OwnConfiguration>) -> String {
 /// The file with an entry for each directly represented variable, whose memory the runtime system provides.
 pub(super) const LOCATIONS: &str = "LOCATED_VARIABLES.h";
 
-/// The macros that give each location its memory, 0 at first: what a runtime system does. Variables with one location share it, whatever
-/// their types; programs of a pack run in processes of their own.
+/// The macros that give each location its memory, 64 KiB that are 0 at first: what a runtime system does. Variables with one location
+/// share it, whatever their types; programs of a pack run in processes of their own.
 const MEMORY_OF_LOCATIONS: &str = "\
-#define __LOCATED_VAR(type, name, ...) static long long located##name[64];
+#define __LOCATED_VAR(type, name, ...) static long long located##name[8192];
 #undef __INIT_LOCATED
 #define __INIT_LOCATED(type, location, name, retained) \\
     { name.value = (type *)located##location; __INIT_RETAIN(name, retained) }

@@ -1,7 +1,7 @@
 //! Writes what a person needs to run a program with `plc` and a C compiler alone.
 
 use super::driver::{HEADER, initialise, kinds, of_c, shown_as};
-use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE};
+use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE, library};
 use crate::adapters::builder::Language;
 use crate::adapters::printed::PrintedKind;
 use crate::adapters::readable::{self, DriverMain, ReadableExpression};
@@ -63,12 +63,19 @@ fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproductio
     let one_line = ["--error-format=clang"];
     let options: Vec<&str> = OBJECT.into_iter().chain(one_line).collect();
     let inputs = format!("{} {OBJECT_FILE}", Language::C.driver());
-    let libraries =
-        format!("-L \"${library}\" -Wl,-rpath,\"${library}\" -liec61131std -lm -lpthread -ldl -no-pie");
+    let needed = library::NEEDED.join(" ");
+    let (before, behind) = library::whole_archive();
+    let (archive, shared) = (library::STATIC, library::SHARED);
+    let compiler = Language::C.compiler().shell_variable();
+    // As RuSTy's own packages are made: the functions that are written in Structured Text are in the static library only.
+    let share =
+        format!("\"${compiler}\" -shared -o {shared} {before} \"${library}/{archive}\" {behind} {needed}");
+    let libraries = format!("-L . -Wl,-rpath,. -liec61131std {needed} -no-pie");
     Ok(
         compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &options)
             .tool(library, &beside("lib"))
             .file(FUNCTIONS, functions(request, &renamed(&main.name), &kinds))
+            .command(share)
             .driver(Language::C, text(request, &kinds), &inputs, &libraries),
     )
 }

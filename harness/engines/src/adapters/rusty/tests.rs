@@ -353,42 +353,31 @@ fn a_version_is_short_whatever_a_build_knows_of_itself() {
 }
 
 #[test]
-fn the_shared_library_is_linked_where_there_are_both() {
+fn the_shared_library_is_made_of_the_static_one_where_there_is_one() {
     let Some((engine, folder)) = stand_in() else {
         return;
     };
-    let names =
-        |words: Vec<OsString>, part: &str| words.iter().any(|word| word.to_string_lossy().contains(part));
-    assert!(names(engine.linked(), "libiec61131std.a"));
+    // As cargo leaves it: without the functions that are written in Structured Text.
     folder.write("lib/libiec61131std.so", "").unwrap();
-    assert!(!names(engine.linked(), "libiec61131std.a"));
-    assert!(names(engine.linked(), "-liec61131std"));
-}
-
-#[test]
-fn a_static_library_that_cannot_be_linked_is_no_crash_of_the_compiler() {
-    // As GNU ld reported it of a build of April 2025.
-    let said = "libiec61131std.a(st.o): in function `__user_init_CTU_LINT':\n\
-                arithmetic_functions.st:(.text+0x3120): multiple definition of `__user_init_CTU_LINT'; \
-                program.o:program.st:(.text+0x70): first defined here\ncollect2: error: ld returned 1 exit status\n";
-    let ended = Ended {
-        status: ExitStatus::default(),
-        stdout: String::new(),
-        stderr: said.to_owned(),
-    };
-    let reason = locate::first_error(&ended);
-    let crash = || Outcome::Unusable {
-        reason: reason.clone(),
-    };
-    let folder = Folder::new().unwrap();
-    let Outcome::Error { message } = of_the_setup(crash(), folder.path()) else {
-        panic!("no error")
-    };
-    assert!(message.contains("STICKLER_RUSTY_LIB"), "{message}");
-    let other = Outcome::Unusable {
-        reason: "undefined reference to `x'".to_owned(),
-    };
-    assert_eq!(of_the_setup(other.clone(), folder.path()), other);
-    folder.write("libiec61131std.so", "").unwrap();
-    assert_eq!(of_the_setup(crash(), folder.path()), crash());
+    let found = folder.path().join("lib");
+    let shared = engine.library.shared(&engine.builder).unwrap();
+    assert_ne!(shared, found);
+    assert!(shared.join("libiec61131std.so").metadata().unwrap().len() > 0);
+    let mut path = OsString::from("-Wl,-rpath,");
+    path.push(shared);
+    assert!(engine.linked().unwrap().contains(&path));
+    let again = || StandardLibrary::new(found.clone());
+    folder.write("lib/libiec61131std.a", "no archive").unwrap();
+    let broken = again();
+    let reason = broken.shared(&engine.builder).unwrap_err();
+    assert!(
+        reason.starts_with("no shared library can be made of `"),
+        "{reason}"
+    );
+    std::fs::remove_file(found.join("libiec61131std.a")).unwrap();
+    assert_eq!(again().shared(&engine.builder).unwrap(), found);
+    std::fs::remove_file(found.join("libiec61131std.so")).unwrap();
+    let missing = again();
+    let reason = missing.shared(&engine.builder).unwrap_err();
+    assert!(reason.contains("STICKLER_RUSTY_LIB"), "{reason}");
 }
