@@ -198,6 +198,8 @@ pub(crate) fn cite(got: &mut [Fact], basis: &str, sources: &Sources) {
 mod tests {
     use super::*;
     use std::collections::BTreeSet;
+    use std::path::Path;
+    use stickler_suite::Suite;
 
     fn essence(features: &[&str]) -> Essence {
         Essence {
@@ -229,6 +231,32 @@ mod tests {
         assert_eq!(of("x : INT;", &["declaration"]), None);
         assert_eq!(of("x : INT;", &["type"]), Some(ALIASES));
         assert_eq!(of("x := BOOL#0;", &["statement"]), Some(NUMBERS));
+    }
+
+    #[test]
+    fn every_basis_has_a_source_of_the_suite() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+        let suite = Suite::load_files(&folder, &[], |_, _| false);
+        let all = [
+            NUMBERS,
+            TEXTS,
+            ESCAPES,
+            DURATIONS,
+            MOMENTS,
+            RANGES,
+            REALS,
+            GRAMMAR,
+            LONG_TYPES,
+            ALIASES,
+            IN_OUT,
+            INITIAL_VALUES,
+            ARRAYS,
+            STRUCTURES,
+            BLOCKS,
+        ];
+        for basis in all.concat() {
+            assert!(suite.sources.of(basis).is_some(), "{basis}");
+        }
     }
 
     #[test]

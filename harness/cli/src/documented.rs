@@ -45,7 +45,7 @@ pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
             });
         }
     }
-    // A run of a single case does without the recordings, whose files take longer to read than the case.
+    // A run that asks about no conversion does without the recordings, whose files take longer to read than a few cases.
     let recordings = match builder.is_empty() {
         true => Vec::new(),
         false => folder.usable_recordings().unwrap_or_else(|error| {

@@ -59,7 +59,7 @@ impl<W: Write> Write for WhileRead<W> {
 }
 
 /// Returns the number of columns for tables and sentences on stdout: what the variable `COLUMNS` says, or else the width of the terminal;
-/// `None` where stdout is none, so that no line of a log or pipe is broken.
+/// `None` where stdout is no terminal, so that no line of a log or pipe is broken.
 pub fn width() -> Option<usize> {
     let said = env::var("COLUMNS").ok().and_then(|said| said.parse().ok());
     let of_terminal = || terminal_size::terminal_size_of(io::stdout()).map(|(width, _)| usize::from(width.0));

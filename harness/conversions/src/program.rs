@@ -2,6 +2,7 @@
 
 use crate::literals;
 use std::fmt::Write;
+use stickler_engines::Observation;
 use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Value};
 
@@ -17,6 +18,17 @@ pub struct ConversionProgram {
     pub observed: Vec<String>,
     /// The type of these variables.
     pub ty: ElementaryType,
+}
+
+impl ConversionProgram {
+    /// Returns what is asked of an engine that runs the program: the values of its results at the end.
+    #[must_use]
+    pub fn observations(&self) -> Vec<Observation> {
+        let names = self.observed.iter();
+        names
+            .map(|name| Observation::last(name, self.ty.name()))
+            .collect()
+    }
 }
 
 /// Writes a program that calls the function with each of these operands, which `literal` writes as initial values.

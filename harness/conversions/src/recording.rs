@@ -134,6 +134,21 @@ impl FunctionAnswers {
             _ => FunctionAnswers::Calls(calls),
         }
     }
+
+    /// Returns the answers call by call; the key says the dialect and the signature.
+    fn of_calls(self, (dialect, row): &(DialectName, String)) -> AnsweredCalls {
+        match self {
+            FunctionAnswers::Calls(calls) => calls,
+            FunctionAnswers::Refused(kind) => {
+                let signatures = questions::signatures(*dialect).into_iter();
+                signatures
+                    .filter(|signature| key(signature) == *row)
+                    .flat_map(|signature| crate::overview::boundary_calls(&signature))
+                    .map(|call| (call, Err(kind)))
+                    .collect()
+            }
+        }
+    }
 }
 
 impl Recording {
@@ -165,12 +180,14 @@ impl Recording {
                 (None, answers) => {
                     self.functions.insert(key, answers);
                 }
-                (Some(FunctionAnswers::Calls(known)), FunctionAnswers::Calls(calls)) => {
+                (Some(FunctionAnswers::Calls(known)), answers) => {
+                    let calls = answers.of_calls(&key);
                     let is_new = |call: &(Vec<Value>, _)| known.iter().all(|(known, _)| *known != call.0);
                     let new: Vec<_> = calls.into_iter().filter(is_new).collect();
                     known.extend(new);
                 }
-                (Some(_), _) => {}
+                // The new answers are to every call.
+                (Some(FunctionAnswers::Refused(_)), _) => {}
             }
         }
     }
@@ -319,6 +336,17 @@ mod tests {
              [answers.comparisons]\nINT = { false = \"UINT\", \"timed out\" = \"REAL\" }\n\
              [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"], [\"2\", \"2\"]]\n");
         assert_eq!(new, expected);
+        let mut new = of("[answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"]]\n");
+        new.complete_from(of(
+            "[answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = \"rejected\"\n",
+        ));
+        let signature = &stickler_exact::signatures("INT_TO_SINT", DialectName::Matiec)[0];
+        let calls = [["INT#1"], ["INT#0"]].map(|call| call.map(|text| Value::parse(text).unwrap()).to_vec());
+        let results = new.results(DialectName::Matiec, signature, &calls);
+        let results = results
+            .into_iter()
+            .map(|result| result.map_err(|refusal| refusal.kind));
+        assert!(results.eq([Ok(Value::parse("SINT#1").unwrap()), Err(RefusalKind::Rejected)]));
     }
 
     #[test]

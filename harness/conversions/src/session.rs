@@ -3,7 +3,7 @@
 use crate::literals::{literal, untyped_literal};
 use crate::program::{self, ConversionProgram};
 use std::fmt;
-use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Observation, Outcome, RunRequest};
+use stickler_engines::{Diagnostic, Engine, EngineError, EngineSession, Outcome, RunRequest};
 use stickler_exact::Signature;
 use stickler_types::{DialectName, Fault, Value};
 
@@ -124,11 +124,7 @@ impl<'e> FunctionSession<'e> {
     /// # Errors
     /// The [`Refusal`] of an engine that gives no values.
     pub fn run(&mut self, dialect: DialectName, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
-        let observe: Vec<Observation> = program
-            .observed
-            .iter()
-            .map(|name| Observation::last(name, program.ty.name()))
-            .collect();
+        let observe = program.observations();
         let request = RunRequest::once(dialect, &program.source, &observe);
         // An engine that cannot be started again after a crash refuses all that follows.
         let outcome = self.0.run(&request).unwrap_or_else(|error| Outcome::Crashed {
@@ -179,26 +175,39 @@ impl<'e> FunctionSession<'e> {
 
 /// Returns the values of the variables that a program observes from its outcome, or the reason why there are none.
 fn values(outcome: Outcome, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
-    use RefusalKind::{Crashed, Faulted, Nonsense, Rejected, TimedOut, TooManySteps, Unsupported};
     let line = match &outcome {
         Outcome::Rejected { diagnostics } => line_of(diagnostics, &program.source),
         _ => None,
     };
-    let (kind, detail) = match outcome {
+    let kind = refusal_kind(&outcome);
+    let detail = match outcome {
         Outcome::Executed { values, .. } => return in_order(values, program),
-        Outcome::Accepted { .. } => (Unsupported, "it accepts programs and executes none".to_owned()),
-        Outcome::Unsupported { reason } | Outcome::NotImplemented { reason } => (Unsupported, reason),
-        Outcome::Rejected { diagnostics } => (Rejected, first_message(&diagnostics)),
-        Outcome::Faulted { fault, .. } if fault == Fault::StepLimit => {
-            (TooManySteps, fault.as_str().to_owned())
-        }
-        Outcome::Faulted { fault, .. } => (Faulted, fault.as_str().to_owned()),
-        Outcome::Crashed { reason } | Outcome::Unusable { reason } => (Crashed, reason),
-        Outcome::TimedOut { .. } => (TimedOut, outcome.to_string()),
-        Outcome::Error { message } => (Nonsense, message),
-        Outcome::Rendered { .. } => (Nonsense, "it rendered what it was to run".to_owned()),
+        Outcome::Accepted { .. } => "it accepts programs and executes none".to_owned(),
+        Outcome::Unsupported { reason } | Outcome::NotImplemented { reason } => reason,
+        Outcome::Rejected { diagnostics } => first_message(&diagnostics),
+        Outcome::Faulted { fault, .. } => fault.as_str().to_owned(),
+        Outcome::Crashed { reason } | Outcome::Unusable { reason } => reason,
+        Outcome::TimedOut { .. } => outcome.to_string(),
+        Outcome::Error { message } => message,
+        Outcome::Rendered { .. } => "it rendered what it was to run".to_owned(),
     };
     Err(Refusal { kind, detail, line })
+}
+
+/// Returns the kind of the reason why an outcome has no values; [`RefusalKind::NotAsked`] where it has some.
+pub(crate) fn refusal_kind(outcome: &Outcome) -> RefusalKind {
+    match outcome {
+        Outcome::Executed { .. } => RefusalKind::NotAsked,
+        Outcome::Accepted { .. } | Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } => {
+            RefusalKind::Unsupported
+        }
+        Outcome::Rejected { .. } => RefusalKind::Rejected,
+        Outcome::Faulted { fault, .. } if *fault == Fault::StepLimit => RefusalKind::TooManySteps,
+        Outcome::Faulted { .. } => RefusalKind::Faulted,
+        Outcome::Crashed { .. } | Outcome::Unusable { .. } => RefusalKind::Crashed,
+        Outcome::TimedOut { .. } => RefusalKind::TimedOut,
+        Outcome::Error { .. } | Outcome::Rendered { .. } => RefusalKind::Nonsense,
+    }
 }
 
 /// Returns values in the order in which the program lists its observed variables; engines may answer in another.

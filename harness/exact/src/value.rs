@@ -171,8 +171,8 @@ fn not_a_number(to: ElementaryType, out_of_range: OutOfRange) -> u64 {
     }
 }
 
-/// Returns the number as 64 bits hold it, with a sign or for a target of 64 bits without one, and a negative number for a target of at most 32 bits as 32 bits hold it; the least
-/// number of so many bits where they do not.
+/// Returns the number if 64 bits hold it, otherwise -2^63. A target of 64 bits also takes numbers below 2^64. For a target of at most
+/// 32 bits a negative number must fit 32 bits, otherwise it is -2^31.
 fn of_64_bits(whole: Whole, to: ElementaryType) -> i128 {
     let is_negative = match whole {
         Whole::Number(number) => number < 0,

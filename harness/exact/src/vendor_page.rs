@@ -1,6 +1,5 @@
 //! The results that a vendor's page states of a system whose recordings count for more, so that both can be shown where they differ.
 
-use crate::basis::Expected;
 use crate::choices::choices_of;
 use crate::real;
 use crate::signature::{Operation, Signature};
@@ -11,22 +10,26 @@ use stickler_types::{BuiltIn, ConversionChoices, DialectName, OutOfRange, Roundi
 /// range of the target are ignored.
 const CODESYS_REALS: &str = "codesys-real-to: Conversions: REAL, LREAL";
 
-/// Returns the result that the vendor's page states of a call in a dialect whose cases rest on recordings; its basis is `None` where the
+/// Returns the result that the vendor's page states of a call in a dialect whose cases rest on recordings, with its basis; `None` where the
 /// page does not speak of the call, or there is no such page.
 ///
 /// Takes what [`crate::expected`] takes. What the page says decides no case.
 #[must_use]
-pub fn stated_by_vendor(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
+pub fn stated_by_vendor(
+    signature: &Signature,
+    operands: &[Value],
+    dialect: DialectName,
+) -> Option<(Value, &'static str)> {
+    let is_codesys = dialect.base() == BuiltIn::Codesys && dialect.definition().is_none();
+    if !is_codesys || !is_of_finite_real(signature, operands) {
+        return None;
+    }
     let page = ConversionChoices {
         rounding: Rounding::HalfAwayFromZero,
         out_of_range: OutOfRange::Wrap,
         ..choices_of(dialect)
     };
-    let is_codesys = dialect.base() == BuiltIn::Codesys && dialect.definition().is_none();
-    Expected {
-        basis: (is_codesys && is_of_finite_real(signature, operands)).then_some(CODESYS_REALS),
-        value: value(signature, operands, &page),
-    }
+    Some((value(signature, operands, &page), CODESYS_REALS))
 }
 
 /// Returns whether a call is one of `REAL_TO_x` or `LREAL_TO_x` to an integer or bit string, with a number.
@@ -53,7 +56,7 @@ mod tests {
         let signature = &signatures(function, dialect)[0];
         let operand = Value::parse(operand).expect("a literal");
         let stated = stated_by_vendor(signature, &[operand], dialect);
-        stated.basis.map(|_| stated.value.to_string())
+        stated.map(|(value, _)| value.to_string())
     }
 
     #[test]

@@ -77,7 +77,7 @@ pub struct ImportArguments {
     /// Write no reports
     #[arg(long)]
     pub no_report: bool,
-    /// Also write the answers as a recording, such as conformance-cases/recordings/NAME.toml; those that FILE holds already stay
+    /// Also write the answers as a recording, such as conformance-cases/recordings/NAME.toml; they replace those of FILE to the same questions, and its others stay
     #[arg(long, value_name = "FILE", requires_all = ["product", "product_version", "platform"])]
     pub record: Option<PathBuf>,
     /// The name of the product in the recording, such as CODESYS

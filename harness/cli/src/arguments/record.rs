@@ -38,10 +38,10 @@ pub struct RecordArguments {
 }
 
 fn sections() -> impl TypedValueParser<Value = RecordedSection> {
-    PossibleValuesParser::new(RecordedSection::ALL.map(RecordedSection::as_str)).map(|word| {
+    PossibleValuesParser::new(RecordedSection::ALL.map(RecordedSection::as_str)).try_map(|word| {
         let mut sections = RecordedSection::ALL.into_iter();
         let named = sections.find(|section| section.as_str() == word);
-        named.unwrap_or(RecordedSection::Functions)
+        named.ok_or("no section of a recording has this name")
     })
 }
 

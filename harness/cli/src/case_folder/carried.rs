@@ -21,8 +21,8 @@ const FILES: &str = env!("STICKLER_CASE_FILES");
 /// The time after which the cases of another program are removed when no program has used them.
 const MAX_UNUSED: Duration = Duration::from_secs(30 * 24 * 60 * 60);
 
-/// The time for which a program does not note again that it uses its cases.
-const NOTED: Duration = Duration::from_secs(24 * 60 * 60);
+/// The minimum time between two writes of the note that the cases are used.
+const NOTE_INTERVAL: Duration = Duration::from_secs(24 * 60 * 60);
 
 /// The extension of the empty file beside a folder of cases that is written when they are used.
 const USED: &str = "used";
@@ -38,6 +38,8 @@ pub fn unpacked() -> anyhow::Result<PathBuf> {
     let edition = editions.join(EDITION);
     if !is_complete(&edition) {
         unpack(&edition).with_context(|| format!("cannot unpack into {}: {hint}", edition.display()))?;
+        // An old note may have outlived a folder that was deleted: noted first, the new one is not removed.
+        note_use(&edition, SystemTime::now());
         remove_unused(&editions, SystemTime::now());
     }
     note_use(&edition, SystemTime::now());
@@ -85,7 +87,7 @@ fn age(path: &Path, now: SystemTime) -> Option<Duration> {
 /// Notes that the cases are used, unless that was noted a short time ago.
 fn note_use(edition: &Path, now: SystemTime) {
     let note = note_of(edition);
-    if age(&note, now).is_none_or(|age| age > NOTED) {
+    if age(&note, now).is_none_or(|age| age > NOTE_INTERVAL) {
         // At worst the cases are unpacked once more.
         let _ = fs::write(note, "");
     }
@@ -114,7 +116,7 @@ fn remove(folder: &Path, beside: &Path) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_UNUSED, NOTED, note_of, note_use, remove_unused};
+    use super::{MAX_UNUSED, NOTE_INTERVAL, note_of, note_use, remove_unused};
     use std::fs;
     use std::time::{Duration, SystemTime};
 
@@ -139,7 +141,7 @@ mod tests {
             .append(true)
             .open(note_of(&path("0.1.0-used")));
         note.expect("the note")
-            .set_modified(later - NOTED)
+            .set_modified(later - NOTE_INTERVAL)
             .expect("a time");
         remove_unused(folder.path(), later);
         assert!(!path("0.1.0-old").exists() && !path(".tmpleft").exists());

@@ -4,13 +4,13 @@ use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::{output, shell};
+use anyhow::bail;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use stickler_conversions::recording::Question;
-use stickler_engines::Observation;
 use stickler_export::{ANSWERS, ExportPlan, Exported, ExtraCases, ProjectPlan, export};
 use stickler_run::{Filter, select};
 use stickler_suite::{Acceptance, Case, Expectation};
@@ -53,6 +53,13 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
 /// # Errors
 /// As [`execute`].
 fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
+    let dialect = arguments.dialect;
+    if let DialectName::Defined(_) = dialect {
+        bail!(
+            "a recording is read where no stickler.toml defines {dialect}; name the dialect that it extends: --dialect {}",
+            dialect.base().name()
+        );
+    }
     let filter = arguments.filter.as_deref().map(Filter::new);
     let cases: Vec<Case> = Question::all(arguments.dialect)
         .iter()
@@ -74,16 +81,12 @@ fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow:
 /// Returns the case that asks a question of a recording: whether its program is accepted is open, and so are its values.
 fn question_case(question: &Question, dialect: DialectName) -> Case {
     let program = question.program();
-    let observed = program.observed.iter();
-    let observed: Vec<Observation> = observed
-        .map(|name| Observation::last(name, program.ty.name()))
-        .collect();
     let id = question.id();
     Case {
         title: id.as_str().into(),
         basis: "rule: not-stated".into(),
         area: "recording".into(),
-        observe: observed.into(),
+        observe: program.observations().into(),
         expectation: Arc::new(Expectation {
             accepted: Acceptance::Observed,
             ..Expectation::default()

@@ -50,8 +50,9 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     }
     let caches = caches(arguments, &folder, &engines);
     let stores: Vec<Option<&dyn AnswerStore>> = caches.stores();
-    let exit = run(arguments, &folder, &plan, &engines, &stores, out)?;
+    let exit = run(arguments, &folder, &plan, &engines, &stores, out);
     caches.report_problems();
+    let exit = exit?;
     if !arguments.watch || exit == Exit::Interrupted {
         return Ok(exit);
     }
@@ -66,7 +67,9 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
         failures: arguments.failures,
         cancel: interrupt::cancellation_ending_engines()?,
     };
-    watch.watch(out)
+    let exit = watch.watch(out);
+    caches.report_problems();
+    exit
 }
 
 /// Runs the cases once.

@@ -320,6 +320,11 @@ fn the_examples_give_the_action_inputs_that_it_has_and_the_script_reads_all_of_t
             }
         },
     );
+    let text = fs::read_to_string(format!("{ROOT}/action.yml")).expect("the action");
+    for name in inputs.keys() {
+        let name = name.as_str().expect("a name");
+        assert!(text.contains(&format!("inputs.{name}")), "{name}");
+    }
     let script = fs::read_to_string(format!("{ROOT}/.ci/action")).expect("the script");
     each_table(&action, &mut |table| {
         for (name, _) in table["env"].as_hash().into_iter().flatten() {

@@ -210,7 +210,7 @@ impl Notes {
             (false, false) => "",
         };
         self.contradicted |= compared.contradicts();
-        self.disputed |= is_disputed;
+        self.disputed |= is_disputed && !compared.contradicts();
         match &compared.expected.basis {
             Some(basis) => format!("{}{mark}", self.letter(basis)),
             None => {

@@ -95,16 +95,14 @@ impl ExpectedResult {
         let exact = stickler_exact::expected(signature, call, dialect);
         match (exact.basis, asserted) {
             (None, Some((value, basis))) => {
-                let page = stickler_exact::stated_by_vendor(signature, call, dialect);
-                let stated = page
-                    .basis
-                    .filter(|stated| page.value != *value && **stated != **basis);
+                let stated = stickler_exact::stated_by_vendor(signature, call, dialect)
+                    .filter(|(stated, page)| stated != value && **page != **basis);
                 ExpectedResult {
                     value: value.clone(),
                     basis: Some(Arc::clone(basis)),
-                    otherwise: stated.map(|stated| OtherStatement {
-                        value: page.value.clone(),
-                        basis: stated.into(),
+                    otherwise: stated.map(|(value, page)| OtherStatement {
+                        value,
+                        basis: page.into(),
                     }),
                 }
             }

@@ -1,6 +1,6 @@
 //! Asks an engine for the answers of a recording.
 
-use super::questions::{self, pairs, pairs_compared, parts, signatures};
+use super::questions::{self, is_true, pairs, pairs_compared, parts, signatures};
 use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, RecordingOrigin, key};
 use crate::implicit::{self, TypePair};
 use crate::overview;
@@ -8,7 +8,7 @@ use crate::session::FunctionSession;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::Engine;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType};
 use stickler_workers::WorkerPool;
 
 /// The number of pairs that one program compares, where an engine accepts them together.
@@ -113,19 +113,18 @@ fn compared(
     jobs: usize,
     answered: &(dyn Fn() + Sync),
 ) -> Result<Vec<ComparisonAnswer>, ForeignError> {
-    let truth = |value: Value| value == Value::plain(ElementaryType::Bool, 1);
     let answers = WorkerPool::new(jobs).map(
         pairs.chunks(COMPARED_AT_ONCE),
         || Ok::<_, ForeignError>(FunctionSession::open(engine)?),
         |session, chunk| {
             let together = session.run(dialect, &questions::comparisons(chunk));
             let answers: Vec<ComparisonAnswer> = match together {
-                Ok(values) => values.into_iter().map(|value| Ok(truth(value))).collect(),
+                Ok(values) => values.iter().map(|value| Ok(is_true(value))).collect(),
                 Err(_) => {
                     let alone = |pair: &TypePair| {
                         let values = session.run(dialect, &questions::comparisons(&[*pair]));
                         let value = values.map(|mut values| values.swap_remove(0));
-                        value.map(truth).map_err(|refusal| refusal.kind)
+                        value.map(|value| is_true(&value)).map_err(|refusal| refusal.kind)
                     };
                     chunk.iter().map(alone).collect()
                 }

@@ -1,6 +1,5 @@
 //! The questions that a recording answers, each with the program that asks it.
 
-use super::key;
 use crate::implicit::{self, TypePair};
 use crate::literals::{literal, untyped_literal};
 use crate::overview;
@@ -172,9 +171,9 @@ pub(super) fn comparisons(pairs: &[TypePair]) -> ConversionProgram {
     }
 }
 
-/// Returns the key of the row to which a call belongs in a file.
-pub(super) fn row_of(signature: &Signature) -> String {
-    key(signature)
+/// Returns whether a comparison is true.
+pub(super) fn is_true(compared: &Value) -> bool {
+    *compared == Value::plain(ElementaryType::Bool, 1)
 }
 
 #[cfg(test)]

@@ -186,6 +186,7 @@ pub(super) fn significant(significand: u64, exponent: i32, count: u8) -> Rounded
 pub(super) fn scaled(significand: u64, exponent: i32, ty: ElementaryType) -> RoundedDecimal {
     let number = DecimalFraction::binary(significand, exponent);
     let places = if ty == ElementaryType::Real {
+        // Basis: codesys-recording: REAL_TO_STRING; the digits that it shows follow from 10/33 in the place of the logarithm of 2.
         let binary = exponent + significand.ilog2() as i32;
         6 - (binary * 10).div_euclid(33)
     } else {

@@ -334,7 +334,7 @@ impl TypeTable {
         self.entry(id).root
     }
 
-    /// Returns whether a type is an alias or a subrange: user-defined, and yet of elementary values.
+    /// Returns whether a type is an alias or a subrange: a user-defined type that takes its values from another.
     pub(super) fn is_derived(&self, id: TypeId) -> bool {
         matches!(self.entry(id).kind, TypeKind::Alias | TypeKind::Subrange(_))
     }

@@ -21,7 +21,8 @@ fn written(events: &[Event]) -> Vec<u8> {
 /// Returns a run with each kind of element that the document has.
 fn full_run() -> Vec<Event> {
     let mut events = sample::run_with_baseline();
-    let footer = events.pop().expect("a footer");
+    // The footer, which counts other cases.
+    events.pop();
     let passed_oddly = CaseEvent {
         got: vec![Fact::RejectedSilently],
         ..sample::open_case("t::p(3)")
@@ -40,7 +41,6 @@ fn full_run() -> Vec<Event> {
     run[0] = with_cases(events.remove(0), run.len() - 2);
     let at = run.len() - 1;
     run.insert(at, Event::Cause(sample::cause("a cause", 1, Verdict::Crash)));
-    drop(footer);
     run
 }
 
@@ -173,10 +173,7 @@ fn what_does_not_fit_the_schema_is_refused_with_its_place_what_was_expected_and_
     ];
     for (edit, path, parts) in edits {
         let (refused, misfit) = edited(edit);
-        assert!(
-            refused.starts_with(&format!("{path}: ")) || path == ".",
-            "{path}: {refused}"
-        );
+        assert!(refused.starts_with(&format!("{path}: ")), "{path}: {refused}");
         for part in parts {
             assert!(refused.contains(part), "{path}: {part}: {refused}");
         }

@@ -25,31 +25,32 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
     let rows = overview.claims.rows(&engines);
     let sources = rows.iter().filter(|row| row.sum).count();
     let has_kinds = !overview.sources().is_empty();
-    let lines = match around.detail {
-        Detail::Summary if has_kinds && sources > MAX_ROWS => by_kind(overview, &rows),
-        _ => by_source(overview, &rows),
+    let is_by_kind = around.detail == Detail::Summary && has_kinds && sources > MAX_ROWS;
+    let (lines, left_out) = match is_by_kind {
+        true => by_kind(overview, &rows),
+        false => (by_source(overview, &rows), 0),
     };
-    let second = match (has_kinds, lines.iter().any(|line| line.is_kind)) {
+    let second = match (has_kinds, is_by_kind) {
         (false, _) => None,
         (true, false) => Some(Cell::left("kind")),
         (true, true) => Some(Cell::plain("sources")),
     };
     let mut table = AlignedTable::new([Cell::left("Claims")].into_iter().chain(second).collect());
-    let is_legend_needed = match &engines[..] {
-        [_] => {
-            of_one_engine(&mut table, &lines);
-            false
-        }
+    match &engines[..] {
+        [_] => of_one_engine(&mut table, &lines),
         _ => of_several_engines(&mut table, &lines, &engines),
-    };
+    }
     table.write(out, around.width)?;
-    if is_legend_needed {
+    let mut standings = lines.iter().flat_map(|line| &line.standings);
+    if engines.len() != 1 && standings.any(|standing| standing.failed > 0) {
         writeln!(out, "  {DIM}n/m: n of m cases came out as the source says{DIM:#}")?;
     }
-    let met = rows.iter().filter(|row| row.failed() && !row.sum).count();
-    if around.detail == Detail::Summary && met > MAX_NAMED && lines.iter().any(|line| line.is_kind) {
-        let sections = counted(met as u64, "section is not met", "sections are not met");
-        writeln!(out, "  {DIM}{sections}; --verbose and summary.md name all{DIM:#}")?;
+    if left_out > 0 {
+        let rows = counted(left_out as u64, "more row is", "more rows are");
+        writeln!(
+            out,
+            "  {DIM}{rows} not shown; --verbose and summary.md have all{DIM:#}"
+        )?;
     }
     writeln!(out)
 }
@@ -60,7 +61,6 @@ struct Line {
     names: Vec<Cell>,
     /// The results of each engine.
     standings: Vec<Standing>,
-    is_kind: bool,
 }
 
 /// Returns a line for each source, and below it those of its sections that an engine does not meet.
@@ -75,14 +75,14 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
         Line {
             names,
             standings: row.standings.clone(),
-            is_kind: false,
         }
     };
     rows.iter().filter(is_shown).map(line).collect()
 }
 
-/// Returns a line for each kind of source, and below it the first sources and sections that an engine does not meet.
-fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
+/// Returns a line for each kind of source, and below it the first sources and sections that an engine does not meet; and the number of
+/// those that have no line.
+fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<Line>, usize) {
     let kind = |row: &Row<'_>| overview.source(row.source).map_or("other", |source| &source.kind);
     let mut kinds: BTreeMap<&str, Vec<&Row<'_>>> = BTreeMap::new();
     rows.iter()
@@ -100,7 +100,6 @@ fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
         lines.push(Line {
             names: vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())],
             standings,
-            is_kind: true,
         });
         let failed = rows.iter().filter(|row| row.failed());
         for row in failed.filter(|row| row.sum || !row.section.is_empty()) {
@@ -109,12 +108,11 @@ fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
                 lines.push(Line {
                     names: vec![name(row, "    "), Cell::plain("")],
                     standings: row.standings.clone(),
-                    is_kind: false,
                 });
             }
         }
     }
-    lines
+    (lines, named.saturating_sub(MAX_NAMED))
 }
 
 /// Returns the cell with the name of a source, or of a section, which is indented more.
@@ -128,8 +126,8 @@ fn name(row: &Row<'_>, indent: &str) -> Cell {
     }
 }
 
-/// Adds engines as columns; returns whether a cell needs to be explained.
-fn of_several_engines(table: &mut AlignedTable, lines: &[Line], engines: &[&str]) -> bool {
+/// Adds engines as columns.
+fn of_several_engines(table: &mut AlignedTable, lines: &[Line], engines: &[&str]) {
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
@@ -138,8 +136,6 @@ fn of_several_engines(table: &mut AlignedTable, lines: &[Line], engines: &[&str]
         let cells = standings.map(|standing| standing_cell(*standing));
         table.row(line.names.iter().cloned().chain(cells).collect());
     }
-    let mut standings = lines.iter().flat_map(|line| &line.standings);
-    standings.any(|standing| standing.failed > 0)
 }
 
 /// Formats an engine's results for a claim in one cell.

@@ -2,6 +2,7 @@
 
 use super::{BAD, Detail, GOOD, Surroundings};
 use crate::discrepancies::NAME;
+use crate::events;
 use crate::overview::Overview;
 use crate::text::{duration, judged, outdated, outdated_entries, visible, wrapped};
 use anstyle::Style;
@@ -39,11 +40,11 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
         (None, _) => Ok(()),
         (Some(folder), Some(_)) => writeln!(out, "Page: {folder}/index.html"),
         // A run that was cut short leaves its log and nothing else.
-        (Some(folder), None) => writeln!(out, "Log: {folder}/events.jsonl, as far as the run came"),
+        (Some(folder), None) => writeln!(out, "Log: {folder}/{}, as far as the run came", events::NAME),
     }
 }
 
-/// Returns what is to be known of a run, in a sentence each.
+/// Returns the notes on a run, a sentence each.
 fn sentences(overview: &Overview, around: Surroundings<'_>) -> Vec<String> {
     let sum = overview.sum();
     let mut sentences = Vec::new();
@@ -64,8 +65,8 @@ fn sentences(overview: &Overview, around: Surroundings<'_>) -> Vec<String> {
     if around.from_cache > 0 {
         sentences.push(format!(
             "{} of {} results come from the cache; see --no-cache.",
-            around.from_cache,
-            sum.all()
+            grouped(around.from_cache),
+            grouped(sum.all())
         ));
     }
     sentences

@@ -262,8 +262,8 @@ fn a_run_of_a_broken_suite_does_not_end_as_if_all_were_well() {
     );
 }
 
-/// Returns a run of so many sources and dialects, in which a case of the last source has the given verdict on each engine.
-fn large(engines: &[&str], last: Verdict) -> Vec<Event> {
+/// Returns a run of many sources and dialects, in which the cases of the last sources have the given verdict on each engine.
+fn large(engines: &[&str], last_sources: usize, last: Verdict) -> Vec<Event> {
     let mut cases = Vec::new();
     for engine in engines {
         for number in 0..50 {
@@ -275,7 +275,11 @@ fn large(engines: &[&str], last: Verdict) -> Vec<Event> {
                 "rendering",
                 "widening",
             ];
-            let verdict = if number == 49 { last } else { Verdict::Pass };
+            let verdict = if number >= 50 - last_sources {
+                last
+            } else {
+                Verdict::Pass
+            };
             let case = if number == 3 {
                 sample::open_case("o")
             } else {
@@ -315,7 +319,7 @@ fn a_large_run_in_which_all_is_well_fits_a_screen_whatever_its_width() {
                 from_cache: 7,
                 ..Surroundings::default()
             };
-            let text = shown_with(&large(engines, Verdict::Differs), around);
+            let text = shown_with(&large(engines, 1, Verdict::Differs), around);
             assert!(text.lines().count() <= 24, "{text}");
             let widest = text.lines().map(|line| line.chars().count()).max();
             assert!(widest <= Some(width), "{width}: {text}");
@@ -325,7 +329,7 @@ fn a_large_run_in_which_all_is_well_fits_a_screen_whatever_its_width() {
 
 #[test]
 fn many_sources_are_summed_up_by_kind_and_those_that_are_not_met_are_named() {
-    let text = shown(&large(&["reference"], Verdict::Fail));
+    let text = shown(&large(&["reference"], 1, Verdict::Fail));
     let table = "
 Claims                                          sources  passed  failed  open
   document                                           10      10       0     0
@@ -340,12 +344,17 @@ Cases         reference
   bit-access          9
   conversion        8/9
 ";
-    assert!(text.contains(table), "{text}");
+    assert!(text.contains(table) && !text.contains("not shown"), "{text}");
+    let many = shown(&large(&["reference"], 11, Verdict::Fail));
+    assert!(
+        many.contains("\n  2 more rows are not shown; --verbose and summary.md have all\n"),
+        "{many}"
+    );
     let whole = Surroundings {
         detail: Detail::Whole,
         ..Surroundings::default()
     };
-    let text = shown_with(&large(&["reference"], Verdict::Fail), whole);
+    let text = shown_with(&large(&["reference"], 1, Verdict::Fail), whole);
     for row in [
         "\n  source-0 ",
         "\n  source-48 ",
@@ -368,7 +377,7 @@ fn where_only_the_result_is_asked_for_two_lines_are_shown() {
 
 #[test]
 fn tables_and_causes_are_no_wider_than_the_terminal() {
-    let mut events = large(&["reference", "matiec"], Verdict::Fail);
+    let mut events = large(&["reference", "matiec"], 1, Verdict::Fail);
     let footer = events.pop().expect("a footer");
     let cause = sample::cause(&"a long title ".repeat(30), 1, Verdict::Fail);
     events.extend([Event::Cause(cause), footer]);

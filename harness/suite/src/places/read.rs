@@ -220,6 +220,16 @@ impl PlacesReader<'_> {
         self.check(role, at, &path, &key);
         let dialects = self.dialects(&path, &key);
         let only_rejected = self.named(&path, key.only_rejected.as_deref());
+        for name in key.only_rejected.iter().flatten() {
+            let named = self.dialects.resolve(name.get_ref()).unwrap_or_default();
+            if !named.is_empty() && named.iter().all(|dialect| !dialects.contains(dialect)) {
+                let message = format!(
+                    "`only-rejected` names `{}`, in which the place is not",
+                    name.get_ref()
+                );
+                self.wrong(name.span().start, &path, message);
+            }
+        }
         let only = self.only(&path, key.only.as_ref());
         let units = self.units(&path, key.units.as_deref());
         ProgramPlace {

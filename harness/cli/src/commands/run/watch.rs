@@ -2,7 +2,8 @@
 
 use crate::case_folder::{CaseFolder, Loaded};
 use crate::exit::Exit;
-use anyhow::Context;
+use crate::output;
+use anyhow::{Context, bail};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -62,34 +63,44 @@ impl CaseWatch<'_> {
         let shown = self.folder.path.display();
         writeln!(out, "\nWatching {shown} for changed case files; Ctrl-C ends.")?;
         out.flush()?;
-        while let Some(changed) = self.next_changes(&root, &changes) {
+        while let Some(changed) = self.next_changes(&root, &changes)? {
             self.step(&changed, out)?;
             out.flush()?;
         }
         Ok(Exit::Interrupted)
     }
 
-    /// Waits for changes, and returns the changed files, relative to the folder of cases; `None` after Ctrl-C.
+    /// Waits for changes, and returns the changed files, relative to the folder of cases; `None` after Ctrl-C. Where the system lost
+    /// changes, says so on stderr.
+    ///
+    /// # Errors
+    /// The folder is watched no more.
     fn next_changes(
         &self,
         root: &Path,
         changes: &Receiver<notify::Result<notify::Event>>,
-    ) -> Option<BTreeSet<PathBuf>> {
+    ) -> anyhow::Result<Option<BTreeSet<PathBuf>>> {
         let mut changed = BTreeSet::new();
         while !self.cancel.is_requested() {
             match changes.recv_timeout(if changed.is_empty() { POLL } else { SETTLED }) {
+                Ok(Ok(event)) if event.need_rescan() => {
+                    output::note("some changes were missed; start again to run all cases")
+                }
                 // Reading a file is no change.
                 Ok(Ok(event)) if !event.kind.is_access() => {
                     let below = event.paths.iter().filter_map(|path| path.strip_prefix(root).ok());
                     changed.extend(below.map(Path::to_owned));
                 }
-                Ok(_) => {}
+                Ok(Ok(_)) => {}
+                Ok(Err(error)) => output::note(format_args!("a change was missed: {error}")),
                 Err(RecvTimeoutError::Timeout) if changed.is_empty() => {}
-                Err(RecvTimeoutError::Timeout) => return Some(changed),
-                Err(RecvTimeoutError::Disconnected) => return None,
+                Err(RecvTimeoutError::Timeout) => return Ok(Some(changed)),
+                Err(RecvTimeoutError::Disconnected) => {
+                    bail!("{} is watched no more", self.folder.path.display())
+                }
             }
         }
-        None
+        Ok(None)
     }
 
     /// Runs the cases of changed files, given relative to the folder of cases, and shows their verdicts. Mistakes in a file are reported
