@@ -4,7 +4,6 @@ use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::{output, shell};
-use anyhow::bail;
 use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -53,13 +52,6 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
 /// # Errors
 /// As [`execute`].
 fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    let dialect = arguments.dialect;
-    if let DialectName::Defined(_) = dialect {
-        bail!(
-            "a recording is read where no stickler.toml defines {dialect}; name the dialect that it extends: --dialect {}",
-            dialect.base().name()
-        );
-    }
     let filter = arguments.filter.as_deref().map(Filter::new);
     let cases: Vec<Case> = Question::all(arguments.dialect)
         .iter()
