@@ -46,8 +46,11 @@ impl SiteRun {
             path: file.path().to_owned(),
             started: header.started.clone(),
         })?;
+        // What lies beside a `results.json` that somebody handed in need not be its page.
+        let is_own = path.is_dir() || matches!(file, RunFile::Log(_));
+        let page = Some(file.path().with_file_name("index.html"));
         let mut run = SiteRun {
-            page: Some(file.path().with_file_name("index.html")).filter(|page| page.is_file()),
+            page: page.filter(|page| is_own && page.is_file()),
             number: 0,
             started,
             header,

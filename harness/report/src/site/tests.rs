@@ -190,10 +190,13 @@ fn a_run_is_known_from_its_results_alone_as_well() {
     let handed_in = folder.path().join("of-a-vendor.json");
     fs::copy(old.join("results.json"), &handed_in).expect("copied");
     fs::remove_file(old.join(NAME)).expect("removed");
+    // It lies beside the file by chance.
+    fs::write(folder.path().join("index.html"), "another page").expect("written");
     write(&[handed_in.clone(), old, new.clone()], &mixed).expect("a site of both");
     write(&[handed_in, new.join("results.json")], &alone).expect("a site of results");
     let front = |site: &Path| fs::read_to_string(site.join("index.html")).expect("the front page");
     assert_eq!(front(&whole), front(&alone));
+    assert!(!alone.join("runs/1.html").exists());
     assert!(front(&mixed).contains("from 1 to 2: 1 fixed, 1 broken, 0 crashed"));
     let engine = fs::read_to_string(alone.join("engines/reference.html")).expect("the engine's page");
     assert!(engine.contains("; from its results.json") && !engine.contains("expects something else now"));
