@@ -6,7 +6,7 @@
 use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::ProbeVariables;
-use crate::adapters::source::{OwnConfiguration, own_configuration, words};
+use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words};
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -125,17 +125,28 @@ pub(super) fn calls(program: &str, instance: &str, is_configured: bool, scan: &s
 /// Returns the C expression for a variable of the instance of a program.
 pub(super) fn place(instance: &str, variable: &str, source: &str) -> String {
     let value = format!("{instance}.{}.value", variable.to_ascii_uppercase());
-    match is_located(source, variable) {
+    match is_pointer(source, variable) {
         true => format!("(*{value})"),
         false => value,
     }
 }
 
-/// Tells whether a program declares a directly represented variable of this name, of which the C has a pointer.
-fn is_located(source: &str, variable: &str) -> bool {
-    // AT is a keyword, so no name.
-    let mut behind = words(source).skip(1);
-    words(source).any(|word| behind.next().is_some_and(|next| next.is("AT")) && word.is(variable))
+/// Returns whether the main program declares a variable of this name with a location or as an external one, of which the C has a pointer.
+fn is_pointer(source: &str, variable: &str) -> bool {
+    let inside = main_program(source).map_or(source, |main| &source[main.inside]);
+    let mut words = words(inside).peekable();
+    let mut is_external = false;
+    while let Some(word) = words.next() {
+        if word.is("VAR_EXTERNAL") {
+            is_external = true;
+        } else if word.is("END_VAR") {
+            is_external = false;
+        // AT is a keyword, so no name.
+        } else if word.is(variable) && (is_external || words.peek().is_some_and(|next| next.is("AT"))) {
+            return true;
+        }
+    }
+    false
 }
 
 /// Writes the function that runs a program, given with the expression for its instance.
@@ -416,10 +427,17 @@ mod tests {
     }
 
     #[test]
-    fn a_variable_with_a_location_is_a_pointer() {
-        let source = "PROGRAM main VAR x AT %MW1 : INT; y : INT; END_VAR END_PROGRAM";
-        assert_eq!(place("p", "x", source), "(*p.X.value)");
-        assert_eq!(place("p", "y", source), "p.Y.value");
+    fn a_variable_with_a_location_and_an_external_one_are_pointers() {
+        let source = "PROGRAM other VAR y AT %MW2 : INT; END_VAR END_PROGRAM \
+                      PROGRAM main VAR x AT %MW1 : INT; y : INT; END_VAR VAR_EXTERNAL g : INT; END_VAR VAR z : INT; END_VAR END_PROGRAM";
+        for (variable, expression) in [
+            ("x", "(*p.X.value)"),
+            ("y", "p.Y.value"),
+            ("g", "(*p.G.value)"),
+            ("z", "p.Z.value"),
+        ] {
+            assert_eq!(place("p", variable, source), expression);
+        }
     }
 
     #[test]
