@@ -72,13 +72,13 @@ enum FunctionAnswers {
 /// A section of the answers of a recording.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum RecordedSection {
-    /// Which types convert implicitly.
+    /// The pairs of types that convert implicitly.
     Implicit,
-    /// Which bits and parts of a type can be read.
+    /// The bits and parts of a type that can be read.
     Bits,
-    /// What comparisons of different types give.
+    /// The results of comparisons of different types.
     Comparisons,
-    /// What conversion functions give.
+    /// The results of conversion functions.
     Functions,
 }
 

@@ -337,7 +337,7 @@ impl Dialect {
         }
     }
 
-    /// What the dialects with the types, the comments and the locations of the third edition have in common.
+    /// Returns the rules that the dialects with the types, comments and locations of the third edition share.
     const fn with_third_edition() -> Dialect {
         Dialect {
             cross_family_widening: false,

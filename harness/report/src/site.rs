@@ -48,12 +48,12 @@ pub enum SiteError {
         /// The error of reading it.
         source: Box<RunFileError>,
     },
-    /// The date of a run is none.
+    /// The start of a run is no valid time.
     #[error("{}: the run began at `{started}`, which is no time such as 2026-09-01T12:00:00Z", path.display())]
     Date {
         /// The path of the run.
         path: PathBuf,
-        /// What stands in place of the time.
+        /// The text in place of the time.
         started: String,
     },
     /// Two runs cannot be compared, for a reason that was not seen when each of them was read.

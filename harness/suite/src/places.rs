@@ -53,7 +53,8 @@ pub struct ProgramPlace {
     groups: Vec<String>,
     /// The dialects whose documents promise the place, or for which the standard does.
     dialects: Vec<DialectName>,
-    /// Those of them whose documents only say what the place does not take: its programs claim rejections.
+    /// The dialects whose documents only say what the place does not take, so that its programs claim rejections alone; each is one of
+    /// `dialects`.
     only_rejected: Vec<DialectName>,
     /// The types for which the place exists.
     only: Condition,

@@ -48,7 +48,7 @@ words! {
 words! {
     /// The pairs of numbers and bit strings that a comparison takes, if one of the two converts to the other's type.
     ComparedTypes {
-        /// Any two.
+        /// Any two numbers or bit strings.
         Any = "any",
         /// Two bit strings, two integers with a sign, two without, and numbers of which one is a real.
         OfOneKind = "of-one-kind",
@@ -58,9 +58,9 @@ words! {
 words! {
     /// The types of what operators on bits and prefix operators give for integers and bit strings.
     ResultSigns {
-        /// Those of the operands.
+        /// The signs of the operands.
         OfOperands = "of-operands",
-        /// With a sign and 16 bits at least behind a minus sign, which a bit string may have, too; without a sign behind NOT, and where AND, OR and
+        /// By operator: with a sign and 16 bits at least behind a minus sign, which a bit string may have, too; without a sign behind NOT, and where AND, OR and
         /// XOR combine an integer that has none with one of no more bits that has one.
         OfOperator = "of-operator",
     }
@@ -69,9 +69,9 @@ words! {
 words! {
     /// The type of an operation on constants.
     ConstantTypes {
-        /// That of its operands.
+        /// The type of the operands.
         OfOperands = "of-operands",
-        /// The least, with the sign of the operands, that holds its number: `30000 + 10000` is a DINT, and no INT.
+        /// The least type, with the sign of the operands, that holds its number: `30000 + 10000` is a DINT, and no INT.
         Least = "least",
     }
 }
@@ -79,9 +79,9 @@ words! {
 words! {
     /// The bits of the count by which SHL and SHR shift.
     ShiftCounts {
-        /// All of them: a count of the width or more leaves no bit.
+        /// All bits of the count: a count of the width or more leaves no bit.
         All = "all-bits",
-        /// The lowest five, and for 64 bits the lowest six: a DWORD shifted by 32 stays as it is.
+        /// The lowest five bits of the count, and the lowest six where 64 bits are shifted: a DWORD shifted by 32 stays as it is.
         ///
         /// Basis: codesys-recording: recordings/codesys.run.json (`bit_shl_…`, `shift_…`).
         LowBits = "low-bits",

@@ -86,7 +86,7 @@ pub struct ImportArguments {
     /// The version of the product, such as 3.5.21.40
     #[arg(long, value_name = "TEXT", alias = "version", requires = "record")]
     pub product_version: Option<String>,
-    /// What the programs ran on, such as 'Control Win V3 x64, simulation'
+    /// The system that ran the programs, such as 'Control Win V3 x64, simulation'
     #[arg(long, value_name = "TEXT", requires = "record")]
     pub platform: Option<String>,
     /// The day of the recording, such as 2026-11-24 [default: today]

@@ -175,13 +175,13 @@ fn a_dialect_of_stickler_toml_is_exported_and_judged_by_what_it_was() {
     }
 }
 
-/// Exports the questions of a recording whose names contain `filter`.
-fn exported_questions(folder: &Path, filter: &str, pages: &str) {
+/// Exports the questions of a recording whose names contain `filter`, for a compiler of a dialect.
+pub fn exported_questions(folder: &Path, dialect: &str, filter: &str, pages: &str) {
     let export = [
         "export",
         "--recording",
         "--dialect",
-        "matiec",
+        dialect,
         "--filter",
         filter,
         "--cases-per-page",
@@ -200,7 +200,7 @@ fn exported_questions(folder: &Path, filter: &str, pages: &str) {
 fn what_a_page_computes_becomes_a_recording_that_conversions_shows() {
     let folder = tempfile::tempdir().expect("a folder");
     let folder = folder.path();
-    exported_questions(folder, "SINT_TO_USINT(SINT", "values");
+    exported_questions(folder, "matiec", "SINT_TO_USINT(SINT", "values");
     let page = [
         "eval",
         "values/page-001.st",
@@ -211,7 +211,7 @@ fn what_a_page_computes_becomes_a_recording_that_conversions_shows() {
     ];
     let (_, copied, _) = run(folder, &page);
     fs::write(folder.join("results.txt"), copied).expect("written");
-    exported_questions(folder, "bits(BYTE", "bits");
+    exported_questions(folder, "matiec", "bits(BYTE", "bits");
     let (_, messages, complaints) = run(folder, &["check", "bits/page-001.st", "--dialect", "matiec"]);
     fs::write(folder.join("messages.txt"), messages + &complaints).expect("written");
 

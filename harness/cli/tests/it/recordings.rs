@@ -1,7 +1,7 @@
 //! Tests the way of an editor-bound compiler's answers: questions, answers, a recording, and cases whose basis it is.
 
 use crate::dialects;
-use crate::export::run;
+use crate::export::{exported_questions, run};
 use std::fs;
 use std::path::Path;
 
@@ -14,19 +14,7 @@ const RECORDING: &str = "conformance-cases/recordings/my-plc.toml";
 
 /// Exports the questions whose names contain `filter`, lets the reference answer in place of the compiler, and records what it answers.
 fn record(folder: &Path, filter: &str, pages: &str, answered: fn(&Path, &str) -> String) {
-    let export = [
-        "export",
-        "--recording",
-        "--dialect",
-        "mine",
-        "--filter",
-        filter,
-        "--cases-per-page",
-        "300",
-        pages,
-    ];
-    let (code, shown, notes) = run(folder, &export);
-    assert_eq!(code, Some(0), "{shown}{notes}");
+    exported_questions(folder, "mine", filter, pages);
     let answers = format!("{pages}.txt");
     fs::write(
         folder.join(&answers),

@@ -54,7 +54,7 @@ struct CallResult<'a> {
     expected: Option<String>,
     /// Whether the engine contradicts the document.
     contradicts: bool,
-    /// What another source of the same system says, where that is another value.
+    /// The statement of another source of the same system, where its value differs.
     #[serde(skip_serializing_if = "Option::is_none")]
     otherwise: Option<JsonStatement<'a>>,
 }

@@ -57,11 +57,11 @@ pub struct ExpectedResult {
     pub value: Value,
     /// The source and section that demand the value, as the suite writes a basis; `None` where the result is open.
     pub basis: Option<Arc<str>>,
-    /// What another source of the same system says, where that is another value.
+    /// The statement of another source of the same system, where its value differs.
     pub otherwise: Option<OtherStatement>,
 }
 
-/// What a vendor's page states of a result that was recorded otherwise.
+/// The statement of a vendor's page on a result that was recorded otherwise.
 #[derive(Clone, PartialEq, Debug)]
 pub struct OtherStatement {
     /// The value.

@@ -27,7 +27,7 @@ pub struct FunctionCall<'s> {
     pub operands: Vec<&'s str>,
     /// Whether the operands are boundary values of their types; otherwise a case has them.
     pub is_boundary: bool,
-    /// What a source states of the result, in the order of the function's dialects; `None` where all are silent.
+    /// The result that a source states, for each of the function's dialects in their order; `None` where all sources are silent.
     pub stated: Vec<Option<StatedResult<'s>>>,
 }
 
