@@ -140,6 +140,19 @@ fn a_place_of_rejections_only_takes_no_value_that_is_accepted() {
 }
 
 #[test]
+fn a_place_of_rejections_only_is_one_that_the_dialect_has() {
+    let places = PLACES.replace(
+        "absent    = [\"matiec\"]",
+        "absent    = [\"matiec\"]\nonly-rejected = ['matiec']",
+    );
+    let errors = errors(&suite(&places, &matrix("")));
+    assert!(
+        matches!(&errors[..], [error] if error.contains("`only-rejected` names `matiec`, in which the place is not")),
+        "{errors:?}"
+    );
+}
+
+#[test]
 fn declarations_of_a_probe_stand_before_those_of_its_places() {
     let suite = suite(PLACES, &matrix("declarations = 'TYPE OWN : {row}; END_TYPE'"));
     assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
