@@ -5,6 +5,7 @@ use flate2::read::GzDecoder;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 use std::time::{Duration, SystemTime};
 use tar::Archive;
 use walkdir::WalkDir;
@@ -27,23 +28,34 @@ const NOTE_INTERVAL: Duration = Duration::from_secs(24 * 60 * 60);
 /// The extension of the empty file beside a folder of cases that is written when they are used.
 const USED: &str = "used";
 
+/// The folder with the cases, once this process has looked for it: commands ask several times.
+static UNPACKED: OnceLock<PathBuf> = OnceLock::new();
+
 /// Returns the folder with the cases of the program, in the user's cache folder. Unpacks them unless they are there.
 ///
 /// # Errors
 /// No cache folder, or one that cannot be written to.
 pub fn unpacked() -> anyhow::Result<PathBuf> {
+    if let Some(folder) = UNPACKED.get() {
+        return Ok(folder.clone());
+    }
     let hint = "the cases inside the program cannot be used; name a folder of cases with --cases DIR";
     let cache = dirs::cache_dir().with_context(|| format!("there is no folder for caches: {hint}"))?;
     let editions = cache.join("stickler").join("cases");
     let edition = editions.join(EDITION);
     if !is_complete(&edition) {
         unpack(&edition).with_context(|| format!("cannot unpack into {}: {hint}", edition.display()))?;
-        // An old note may have outlived a folder that was deleted: noted first, the new one is not removed.
-        note_use(&edition, SystemTime::now());
-        remove_unused(&editions, SystemTime::now());
+        clean(&editions, &edition, SystemTime::now());
     }
     note_use(&edition, SystemTime::now());
-    Ok(edition.join(super::NAME))
+    Ok(UNPACKED.get_or_init(|| edition.join(super::NAME)).clone())
+}
+
+/// Removes the cases that were not used for a long time, but not those that were just unpacked: an old note of their use may have outlived
+/// a folder that was deleted.
+fn clean(editions: &Path, unpacked: &Path, now: SystemTime) {
+    note_use(unpacked, now);
+    remove_unused(editions, now);
 }
 
 /// Returns whether a folder has as many files as the archive: programs that tidy up caches delete single files.
@@ -116,7 +128,7 @@ fn remove(folder: &Path, beside: &Path) -> io::Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MAX_UNUSED, NOTE_INTERVAL, note_of, note_use, remove_unused};
+    use super::{MAX_UNUSED, NOTE_INTERVAL, clean, note_of, note_use, remove_unused};
     use std::fs;
     use std::time::{Duration, SystemTime};
 
@@ -137,12 +149,16 @@ mod tests {
         remove_unused(folder.path(), now);
         assert!(path("0.1.0-old").is_dir() && path(".tmpleft").is_dir());
         note_use(&path("0.1.0-used"), now);
-        let note = fs::File::options()
-            .append(true)
-            .open(note_of(&path("0.1.0-used")));
-        note.expect("the note")
-            .set_modified(later - NOTE_INTERVAL)
-            .expect("a time");
+        let noted = |time: SystemTime| {
+            let note = fs::File::options()
+                .append(true)
+                .open(note_of(&path("0.1.0-used")));
+            note.expect("the note").set_modified(time).expect("a time");
+        };
+        noted(now - MAX_UNUSED - NOTE_INTERVAL);
+        clean(folder.path(), &path("0.1.0-used"), now);
+        assert!(path("0.1.0-used/case.st").is_file());
+        noted(later - NOTE_INTERVAL);
         remove_unused(folder.path(), later);
         assert!(!path("0.1.0-old").exists() && !path(".tmpleft").exists());
         assert!(path("0.1.0-used/case.st").is_file() && path("a file").is_file());

@@ -4,7 +4,6 @@ use crate::common::{STICKLER, SUITE, text};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::time::{Duration, SystemTime};
 use tempfile::TempDir;
 
 /// A copy of the program outside of the clone, and an empty folder in which it runs.
@@ -124,16 +123,6 @@ fn files_that_were_deleted_from_the_cache_come_back() {
     assert_code(&installed.run(&["show", CASE]), 0);
     assert!(file.is_file());
     assert_eq!(installed.editions().len(), 1);
-
-    // A note of their last use is older than the cases that are unpacked anew.
-    let edition = installed.editions().remove(0);
-    let note = PathBuf::from(format!("{}.used", edition.display()));
-    let note = fs::File::options().append(true).open(note).expect("the note");
-    let long_ago = SystemTime::now() - Duration::from_secs(60 * 24 * 60 * 60);
-    note.set_modified(long_ago).expect("a time");
-    fs::remove_dir_all(&edition).expect("the folder is there");
-    assert_code(&installed.run(&["show", CASE]), 0);
-    assert!(file.is_file());
 }
 
 #[test]
