@@ -5,9 +5,9 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::implicit::TypePair;
 use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers};
-use stickler_conversions::recording::{RecordingOrigin, extreme};
+use stickler_conversions::recording::extreme;
 use stickler_run::CaseEvent;
-use stickler_types::WordTable;
+use stickler_types::{RecordingOrigin, WordTable};
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]

@@ -237,11 +237,16 @@ function statedOrigin(rows, index) {
   return { isStated: true, origin: isRecording ? [...new Set(sources.map((source) => source.read))].join("; ") : "documents", when: isRecording ? "recorded" : "" };
 }
 
-/** Returns columns with the cells of some rows, given by their indices; those of one origin with the same cells are one. */
+/**
+ * Returns columns with the cells of some rows, given by their indices; those of one origin with the same cells are one. Of a dialect of which
+ * no source states any of them, it does not matter who states the others.
+ */
 function folded(columns, indices) {
   const joined = new Map();
-  for (const { origin, when, dialects, cells } of columns) {
+  for (const { isStated, dialects, cells, ...column } of columns) {
     const shown = indices.map((index) => cells[index]);
+    const isSilent = isStated && shown.every((cell) => cell.state === "open");
+    const { origin, when } = isSilent ? { origin: "documents", when: "" } : column;
     const key = JSON.stringify([origin, shown.map((cell) => [cell.state, cell.text, cell.basis, cell.otherwise?.value])]);
     if (!joined.has(key)) joined.set(key, { origin, when, dialects: [], cells: shown });
     joined.get(key).dialects.push(...dialects);

@@ -23,7 +23,7 @@ fn nothing_is_wider_than_a_narrow_window() {
         "#cases?q=evil",
         "#observations",
     ] {
-        driver.value(&format!("location.hash = '{address}'"));
+        driver.follow(address);
         let widths =
             driver.value("[document.documentElement.scrollWidth, document.documentElement.clientWidth]");
         assert_eq!(widths[0], widths[1], "{address} is wider than the window");
@@ -33,20 +33,25 @@ fn nothing_is_wider_than_a_narrow_window() {
 #[test]
 fn columns_are_one_as_long_as_the_shown_values_have_the_same_results() {
     let Some((driver, _folder)) = opened() else { return };
-    driver.value("location.hash = '#REAL_TO_INT'");
+    driver.follow("#REAL_TO_INT");
     let [operand, ed2, engine] = [
         json!(["REAL"]),
         json!(["documents", "ironplc-ed2"]),
         json!(["reference", "ironplc-ed2"]),
     ];
-    let silent = json!(["documents", "plcnext", "strucpp"]);
-    assert_eq!(driver.value(HEADS), json!([operand, ed2, silent, engine]));
-
-    driver.value("[...document.querySelectorAll('main button')].find((button) => button.innerText.startsWith('Show all')).click()");
-    let [recorded, silent] = ["plcnext", "strucpp"].map(|dialect| json!(["documents", dialect]));
+    let compiler = json!(["STruC++ 0.6.1", "recorded 2026-11-24", "ironplc-ed2"]);
+    let silent = json!(["documents", "plcnext", "strucpp", "codesys"]);
     assert_eq!(
         driver.value(HEADS),
-        json!([operand, ed2, recorded, silent, engine])
+        json!([operand, ed2, silent, compiler, engine])
+    );
+
+    driver.value("[...document.querySelectorAll('main button')].find((button) => button.innerText.startsWith('Show all')).click()");
+    let recorded = json!(["0.239", "recorded", "plcnext"]);
+    let silent = json!(["documents", "strucpp", "codesys"]);
+    assert_eq!(
+        driver.value(HEADS),
+        json!([operand, ed2, recorded, silent, compiler, engine])
     );
     let notes = driver.value("document.querySelector('ul.notes').innerText");
     assert!(

@@ -70,6 +70,14 @@ impl WebDriver {
         self.command("url", &json!({ "url": address }));
     }
 
+    /// Goes to a place of the page, such as `#REAL_TO_INT`, at which it is not yet, and returns once the page shows it.
+    pub(super) fn follow(&self, hash: &str) {
+        // The page listens to the same event, and was first.
+        let script = "const [hash, done] = arguments; \
+            addEventListener('hashchange', () => done(), { once: true }); location.hash = hash;";
+        self.command("execute/async", &json!({ "script": script, "args": [hash] }));
+    }
+
     /// Gives the window these outer measures in pixels.
     pub(super) fn resize(&self, width: u32, height: u32) {
         self.command("window/rect", &json!({ "width": width, "height": height }));
