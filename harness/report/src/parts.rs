@@ -113,7 +113,7 @@ fn open<R: BufRead>(
 }
 
 /// Formats an error and its causes in one line.
-fn describe_error(error: &dyn std::error::Error) -> String {
+pub(crate) fn describe_error(error: &dyn std::error::Error) -> String {
     let causes = std::iter::successors(Some(error), |error| error.source());
     let causes: Vec<String> = causes.map(ToString::to_string).collect();
     causes.join(": ")

@@ -32,6 +32,8 @@ pub struct SiteSummary {
     pub functions: usize,
     /// The runs that a later run of the same version replaces, each as a sentence.
     pub replaced: Vec<String>,
+    /// The runs that could not be read, each as a sentence; empty unless they are to be skipped.
+    pub skipped: Vec<String>,
 }
 
 /// An error that prevents the building of a site.
@@ -90,11 +92,17 @@ impl SiteError {
 
 /// Builds the site of these runs, each named by its folder of reports, its event log or its `results.json`. Equal runs give equal files; files
 /// of the folder that the site does not write stay. `statements` are what documents state of conversions and recorded compilers answered; the pages
-/// of the functions show them beside what the engines do.
+/// of the functions show them beside what the engines do. With `skip_unreadable`, a run that cannot be read is left out and listed in the summary, as
+/// long as another can be read.
 ///
 /// # Errors
 /// [`SiteError`] where a run cannot be read or is not whole, or a page cannot be written.
-pub fn write(paths: &[PathBuf], site: &Path, statements: &Statements) -> Result<SiteSummary, SiteError> {
+pub fn write(
+    paths: &[PathBuf],
+    skip_unreadable: bool,
+    site: &Path,
+    statements: &Statements,
+) -> Result<SiteSummary, SiteError> {
     if paths.is_empty() {
         return Err(SiteError::NoRun);
     }
@@ -107,7 +115,7 @@ pub fn write(paths: &[PathBuf], site: &Path, statements: &Statements) -> Result<
     {
         return Err(SiteError::RunFolder(site.to_owned()));
     }
-    let runs = SiteRun::read_all(paths)?;
+    let (runs, skipped) = SiteRun::read_all(paths, skip_unreadable)?;
     let histories = History::of_engines(&runs)?;
     let functions = Functions::gather(statements, &histories, &runs)?;
     for folder in [site, &site.join("engines"), &site.join("runs")] {
@@ -139,6 +147,7 @@ pub fn write(paths: &[PathBuf], site: &Path, statements: &Statements) -> Result<
         engines: histories.len(),
         functions: functions.tables.len(),
         replaced: histories.iter().flat_map(History::replaced).collect(),
+        skipped,
     })
 }
 

@@ -13,6 +13,9 @@ pub struct SiteArguments {
     /// inside the program]
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
+    /// Leave out runs that cannot be read, with a note on stderr; at least one must be readable
+    #[arg(long)]
+    pub skip_unreadable: bool,
     /// The folder of the site; created where it is missing
     #[arg(short, long, value_name = "SITE")]
     pub output: PathBuf,

@@ -12,12 +12,17 @@ use stickler_types::counted;
 /// Builds the site, and tells where it is.
 ///
 /// # Errors
-/// A run that cannot be read or is not whole; a folder that cannot be written.
+/// A run that cannot be read or is not whole, unless such runs are to be skipped and another can be read; a folder that cannot be written.
 pub fn execute(arguments: &SiteArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let summary = site::write(&arguments.runs, &arguments.output, &of_all_cases(&folder))?;
-    for replaced in &summary.replaced {
-        output::note(replaced);
+    let summary = site::write(
+        &arguments.runs,
+        arguments.skip_unreadable,
+        &arguments.output,
+        &of_all_cases(&folder),
+    )?;
+    for note in summary.skipped.iter().chain(&summary.replaced) {
+        output::note(note);
     }
     writeln!(
         out,

@@ -69,12 +69,12 @@ fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut
         .filter(|column| table.dialects.contains(&column.dialect.as_str()))
         .collect();
     let is_shown = |call: &&FunctionCall<'_>| {
-        let is_disputed = call
+        let has_contradiction = call
             .stated
             .iter()
             .flatten()
             .any(|stated| stated.otherwise.is_some());
-        call.is_boundary || is_disputed || columns.iter().any(|column| column.departs(call))
+        call.is_boundary || has_contradiction || columns.iter().any(|column| column.departs(call))
     };
     let shown: Vec<&FunctionCall<'s>> = table.calls.iter().filter(is_shown).collect();
     let stated = (0..table.dialects.len()).map(|dialect| documents(table, dialect, &shown, notes));
@@ -326,7 +326,7 @@ pub(super) fn index(functions: &Functions<'_>) -> String {
         let disagreeing = tables
             .iter()
             .flat_map(|table| &table.calls)
-            .filter(|call| is_disputed(call))
+            .filter(|call| stated_differently(call))
             .count();
         let values: usize = tables.iter().map(|table| table.calls.len()).sum();
         format!(
@@ -349,7 +349,7 @@ pub(super) fn index(functions: &Functions<'_>) -> String {
 }
 
 /// Returns whether sources state different results of a call.
-fn is_disputed(call: &FunctionCall<'_>) -> bool {
+fn stated_differently(call: &FunctionCall<'_>) -> bool {
     let mut values = call.stated.iter().flatten().map(|stated| stated.value);
     let first = values.next();
     values.any(|value| Some(value) != first)

@@ -62,7 +62,7 @@ fn site(folder: &Path) -> impl Fn(&str) -> String {
     let other = run("other", "compiler", Verdict::Fail);
     fs::write(other.join("index.html"), "the run's page").expect("written");
     let site = folder.join("site");
-    let summary = write(&[own, other], &site, &statements()).expect("a site");
+    let summary = write(&[own, other], false, &site, &statements()).expect("a site");
     assert_eq!(summary.functions, 1);
     move |page| fs::read_to_string(site.join(page)).expect("a page")
 }

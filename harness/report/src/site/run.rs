@@ -4,6 +4,7 @@ use super::SiteError;
 use crate::EventSource;
 use crate::claims::{Standing, entry};
 use crate::events::Completeness;
+use crate::parts::describe_error;
 use crate::run_file::{RunFile, RunFileError};
 use jiff::Timestamp;
 use std::collections::BTreeMap;
@@ -27,14 +28,35 @@ pub(super) struct SiteRun {
 
 impl SiteRun {
     /// Reads the runs, and sorts them by date; runs of one date stay in the order in which they are named.
-    pub(super) fn read_all(paths: &[PathBuf]) -> Result<Vec<SiteRun>, SiteError> {
-        let runs: Result<Vec<SiteRun>, SiteError> = paths.iter().map(|path| SiteRun::read(path)).collect();
-        let mut runs = runs?;
+    ///
+    /// With `skip_unreadable`, runs that cannot be read are left out, as long as another can be read; each is described by a sentence.
+    pub(super) fn read_all(
+        paths: &[PathBuf],
+        skip_unreadable: bool,
+    ) -> Result<(Vec<SiteRun>, Vec<String>), SiteError> {
+        let mut runs = Vec::with_capacity(paths.len());
+        let mut errors = Vec::new();
+        for path in paths {
+            match SiteRun::read(path) {
+                Ok(run) => runs.push(run),
+                Err(error) if skip_unreadable => errors.push(error),
+                Err(error) => return Err(error),
+            }
+        }
+        let skipped = errors
+            .iter()
+            .map(|error| format!("this run is left out: {}", describe_error(error)));
+        let skipped = skipped.collect();
+        if runs.is_empty()
+            && let Some(first) = errors.into_iter().next()
+        {
+            return Err(first);
+        }
         runs.sort_by_key(|run| run.started);
         for (at, run) in runs.iter_mut().enumerate() {
             run.number = at + 1;
         }
-        Ok(runs)
+        Ok((runs, skipped))
     }
 
     fn read(path: &Path) -> Result<SiteRun, SiteError> {

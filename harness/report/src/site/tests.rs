@@ -12,7 +12,7 @@ use stickler_run::{CaseEvent, Event, Verdict};
 
 /// Builds the site of these runs, without documents about conversions.
 fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
-    super::write(paths, site, &Statements::default())
+    super::write(paths, false, site, &Statements::default())
 }
 
 /// Writes a run of an engine's version, started on a day of September.
@@ -58,6 +58,7 @@ fn a_site_shows_the_newest_run_and_what_changed_since_the_version_before() {
     assert_eq!(
         summary,
         SiteSummary {
+            skipped: Vec::new(),
             runs: 2,
             engines: 1,
             functions: 0,
@@ -308,6 +309,31 @@ fn equal_runs_give_an_equal_site() {
         let read = |site: &str| fs::read(folder.path().join(site).join(page)).expect("a page");
         assert_eq!(read("one"), read("other"));
     }
+}
+
+#[test]
+fn an_unreadable_run_is_skipped_on_demand_unless_there_is_no_other() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let whole = run(
+        folder.path(),
+        "whole",
+        1,
+        "1",
+        cases(Verdict::Pass, Verdict::Fail),
+    );
+    let cut = written(&folder.path().join("cut"), &sample::run()[..2]);
+    let missing = folder.path().join("missing");
+    let site = folder.path().join("site");
+    let skipping = |paths: &[PathBuf]| super::write(paths, true, &site, &Statements::default());
+    let summary = skipping(&[missing.clone(), whole, cut.clone()]).expect("a site");
+    assert_eq!(summary.runs, 1);
+    let [first, second] = &summary.skipped[..] else {
+        panic!("{:?}", summary.skipped);
+    };
+    assert!(first.contains("missing: cannot be read"), "{first}");
+    assert!(second.contains("the run was cut short"), "{second}");
+    let error = skipping(&[missing, cut]).expect_err("no run");
+    assert!(error.to_string().ends_with("missing"), "{error}");
 }
 
 #[test]
