@@ -42,8 +42,7 @@ pub(crate) fn promise(
     }?;
     let speaks = |basis: &&&str| {
         let source = sources.of(basis);
-        source
-            .is_some_and(|(source, _)| source.kind == SourceKind::Standard || source.speaks_for(case.dialect))
+        source.is_some_and(|(source, section)| source.speaks_for(section, case.dialect))
             && binds((basis, case.dialect), engine, sources, false)
     };
     promises.iter().find(speaks).copied()

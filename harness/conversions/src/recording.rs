@@ -16,7 +16,7 @@ use crate::session::{Refusal, RefusalKind};
 use std::collections::HashMap;
 use stickler_engines::{Ability, Grade, Identity};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value};
 
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
@@ -40,22 +40,6 @@ pub struct Recording {
 
 /// Whether the [`extreme`] value of one type is less than that of another, or why there is no answer.
 pub type ComparisonAnswer = Result<bool, RefusalKind>;
-
-/// The origin of a recording.
-#[derive(Clone, PartialEq, Eq, Debug, serde::Deserialize, serde::Serialize)]
-#[serde(deny_unknown_fields)]
-pub struct RecordingOrigin {
-    /// The name of the compiler.
-    pub product: String,
-    /// The version of the compiler.
-    pub version: String,
-    /// The commit of the compiler's sources, where it is known.
-    pub commit: Option<String>,
-    /// The operating system and the processor on which the compiler ran.
-    pub platform: String,
-    /// The day, as in `2026-11-24`.
-    pub date: String,
-}
 
 /// Calls by their operands, each with its result or the reason why there is none.
 type AnsweredCalls = Vec<(Vec<Value>, Result<Value, RefusalKind>)>;
@@ -100,27 +84,6 @@ impl RecordedSection {
             RecordedSection::Comparisons => "comparisons",
             RecordedSection::Functions => "functions",
         }
-    }
-}
-
-impl RecordingOrigin {
-    /// Returns what is wrong with the origin, and what to do, as a fragment; `None` where it says what a recording must say.
-    #[must_use]
-    pub fn mistake(&self) -> Option<String> {
-        let said = [
-            ("product", &self.product),
-            ("version", &self.version),
-            ("platform", &self.platform),
-            ("date", &self.date),
-        ];
-        if let Some((key, _)) = said.iter().find(|(_, text)| text.trim().is_empty()) {
-            return Some(format!(
-                "`{key}` is empty; say there what was recorded, for answers differ with it"
-            ));
-        }
-        let is_date =
-            Value::parse(&format!("DATE#{}", self.date)).is_ok() && self.date.len() == "2026-11-24".len();
-        (!is_date).then(|| format!("`{}` is no date such as 2026-11-24", self.date))
     }
 }
 

@@ -7,7 +7,7 @@ use stickler_types::DialectName;
 /// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
 ///
 /// The reference is bound by every source, and every engine by a standard. A rule of Stickler binds others only where
-/// `strict_rules` says so. Any other source binds the compilers that it names. An engine for which Stickler has no adapter is
+/// `strict_rules` says so. Any other source binds the compilers that it names, and a recording the compiler that was recorded. An engine for which Stickler has no adapter is
 /// bound by the sources that speak for the dialects it lists, since its author declared that it follows them; so is every engine
 /// by what `stickler.toml` states about a dialect of its own.
 #[must_use]
@@ -26,8 +26,8 @@ pub fn binds(
     match source.kind {
         SourceKind::Standard => true,
         SourceKind::Rule => strict_rules,
-        _ if Compiler::from_name(&engine.name).is_some() => source.engines.contains(&engine.name),
-        _ => source.section_speaks_for(section, dialect),
+        _ if Compiler::from_name(&engine.name).is_some() => source.speaks_of(section, &engine.name),
+        _ => source.speaks_for(section, dialect),
     }
 }
 

@@ -39,7 +39,7 @@ impl Sources {
     pub fn choose<'b>(&self, bases: &'b str, dialect: DialectName) -> Option<&'b str> {
         let speaks = |basis: &&str| {
             self.of(basis)
-                .is_some_and(|(source, section)| source.section_speaks_for(section, dialect))
+                .is_some_and(|(source, section)| source.speaks_for(section, dialect))
         };
         bases.split(OR).find(speaks)
     }

@@ -11,7 +11,7 @@ mod sections;
 
 use std::collections::BTreeMap;
 
-use stickler_types::DialectName;
+use stickler_types::{DialectName, RecordingOrigin};
 
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -55,16 +55,17 @@ pub struct Source {
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,
     /// Of recordings, what each says of its origin, or why no case can cite it; empty for every other source.
-    pub(crate) recorded: BTreeMap<String, Result<RecordedSection, String>>,
+    pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
     pub(crate) line: u32,
 }
 
-/// The origin of a recording.
+/// What a recording says of itself.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct RecordedSection {
+pub(crate) struct RecordedOrigin {
+    origin: RecordingOrigin,
     /// The product, its version and the date.
     read: String,
     /// The dialects in which the product was asked.
@@ -168,24 +169,32 @@ impl Sources {
 }
 
 impl Source {
-    /// Returns whether the source speaks for a dialect, or for the dialect that it extends, so that a case of the dialect may
-    /// cite it.
+    /// Returns whether a section of the source speaks for a dialect, or for the dialect that it extends, so that a case of the dialect may
+    /// cite it: a recording only for those in which its product was asked.
     #[must_use]
-    pub fn speaks_for(&self, dialect: DialectName) -> bool {
-        let names = |dialect| self.dialects.contains(&dialect);
+    pub fn speaks_for(&self, section: &str, dialect: DialectName) -> bool {
+        let dialects = self.dialects_of(section);
+        let names = |dialect| dialects.contains(&dialect);
         self.kind.speaks_for_all() || names(dialect) || names(dialect.base().name())
     }
 
-    /// Returns whether a section of the source speaks for a dialect, or for the dialect that it extends: a recording only for those in which
-    /// its product was asked.
+    /// Returns the dialects for which a section speaks: of a recording, those in which its product was asked, and of every other source its
+    /// [`dialects`](Source::dialects).
     #[must_use]
-    pub fn section_speaks_for(&self, section: &str, dialect: DialectName) -> bool {
+    pub fn dialects_of(&self, section: &str) -> &[DialectName] {
         match self.recorded.get(section) {
-            Some(Ok(recorded)) => {
-                recorded.dialects.contains(&dialect) || recorded.dialects.contains(&dialect.base().name())
-            }
-            Some(Err(_)) => false,
-            None => self.speaks_for(dialect),
+            Some(Ok(recorded)) => &recorded.dialects,
+            Some(Err(_)) => &[],
+            None => &self.dialects,
+        }
+    }
+
+    /// Returns whether a section of the source speaks for a built-in engine: a recording for the compiler that was recorded.
+    #[must_use]
+    pub fn speaks_of(&self, section: &str, engine: &str) -> bool {
+        match self.recorded.get(section) {
+            Some(Ok(recorded)) => recorded.origin.is_of(section, engine),
+            _ => self.engines.iter().any(|name| name == engine),
         }
     }
 
@@ -284,7 +293,11 @@ mod tests {
                 Some(key)
             );
         }
-        let speaks = |key: &str, dialect| sources.get(key).is_some_and(|source| source.speaks_for(dialect));
+        let speaks = |key: &str, dialect| {
+            sources
+                .get(key)
+                .is_some_and(|source| source.speaks_for("", dialect))
+        };
         assert!(speaks("page", DialectName::Matiec) && !speaks("page", DialectName::Plcnext));
         assert!(speaks("std", DialectName::Plcnext) && speaks("rule", DialectName::Plcnext));
         let page = sources.get("page").unwrap();

@@ -13,6 +13,7 @@
 //! | what dialects choose differently | [`ConversionChoices`], [`MatrixWord`] |
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
+//! | what answered when a compiler was recorded | [`RecordingOrigin`] |
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
 pub mod boundaries;
@@ -29,6 +30,7 @@ mod numbers;
 pub mod operators;
 pub mod outcome;
 mod random;
+mod recording_origin;
 pub mod request;
 pub mod value;
 mod word_table;
@@ -52,6 +54,7 @@ pub use numbers::{counted, grouped};
 pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 pub use outcome::{NamedValue, Outcome};
 pub use random::SplitMix64;
+pub use recording_origin::RecordingOrigin;
 pub use request::{ClockSetting, Observation, ObservationKey, RunRequest, Setting};
 pub use value::Value;
 pub use word_table::WordTable;

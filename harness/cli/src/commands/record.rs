@@ -11,9 +11,9 @@ use std::env::consts;
 use std::fs;
 use std::io::{ErrorKind, Write};
 use std::path::Path;
-use stickler_conversions::recording::{RecordedSection, Recording, RecordingOrigin};
+use stickler_conversions::recording::{RecordedSection, Recording};
 use stickler_engines::Identity;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, RecordingOrigin};
 
 /// Asks the engine, and writes the recording to the file or to `out`.
 ///

@@ -3,10 +3,10 @@
 use super::results::{ComparedResult, ExpectedResult};
 use super::statements::QuestionNumber;
 use crate::implicit::{MatrixAnswer, TypePair};
-use crate::recording::{Recording, RecordingOrigin};
+use crate::recording::Recording;
 use crate::session::{Refusal, RefusalKind};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, RecordingOrigin, Value};
 
 /// The answers of a recording in one dialect.
 #[derive(Clone, PartialEq, Debug)]
@@ -40,8 +40,7 @@ impl RecordedAnswers {
     /// Returns whether an engine with this name is the recorded compiler.
     #[must_use]
     pub fn is_of(&self, engine: &str) -> bool {
-        let names = [&self.name, &self.origin.product];
-        names.into_iter().any(|name| name.eq_ignore_ascii_case(engine))
+        self.origin.is_of(&self.name, engine)
     }
 }
 

@@ -1,14 +1,14 @@
 //! Asks an engine for the answers of a recording.
 
 use super::questions::{self, is_true, pairs, pairs_compared, parts, signatures};
-use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, RecordingOrigin, key};
+use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, key};
 use crate::implicit::{self, TypePair};
 use crate::overview;
 use crate::session::FunctionSession;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::Engine;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin};
 use stickler_workers::WorkerPool;
 
 /// The number of pairs that one program compares, where an engine accepts them together.

@@ -1,13 +1,13 @@
 //! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
 
 use super::questions::{self, Question, is_true};
-use super::{AnsweredCalls, FunctionAnswers, Recording, RecordingOrigin, key};
+use super::{AnsweredCalls, FunctionAnswers, Recording, key};
 use crate::implicit::MatrixAnswer;
 use crate::session::{RefusalKind, refusal_kind};
 use std::collections::HashMap;
 use stickler_engines::Outcome;
 use stickler_exact::{Signature, call_of_program, part_of_program};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value};
 
 /// Gathers the answers of a compiler in one dialect.
 pub struct RecordingBuilder {

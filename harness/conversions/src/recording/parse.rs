@@ -1,12 +1,12 @@
 //! Reads the file of a recording.
 
-use super::{ComparisonAnswer, FunctionAnswers, Recording, RecordingOrigin};
+use super::{ComparisonAnswer, FunctionAnswers, Recording};
 use crate::implicit::{MatrixAnswer, TypePair};
 use crate::session::RefusalKind;
 use serde::Deserialize;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
-use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue};
 use toml::Spanned;
 
 /// The mistake for which the file of a recording is refused: its file, its line, what is wrong, and what to do.

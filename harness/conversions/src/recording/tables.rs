@@ -6,7 +6,7 @@ use crate::program::ConversionProgram;
 use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use stickler_types::{DialectName, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 use toml::Value as Toml;
 
 /// A table of cases that was made of a section of a recording.
@@ -88,6 +88,9 @@ impl Recording {
                     (MatrixAnswer::Rejects, _) if part.starts_with('%') => Err(
                         "a part that is rejected: whether the form or the number is wrong was not recorded",
                     ),
+                    (MatrixAnswer::Rejects, _) if !self.has_bits(dialect, *ty) => Err(
+                        "a part of a type that has none: whether the type or the number is wrong was not recorded",
+                    ),
                     (answer, _) => accepted_or_not(answer),
                 };
                 Some((RecordedSection::Bits, expected))
@@ -118,6 +121,14 @@ impl Recording {
                 Some((RecordedSection::Functions, expected))
             }
         }
+    }
+
+    /// Returns whether a bit of the type was accepted in the dialect, so that a bit that was not has a number beyond the type.
+    fn has_bits(&self, dialect: DialectName, ty: ElementaryType) -> bool {
+        matches!(
+            self.part(dialect, ty, "0"),
+            Some(MatrixAnswer::Accepts | MatrixAnswer::Warns)
+        )
     }
 
     fn table(&self, section: RecordedSection, owner: &str, rows: &[TableRow]) -> String {
@@ -206,7 +217,7 @@ mod tests {
     const MINE: &str = "[recording]\nproduct = \"MyPLC\"\nversion = \"2.1\"\nplatform = \"p\"\ndate = \"2026-11-24\"\n\
         [[answers]]\ndialects = [\"codesys\"]\n\
         [answers.implicit]\nINT = { accepts = \"INT DINT\", warns = \"UINT\", rejects = \"SINT CHAR\", fails = \"LINT\" }\n\
-        [answers.bits]\nBYTE = { accepts = \"7 %X7\", rejects = \"8 %X8\" }\n\
+        [answers.bits]\nBYTE = { accepts = \"0 7 %X7\", rejects = \"8 %X8\" }\nREAL = { rejects = \"0\" }\n\
         [answers.comparisons]\nINT = { true = \"UINT\", false = \"SINT\", rejected = \"BOOL\" }\n\
         [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"3\"], [\"NaN\", \"0\"], [\"0.0\", \"crashed\"]]\n\
         \"LINT_TO_TIME(LINT) : TIME\" = [[\"-9223372036854775808\", \"TIME#-9223372036854775808000000000ns\"]]\n\
@@ -225,7 +236,7 @@ mod tests {
             rows,
             [
                 (RecordedSection::Implicit, 5),
-                (RecordedSection::Bits, 3),
+                (RecordedSection::Bits, 4),
                 (RecordedSection::Comparisons, 3),
                 (RecordedSection::Functions, 2)
             ]
@@ -255,7 +266,7 @@ mod tests {
         let refused: Vec<&str> = made.left_out.keys().map(|reason| &reason[..6]).collect();
         assert_eq!(
             refused,
-            ["a call", "a part", "a resu", "no ans"],
+            ["a call", "a part", "a part", "a resu", "no ans"],
             "{:?}",
             made.left_out
         );

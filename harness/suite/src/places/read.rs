@@ -12,7 +12,7 @@ use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::place::Lines;
 use crate::toml_text::{self, Strings};
-use crate::{Dialects, Sources, files, ident};
+use crate::{Dialects, Source, Sources, files, ident};
 
 /// The file of the places, below the root of a suite.
 const PLACES: &str = "places.toml";
@@ -351,12 +351,13 @@ impl PlacesReader<'_> {
         let mut speaking = Vec::new();
         for basis in &key.promised.0 {
             match sources.check(basis.get_ref()) {
-                Ok((source, _)) => speaking.push(source),
+                Ok(speaker) => speaking.push(speaker),
                 Err(message) => self.wrong(basis.span().start, path, message),
             }
         }
         let has = |dialect: &DialectName| {
-            !absent.contains(dialect) && speaking.iter().any(|source| source.speaks_for(*dialect))
+            let speaks = |(source, section): &(&Source, &str)| source.speaks_for(section, *dialect);
+            !absent.contains(dialect) && speaking.iter().any(speaks)
         };
         all.filter(has).collect()
     }

@@ -3,24 +3,17 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, RecordingOrigin};
 
-use super::{RECORDING, RecordedSection, Sections, Source, SourceKind};
+use super::{RECORDING, RecordedOrigin, Sections, Source, SourceKind};
 use crate::files::{self, RECORDINGS};
 
 /// The part of the file of a recording that says what answered; the answers are none of the suite's business.
 #[derive(Deserialize)]
 struct RecordingHead {
-    recording: Origin,
+    recording: RecordingOrigin,
     #[serde(default)]
     answers: Vec<Answers>,
-}
-
-#[derive(Deserialize)]
-struct Origin {
-    product: String,
-    version: String,
-    date: String,
 }
 
 #[derive(Deserialize)]
@@ -37,7 +30,7 @@ pub(super) fn read(root: &files::Root) -> Source {
             .and_then(|text| section(&text));
         (name, section)
     };
-    let recorded: BTreeMap<String, Result<RecordedSection, String>> =
+    let recorded: BTreeMap<String, Result<RecordedOrigin, String>> =
         names(root).into_iter().map(read).collect();
     let usable = recorded
         .iter()
@@ -85,25 +78,19 @@ fn names(root: &files::Root) -> Vec<String> {
 /// Returns what the text of a recording says about its origin.
 ///
 /// # Errors
-/// A message where it does not say its product, version and date: nobody could tell for whom it speaks.
-fn section(text: &str) -> Result<RecordedSection, String> {
+/// A message where it does not say its product, version, platform and date: nobody could tell for whom it speaks.
+fn section(text: &str) -> Result<RecordedOrigin, String> {
     let RecordingHead { recording, answers } = toml::from_str(&head(text)).map_err(|error| {
         let message = error.message().trim_end().replace('\n', "; ");
         format!("{message}; it says in [recording] its product, version, platform and date")
     })?;
-    let Origin {
-        product,
-        version,
-        date,
-    } = recording;
-    for (key, text) in [("product", &product), ("version", &version), ("date", &date)] {
-        if text.trim().is_empty() {
-            return Err(format!("its `{key}` is empty"));
-        }
+    if let Some(mistake) = recording.mistake() {
+        return Err(mistake);
     }
     let names = answers.iter().flat_map(|answers| &answers.dialects);
-    Ok(RecordedSection {
-        read: format!("{product} {version}, {date}"),
+    Ok(RecordedOrigin {
+        read: format!("{} {}, {}", recording.product, recording.version, recording.date),
+        origin: recording,
         dialects: names.filter_map(|name| name.parse().ok()).collect(),
     })
 }
@@ -173,7 +160,7 @@ mod tests {
         for (from, to, said) in [
             ("product", "# product", "missing field `product`"),
             ("version", "# version", "missing field `version`"),
-            ("'2.1'", "' '", "its `version` is empty"),
+            ("'2.1'", "' '", "`version` is empty"),
         ] {
             let sources = sources(&MINE.replacen(from, to, 1));
             let message = sources.check("recording: mine").unwrap_err();

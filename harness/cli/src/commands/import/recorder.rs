@@ -5,10 +5,10 @@ use crate::commands::record;
 use anyhow::bail;
 use std::io::Write;
 use std::path::PathBuf;
-use stickler_conversions::recording::{Recording, RecordingBuilder, RecordingOrigin};
+use stickler_conversions::recording::{Recording, RecordingBuilder};
 use stickler_engines::Outcome;
 use stickler_suite::Case;
-use stickler_types::{DialectName, counted};
+use stickler_types::{DialectName, RecordingOrigin, counted};
 
 /// Gathers the answers for the file that `--record` names.
 pub struct Recorder {
@@ -30,7 +30,7 @@ impl Recorder {
             return Ok(None);
         };
         let text = |given: &Option<String>| given.as_deref().unwrap_or_default().trim().to_owned();
-        let origin = RecordingOrigin {
+        let mut origin = RecordingOrigin {
             product: text(&arguments.product),
             version: text(&arguments.product_version),
             commit: None,
@@ -40,11 +40,14 @@ impl Recorder {
         if let Some(mistake) = origin.mistake() {
             bail!("nothing can be recorded: {mistake}");
         }
+        let older = record::older(&path, &origin)?;
+        // The copied texts are of the same version, and do not tell its commit.
+        origin.commit = older.as_ref().and_then(|older| older.origin.commit.clone());
         let name = path
             .file_stem()
             .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         Ok(Some(Recorder {
-            older: record::older(&path, &origin)?,
+            older,
             title: format!("{} {}", origin.product, origin.version),
             builder: RecordingBuilder::new(&name, origin, dialect),
             path,

@@ -69,7 +69,11 @@ fn lines<'a>(source: &'a Source, sections: &Cited<'_>) -> Vec<SourceLine<'a>> {
         address: source.address_of(section),
         read: source.read_of(section),
         engines: &source.engines,
-        dialects: source.dialects.iter().map(|dialect| dialect.as_str()).collect(),
+        dialects: source
+            .dialects_of(section)
+            .iter()
+            .map(|dialect| dialect.as_str())
+            .collect(),
         count,
     };
     if source.is_built_in() {
