@@ -37,13 +37,11 @@ const fn writing_advice(reason: io::ErrorKind) -> &'static str {
     use io::ErrorKind as Kind;
     match reason {
         Kind::PermissionDenied | Kind::ReadOnlyFilesystem => {
-            "; make the folder writable, or name another one for the reports"
+            "; make the folder writable, or name another one"
         }
-        Kind::StorageFull | Kind::QuotaExceeded | Kind::FileTooLarge => {
-            "; make room, or name another folder for the reports"
-        }
+        Kind::StorageFull | Kind::QuotaExceeded | Kind::FileTooLarge => "; make room, or name another folder",
         Kind::NotADirectory | Kind::AlreadyExists | Kind::IsADirectory => {
-            "; name another folder for the reports, or remove what stands there"
+            "; name another folder, or remove what stands there"
         }
         _ => "",
     }

@@ -24,6 +24,11 @@ pub fn execute(arguments: &PromoteArguments, out: &mut dyn Write) -> anyhow::Res
     if recording::is_recording(&arguments.finding) {
         return recording::execute(arguments, &folder, out);
     }
+    if arguments.dialect.is_some() {
+        anyhow::bail!(
+            "--dialect is for a recording; the case of a finding belongs to the dialects of the finding"
+        );
+    }
     let finding = load(&finding_place(&arguments.finding, None))?;
     let words = CaseHead {
         name: arguments.name.as_deref(),

@@ -17,7 +17,7 @@ fn a_file_that_must_not_grow_is_told_and_does_not_end_the_process_by_a_signal() 
     let reported = text(&run.stderr);
     assert!(
         reported.contains("cannot write reports/latest/")
-            && reported.contains("; make room, or name another folder for the reports: File too large"),
+            && reported.contains("; make room, or name another folder: File too large"),
         "{reported}"
     );
     assert!(
@@ -62,7 +62,7 @@ fn a_folder_in_which_nobody_may_write_is_told_before_anything_runs() {
     let reported = text(&run.stderr);
     assert!(
         reported.contains(
-            "cannot write /sys/kernel/events.jsonl; make the folder writable, or name another one for the reports: "
+            "cannot write /sys/kernel/events.jsonl; make the folder writable, or name another one: "
         ),
         "{reported}"
     );

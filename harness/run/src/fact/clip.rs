@@ -31,6 +31,10 @@ fn clip(facts: Vec<Fact>, lines: usize, bytes: usize) -> Vec<Fact> {
     let mut kept = Vec::with_capacity(facts.len().min(lines));
     let mut left_out = 0;
     for mut fact in facts {
+        if let Fact::LeftOut { lines } = fact {
+            left_out += lines;
+            continue;
+        }
         if let Fact::Rendered { lines: texts } = &mut fact {
             let whole = texts.len();
             texts.truncate(lines_left);
@@ -118,6 +122,20 @@ mod tests {
         assert!(text.len() < 2 * MAX_TEXTS_LEN, "{}", text.len());
         let kept = clipped.len() - 1;
         assert_eq!(clipped.last(), Some(&Fact::LeftOut { lines: 60 - kept }));
+    }
+
+    #[test]
+    fn what_was_left_out_before_is_counted_with_what_is_left_out_now() {
+        let clipped = clip_answer(vec![
+            error("E1", "x"),
+            error("E2", "y"),
+            Fact::LeftOut { lines: 5 },
+        ]);
+        assert_eq!(clipped[2], Fact::LeftOut { lines: 5 });
+        assert_eq!(
+            clip_facts(&clipped, 1),
+            [error("E1", "x"), Fact::LeftOut { lines: 6 }]
+        );
     }
 
     #[test]

@@ -29,6 +29,11 @@ pub(super) fn execute(
 ) -> anyhow::Result<Exit> {
     let path = &arguments.finding;
     let shown = path.display();
+    if arguments.basis.is_some() || arguments.title.is_some() {
+        bail!(
+            "--basis and --title are for a finding; the cases of a recording have the recording as their basis, and a title for each table"
+        );
+    }
     let text = fs::read_to_string(path).with_context(|| format!("cannot read {shown}"))?;
     let recording = Recording::parse(&shown.to_string(), &text)?;
     let own = folder
@@ -60,11 +65,16 @@ pub(super) fn execute(
     if places.is_empty() {
         bail!("no answer of {shown} in {owner} says what a case could expect");
     }
+    for (at, (path, table)) in places.iter().zip(&made.tables).enumerate() {
+        if let Err(error) = write(path, &table.text) {
+            // A part of the tables would be in the way of the next try.
+            for written in &places[..at] {
+                let _ = fs::remove_file(written);
+            }
+            return Err(error).with_context(|| format!("cannot write {}", path.display()));
+        }
+    }
     for (path, table) in places.iter().zip(&made.tables) {
-        let parent = path.parent().unwrap_or(&folder.path);
-        fs::create_dir_all(parent)
-            .and_then(|()| fs::write(path, &table.text))
-            .with_context(|| format!("cannot write {}", path.display()))?;
         writeln!(out, "{}  {} cases", path.display(), table.rows)?;
     }
     note_left_out(&made);
@@ -75,6 +85,13 @@ pub(super) fn execute(
         shell::program()
     )?;
     Ok(Exit::AsExpected)
+}
+
+fn write(path: &Path, text: &str) -> std::io::Result<()> {
+    if let Some(parent) = path.parent() {
+        fs::create_dir_all(parent)?;
+    }
+    fs::write(path, text)
 }
 
 /// Returns the dialect to which the cases belong: the one that is named, or the only one of the recording.
