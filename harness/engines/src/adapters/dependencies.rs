@@ -222,14 +222,17 @@ fn existing(
     is: fn(&Path) -> bool,
 ) -> Result<PathBuf, String> {
     // The programs run in folders of their own, where a relative path would lead elsewhere.
-    match path.canonicalize() {
-        Ok(path) if is(&path) => Ok(path),
-        _ => Err(format!(
-            "{by} names `{}` for {}, which is not there",
-            path.display(),
-            dependency.name
-        )),
-    }
+    let what = match path.canonicalize() {
+        Ok(path) if is(&path) => return Ok(path),
+        Ok(path) if path.is_dir() => "is a folder; name the file",
+        Ok(_) => "is a file; name the folder",
+        Err(_) => "is not there",
+    };
+    Err(format!(
+        "{by} names `{}` for {}, which {what}",
+        path.display(),
+        dependency.name
+    ))
 }
 
 /// Tells whether the system would start the file as a program.
@@ -318,6 +321,22 @@ mod tests {
             error,
             "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there"
         );
+    }
+
+    #[test]
+    fn a_folder_in_place_of_a_file_and_a_file_in_place_of_a_folder_are_told_as_such() {
+        let folder = Folder::new().unwrap();
+        let file = folder.write("compiler", "").unwrap();
+        let search = |path: &Path| {
+            let named = path.to_owned();
+            let paths = DependencyPaths::default().named("compiler", named, "stickler.toml:4".to_owned());
+            let mut search = DependencySearch::new("mine", &paths);
+            (search.script(DEPENDENCY), search.folder(DEPENDENCY, &[]))
+        };
+        let error = search(folder.path()).0.unwrap_err();
+        assert!(error.ends_with(", which is a folder; name the file"), "{error}");
+        let error = search(&file).1.unwrap_err();
+        assert!(error.ends_with(", which is a file; name the folder"), "{error}");
     }
 
     #[cfg(unix)]

@@ -68,8 +68,10 @@ fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproductio
     let (archive, shared) = (library::STATIC, library::SHARED);
     let compiler = Language::C.compiler().shell_variable();
     // As RuSTy's own packages are made: the functions that are written in Structured Text are in the static library only.
-    let share =
-        format!("\"${compiler}\" -shared -o {shared} {before} \"${library}/{archive}\" {behind} {needed}");
+    let share = format!(
+        "if [ -f \"${library}/{archive}\" ]; then \"${compiler}\" -shared -o {shared} {before} \"${library}/{archive}\" {behind} {needed}; \
+         else cp \"${library}/{shared}\" .; fi"
+    );
     let libraries = format!("-L . -Wl,-rpath,. -liec61131std {needed} -no-pie");
     Ok(
         compilation(renamed(request.source), &[PROGRAM, FUNCTIONS], &options)
