@@ -123,10 +123,11 @@ mod tests {
         suite
     });
 
+    static PREPARED: LazyLock<Vec<u8>> = LazyLock::new(|| prepare(&SUITE.cases));
+
     #[test]
     fn every_case_is_prepared_once_and_each_probe_comes_early() {
-        let bytes = prepare(&SUITE.cases);
-        let prepared = prepared::read(&bytes).unwrap();
+        let prepared = prepared::read(&PREPARED).unwrap();
         let keys: BTreeSet<&str> = prepared.iter().map(|case| case.key).collect();
         assert_eq!(keys.len(), SUITE.cases.len());
         let probes = prepared
@@ -139,8 +140,7 @@ mod tests {
 
     #[test]
     fn the_judge_finds_the_reference_right_and_a_case_with_another_expectation_wrong() {
-        let bytes = prepare(&SUITE.cases);
-        let prepared = prepared::read(&bytes).unwrap();
+        let prepared = prepared::read(&PREPARED).unwrap();
         for case in prepared.iter().take(3000) {
             assert_eq!(complaint(case), None, "{}", case.key);
             let mut other = case.clone();

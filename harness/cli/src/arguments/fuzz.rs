@@ -79,7 +79,7 @@ pub struct PromoteArguments {
     pub finding: PathBuf,
     /// Of a recording: the dialect that gets the cases, the recorded one or one that extends it [default: the recorded one, where there
     /// is one alone]
-    #[arg(long, value_name = "DIALECT", value_parser = dialects(), conflicts_with_all = ["basis", "title"])]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Option<DialectName>,
     /// The document and section that say what must happen, `source: section` [default: as the finding proposes]
     #[arg(long, value_name = "BASIS")]
@@ -101,6 +101,10 @@ pub struct MergeArguments {
     /// The folders of the parts: the reports of the parts of a run, or the findings of the parts of a campaign
     #[arg(value_name = "DIR", required = true)]
     pub folders: Vec<PathBuf>,
+    /// Of a run: read the cases, of whose conversions the page tells, from DIR [default: conformance-cases here or above, or those inside
+    /// the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
     /// Where to put them together: the reports of the whole run, or all findings
     #[arg(short, long, value_name = "DIR")]
     pub output: PathBuf,

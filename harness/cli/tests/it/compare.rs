@@ -190,7 +190,10 @@ fn the_parts_of_a_run_are_put_together_to_all_reports_of_the_whole() {
     run(folder.path(), "whole", &[]);
     run(folder.path(), "one", &["--shard", "1/2"]);
     run(folder.path(), "two", &["--shard", "2/2"]);
-    let merged = output(folder.path(), &["merge", "two", "one", "-o", "merged"]);
+    let merged = output(
+        folder.path(),
+        &["merge", "--cases", SUITE, "two", "one", "-o", "merged"],
+    );
     assert_eq!(merged.status.code(), Some(1), "{}", text(&merged.stderr));
     assert!(
         text(&merged.stdout).contains("1 of 16 cases not as expected (1 fail)"),
@@ -232,7 +235,7 @@ fn parts_that_are_not_all_of_them_are_never_called_the_whole() {
             "note: part 1/2 is there more than once: one and one",
         ),
     ] {
-        let arguments = [&["merge", "-o", "merged"], parts].concat();
+        let arguments = [&["merge", "--cases", SUITE, "-o", "merged"], parts].concat();
         let merged = output(folder.path(), &arguments);
         let (page, said) = (text(&merged.stdout), text(&merged.stderr));
         assert_eq!(merged.status.code(), Some(2), "{page}{said}");

@@ -246,7 +246,7 @@ fn the_example_adapter_runs_cases_as_the_reference_does() {
         "--engine",
         &engine,
         "--filter",
-        "*assignment(SINT,*@matiec",
+        "widening/*assignment(SINT,*@matiec",
     ]);
     assert_eq!(
         output.status.code(),

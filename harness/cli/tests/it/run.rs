@@ -82,7 +82,7 @@ fn the_tables_fit_the_columns_and_a_pipe_gets_no_control_character() {
     let folder = tempfile::tempdir().expect("a folder");
     let whole = concat!(env!("CARGO_MANIFEST_DIR"), "/../../conformance-cases");
     for width in [60, 100, 200] {
-        let arguments = ["run", "--cases", whole, "--filter", "language/", "--no-report"];
+        let arguments = ["run", "--cases", whole, "--filter", "language/*", "--no-report"];
         let mut command = stickler(folder.path(), &arguments);
         let run = command.env("COLUMNS", width.to_string()).env_remove("NO_COLOR");
         let run = run.output().expect("the command runs");
@@ -214,7 +214,7 @@ fn a_report_folder_that_cannot_be_written_is_an_error_before_the_run() {
     );
     assert_eq!(run.status.code(), Some(2));
     assert!(
-        text(&run.stderr).contains("cannot write blocked/latest; name another folder for the reports"),
+        text(&run.stderr).contains("cannot write blocked/latest; name another folder"),
         "{}",
         text(&run.stderr)
     );

@@ -18,13 +18,17 @@ use stickler_report::{Overview, ReportError, Reports};
 /// only the event log is written, without a footer, and the exit code is 2.
 ///
 /// # Errors
-/// A folder that cannot be written, or that holds one of the parts.
+/// A folder that cannot be written, or that holds one of the parts; a folder of cases that is not there.
 pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     refuse_to_overwrite(arguments)?;
     let parts = arguments.folders.iter().map(|folder| part(folder)).collect();
-    // Without cases the page has no conversions.
-    let folder = CaseFolder::locate(None);
-    let stated = folder.map(|folder| of_all_cases(&folder)).unwrap_or_default();
+    let stated = match &arguments.cases {
+        Some(named) => of_all_cases(&CaseFolder::locate(Some(named))?),
+        // Without cases the page has no conversions.
+        None => CaseFolder::locate(None)
+            .map(|folder| of_all_cases(&folder))
+            .unwrap_or_default(),
+    };
     let mut reports = Reports::create(&arguments.output, stated)?;
     let mut overview = Overview::default();
     let mut broken: Option<ReportError> = None;
