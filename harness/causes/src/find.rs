@@ -45,10 +45,10 @@ pub struct SearchLimits {
 }
 
 impl Default for SearchLimits {
-    /// Returns limits of 20 000 questions to each engine, 200 for a group, and ten minutes.
+    /// Returns limits of 100 000 questions to each engine, 200 for a group, and ten minutes.
     fn default() -> SearchLimits {
         SearchLimits {
-            questions: 20_000,
+            questions: 100_000,
             questions_a_group: 200,
             time: Duration::from_secs(600),
         }

@@ -27,6 +27,9 @@ pub(crate) const NAME: &str = "discrepancies";
 /// The name of the folder of the pages about what contradicts no source that binds the engine.
 const DIFFERS: &str = "differs";
 
+/// The name of the folder of the pages whose programs were not made as small as possible, so that most show a cause that has a page.
+const UNREDUCED: &str = "unreduced";
+
 /// The maximum number of causes or clusters of one engine; cases that belong to no kept one are counted.
 const MAX_CLUSTERS: usize = 300;
 
@@ -160,26 +163,29 @@ impl Discrepancies {
 }
 
 impl EngineClusters {
-    /// Writes a page for each cause, and the lists of them: causes that contradict no source that binds the engine have a folder
-    /// of their own.
+    /// Writes a page for each cause, and the lists of them: causes that contradict no source that binds the engine, and those whose
+    /// programs are not as small as possible, have folders of their own.
     fn write_causes(&self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
         let about = engine(overview, name);
         let explained: u64 = self.causes.iter().map(Cause::number).sum();
         let unexplained = self.failing.saturating_sub(explained);
         let (differ, fail): (Vec<&Cause>, Vec<&Cause>) =
             self.causes.iter().partition(|cause| cause.differs());
-        let mut index = cause_page::index(name, about, &fail, unexplained);
+        let (partly, fail): (Vec<&Cause>, Vec<&Cause>) =
+            fail.into_iter().partition(|cause| cause.is_partly_reduced());
+        let mut index = cause_page::index(name, about, fail.len(), unexplained);
         index.push_str(&cause_page::list(&fail));
-        if !differ.is_empty() {
-            index.push_str(&cause_page::to_differences(DIFFERS, differ.len()));
-            let folder = folder.join(DIFFERS);
+        let apart = [
+            (UNREDUCED, partly, cause_page::UNREDUCED),
+            (DIFFERS, differ, cause_page::DIFFERS),
+        ];
+        for (kind, causes, words) in apart.into_iter().filter(|(_, causes, _)| !causes.is_empty()) {
+            index.push_str(&words.link(kind, &causes));
+            let folder = folder.join(kind);
             fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
-            let list = cause_page::list(&differ);
-            write(
-                folder.join("README.md"),
-                &format!("{}{list}", cause_page::differences(name, about)),
-            )?;
-            write_pages(&folder, name, overview, &differ)?;
+            let text = words.head(name, about) + &cause_page::list(&causes);
+            write(folder.join("README.md"), &text)?;
+            write_pages(&folder, name, overview, &causes)?;
         }
         write_pages(folder, name, overview, &fail)?;
         write(folder.join("README.md"), &index)
@@ -243,8 +249,8 @@ pub(crate) fn file_name(name: &str) -> String {
 /// Removes the pages of all engines, and the folders that are empty then. Other files in the folders stay.
 fn remove_pages(folder: &Path) -> Result<(), ReportError> {
     for engine in entries(folder) {
-        let differs = engine.join(DIFFERS);
-        for page in entries(&engine).into_iter().chain(entries(&differs)) {
+        let folders = [engine.join(DIFFERS), engine.join(UNREDUCED), engine];
+        for page in folders.iter().flat_map(|folder| entries(folder)) {
             let name = page
                 .file_name()
                 .unwrap_or_default()
@@ -256,8 +262,9 @@ fn remove_pages(folder: &Path) -> Result<(), ReportError> {
             }
         }
         // A folder in which something is left is no error.
-        let _ = fs::remove_dir(&differs);
-        let _ = fs::remove_dir(&engine);
+        for folder in folders {
+            let _ = fs::remove_dir(folder);
+        }
     }
     let _ = fs::remove_dir(folder);
     Ok(())

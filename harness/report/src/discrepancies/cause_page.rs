@@ -19,28 +19,67 @@ const MAX_LISTED: usize = 40;
 /// The maximum number of lines that are shown of what the commands print.
 const MAX_PRINTED: usize = 40;
 
+/// The words about causes whose pages stand in a folder of their own.
+pub(super) struct ApartWords {
+    /// The end of the heading behind `What COMPILER does otherwise than`.
+    heading: &'static str,
+    /// The paragraph below the heading.
+    about: &'static str,
+    /// The sentence that leads to the folder, behind the number of its pages.
+    link: &'static str,
+}
+
+/// The words about causes that contradict no source that binds the engine.
+pub(super) const DIFFERS: ApartWords = ApartWords {
+    heading: "sources that do not speak for it",
+    about: "These are no failures: the sources are Stickler's own rules, or are about other systems.",
+    link: "differences from sources that do not speak for this compiler.",
+};
+
+/// The words about causes whose programs were not made as small as possible.
+pub(super) const UNREDUCED: ApartWords = ApartWords {
+    heading: "documents say, not made small",
+    about: "The search for causes ended before the programs of these pages were as small as possible. Most of them show a cause that \
+            has a page of its own already, or several of them one cause; `--cause-time` gives the search more time.",
+    link: "the search ended before their programs were as small as possible, so that most of them show a cause of the list above.",
+};
+
+impl ApartWords {
+    /// Returns the beginning of the list in the folder.
+    pub(super) fn head(&self, name: &str, about: Option<&EngineHeader>) -> String {
+        format!(
+            "# What {} does otherwise than {}\n\n{}\n\n",
+            called(name, about),
+            self.heading,
+            self.about
+        )
+    }
+
+    /// Returns the sentence that leads from the list of an engine's causes to the list in the folder.
+    pub(super) fn link(&self, folder: &str, causes: &[&Cause]) -> String {
+        let pages = counted(causes.len() as u64, "more page is", "more pages are");
+        let cases: u64 = causes.iter().map(|cause| cause.number()).sum();
+        let cases = counted(cases, "case", "cases");
+        format!(
+            "\n{pages} in [`{folder}`]({folder}/README.md), for {cases}: {}\n",
+            self.link
+        )
+    }
+}
+
 /// Returns the beginning of the list of an engine's causes. `unexplained` is the number of failing cases that belong to none.
-pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: &[&Cause], unexplained: u64) -> String {
+pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: usize, unexplained: u64) -> String {
     let mut text = format!(
         "# What {} does otherwise than documents say\n\n",
         called(name, about)
     );
-    let pages = counted(causes.len() as u64, "page", "pages");
+    let pages = counted(causes as u64, "page", "pages");
     // Writing to a String cannot fail.
     let _ = write!(
         text,
         "{pages}, one for each cause: what one mend would probably put right. The smallest program of each was found by asking \
          the compiler. A page is ready to be sent to those who write the compiler, once somebody has read it.\n\n"
     );
-    let unreduced = causes.iter().filter(|cause| cause.is_partly_reduced()).count() as u64;
-    if unreduced > 0 {
-        let programs = counted(unreduced, "program was", "programs were");
-        let _ = write!(
-            text,
-            "{programs} not made as small as possible before the search for causes ended; several of these pages may have one \
-             cause.\n\n"
-        );
-    }
     if unexplained > 0 {
         let cases = counted(unexplained, "case", "cases");
         let _ = write!(
@@ -51,25 +90,11 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: &[&Cause],
     text
 }
 
-/// Returns the beginning of the list of causes that contradict no source that binds the engine.
-pub(super) fn differences(name: &str, about: Option<&EngineHeader>) -> String {
-    format!(
-        "# What {} does otherwise than sources that do not speak for it\n\nThese are no failures: the sources are Stickler's own \
-         rules, or are about other systems.\n\n",
-        called(name, about)
-    )
-}
-
-/// Returns the sentence that leads to the list of differences.
-pub(super) fn to_differences(folder: &str, number: usize) -> String {
-    let causes = counted(number as u64, "more page is", "more pages are");
-    format!(
-        "\n{causes} in [`{folder}`]({folder}/README.md): differences from sources that do not speak for this compiler.\n\n"
-    )
-}
-
 /// Returns the table of pages.
 pub(super) fn list(causes: &[&Cause]) -> String {
+    if causes.is_empty() {
+        return String::new();
+    }
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for (cause, number) in causes.iter().zip(1..) {
         let (cases, title) = (cause.number(), titled(cause));

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use stickler_engines::{Reproduction, ReproductionFile};
 use stickler_run::{
-    CaseEvent, Event, ExplainedCases, Fact, Grade, RepeatedOutcome, Repeats, Reproducer, Verdict,
+    CaseEvent, Event, ExplainedCases, Fact, Grade, Reduced, RepeatedOutcome, Repeats, Reproducer, Verdict,
 };
 
 fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
@@ -279,21 +279,34 @@ Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickl
 }
 
 #[test]
-fn causes_that_contradict_nothing_that_binds_the_engine_have_a_folder_of_their_own() {
+fn causes_that_contradict_nothing_that_binds_the_engine_or_are_not_small_have_folders_of_their_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
     let mut run = sample::run_of(vec![case.clone(), case]);
     let footer = run.pop().expect("a footer");
     let causes = [("fails", Verdict::Fail), ("differs", Verdict::Differs)];
     run.extend(causes.map(|(title, verdict)| Event::Cause(sample::cause(title, 1, verdict))));
-    run.push(footer);
+    let mut unreduced = sample::cause("large", 3, Verdict::Fail);
+    unreduced.reduction = Reduced::Partly;
+    run.extend([Event::Cause(unreduced), footer]);
     write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
-    assert_eq!(names(&engine), ["01-fails.md", "README.md", "differs"]);
+    assert_eq!(
+        names(&engine),
+        ["01-fails.md", "README.md", "differs", "unreduced"]
+    );
+    assert_eq!(names(&engine.join("unreduced")), ["01-large.md", "README.md"]);
     assert_eq!(names(&engine.join("differs")), ["01-differs.md", "README.md"]);
     let index = fs::read_to_string(engine.join("README.md")).expect("the list");
     assert!(
-        index.contains("\n1 more page is in [`differs`](differs/README.md)"),
+        index.contains("\n1 more page is in [`differs`](differs/README.md), for 1 case: differences"),
+        "{index}"
+    );
+    assert!(
+        index.contains("1 page, one for each cause")
+            && index.contains(
+                "\n1 more page is in [`unreduced`](unreduced/README.md), for 3 cases: the search ended"
+            ),
         "{index}"
     );
     write(folder.path(), &sample::run_of(Vec::new()));
