@@ -9,9 +9,10 @@
 //! | `draft` | a text with the changes that can be made to it |
 //! | `tree` | what the passes ask of the syntax tree |
 //! | `words` | comments and words, found without a parser |
-//! | `statements`, `expressions`, `values`, `declarations`, `chunks` | the passes |
+//! | `statements`, `expressions`, `values`, `declarations`, `arrays`, `chunks` | the passes |
 //! | `method` | their order |
 
+mod arrays;
 mod chunks;
 mod declarations;
 mod draft;

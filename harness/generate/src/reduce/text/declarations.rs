@@ -7,8 +7,8 @@ use crate::reduce::Sites;
 use std::ops::Range;
 use stickler_reference::source::Span;
 use stickler_reference::syntax::tree::{
-    Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, SourceUnit, TypeSpecification,
-    TypeSpecificationKind, VariableBlock, VariableGroup,
+    Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, PouKind, SourceUnit,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
 };
 
 /// Drops program organization units, configurations and sections of global variables.
@@ -25,6 +25,37 @@ pub(super) fn drop_units(draft: &mut TextDraft, sites: &mut Sites) {
                 Declaration::Types(_) => None,
             });
         let changes = places.map(|place| TextChange::drop(bytes(place)));
+        draft.only_allowed(changes.collect())
+    });
+}
+
+/// Makes a function block the program that runs, with plain variables.
+pub(super) fn block_to_program(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("block to program", sites, |draft| {
+        let unit = draft.tree();
+        let Some(program) = pous(&unit).find(|pou| pou.kind == PouKind::Program) else {
+            return Vec::new();
+        };
+        let is_block = |pou: &&Pou<'_>| pou.kind == PouKind::FunctionBlock;
+        let changes = pous(&unit).filter(is_block).map(|block| {
+            let head = block.span.start as usize..block.name.span.end as usize;
+            let mut edits = vec![
+                TextEdit::new(bytes(program.span), ""),
+                TextEdit::new(head, format!("PROGRAM {}", program.name.text)),
+                TextEdit::new(bytes(block.end), "END_PROGRAM"),
+            ];
+            for section in &block.blocks {
+                let start = section.span.start as usize;
+                let word = draft.text[start..].split_whitespace().next().unwrap_or_default();
+                if ["VAR_INPUT", "VAR_OUTPUT", "VAR_IN_OUT"]
+                    .iter()
+                    .any(|kind| word.eq_ignore_ascii_case(kind))
+                {
+                    edits.push(TextEdit::new(start..start + word.len(), "VAR"));
+                }
+            }
+            TextChange(edits)
+        });
         draft.only_allowed(changes.collect())
     });
 }
@@ -200,41 +231,6 @@ pub(super) fn drop_initials(draft: &mut TextDraft, sites: &mut Sites) {
                 changes.push(TextChange::drop(
                     name.span.end as usize..specification.span.end as usize,
                 ));
-            }
-        }
-        draft.only_allowed(changes)
-    });
-}
-
-/// Gives the element type to array variables whose every use has subscripts.
-pub(super) fn unwrap_arrays(draft: &mut TextDraft, sites: &mut Sites) {
-    draft.change("unwrap arrays", sites, |draft| {
-        let unit = draft.tree();
-        let mut changes = Vec::new();
-        for pou in pous(&unit) {
-            for group in pou.blocks.iter().flat_map(|block| &block.groups) {
-                let ([name], TypeSpecificationKind::Array { element, .. }) =
-                    (group.names.as_slice(), &group.specification.kind)
-                else {
-                    continue;
-                };
-                let end = group
-                    .initializer
-                    .as_ref()
-                    .map_or(group.specification.span.end, |one| one.span.end);
-                let declared = group.specification.span.start as usize..end as usize;
-                let mut edits = vec![TextEdit::new(declared, element.span.text(&draft.text))];
-                let inside = bytes(pou.span);
-                for expression in &unit.expressions {
-                    if let ExpressionKind::Index { base, .. } = &expression.kind
-                        && let base = place(&unit, *base)
-                        && inside.contains(&base.start)
-                        && draft.text[base.clone()].eq_ignore_ascii_case(name.text)
-                    {
-                        edits.push(TextEdit::new(base.end..expression.span.end as usize, ""));
-                    }
-                }
-                changes.push(TextChange(edits));
             }
         }
         draft.only_allowed(changes)

@@ -1,7 +1,7 @@
 //! The order of the passes over a source text, and the function that runs them.
 
 use super::draft::{self, TextDraft};
-use super::{chunks, declarations, expressions, statements, values};
+use super::{arrays, chunks, declarations, expressions, statements, values};
 use crate::reduce::search::pass;
 use crate::reduce::{Interestingness, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise};
 use stickler_types::DialectName;
@@ -14,6 +14,10 @@ const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
         pass("drop empty statements", statements::drop_empty_statements),
         pass("drop program organization units", declarations::drop_units),
         pass("drop what is not used", declarations::drop_unused),
+        pass(
+            "make a function block the program",
+            declarations::block_to_program,
+        ),
         pass("replace statements by what they guard", statements::splice),
         pass("drop branches", statements::drop_branches),
         pass("forget variables", declarations::forget_variables),
@@ -45,7 +49,8 @@ const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
         pass("drop arguments", expressions::drop_arguments),
         pass("drop initial values", declarations::drop_initials),
         pass("resolve types", declarations::resolve_types),
-        pass("unwrap arrays", declarations::unwrap_arrays),
+        pass("unwrap arrays", arrays::unwrap_arrays),
+        pass("drop dimensions", arrays::drop_dimensions),
         pass("drop lines", chunks::drop_lines),
         pass("drop words", chunks::drop_words),
         pass("drop characters", chunks::drop_characters),

@@ -122,6 +122,27 @@ fn a_location_goes_where_it_does_not_matter() {
 }
 
 #[test]
+fn a_block_becomes_the_program_and_an_array_loses_dimensions_where_these_do_not_matter() {
+    let start = "FUNCTION_BLOCK host\nVAR_INPUT\n    x : INT;\nEND_VAR\nVAR\n    list : ARRAY[0..1, 0..2, 0..3] OF INT;\n\
+                 END_VAR\n    list[0, 1, x] := x MOD 3;\nEND_FUNCTION_BLOCK\nPROGRAM main\nVAR\n    inner : host;\nEND_VAR\n    \
+                 inner(x := 2);\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["list[", "MOD", "END_PROGRAM"]);
+    accepted(&found.value);
+    assert!(
+        !found.value.contains("FUNCTION_BLOCK") && !found.value.contains("VAR_INPUT"),
+        "{}",
+        found.value
+    );
+    assert!(!found.value.contains(','), "{}", found.value);
+    assert!(
+        reduce(start, &["MOD", "VAR_INPUT"])
+            .value
+            .contains("FUNCTION_BLOCK")
+    );
+}
+
+#[test]
 fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
     let start =
         "PROGRAM main\nVAR x : INT; END_VAR\n  x := 1 + ;\n  y := 'open string\n  @@ z(\nEND_PROGRAM\n";
