@@ -20,7 +20,10 @@ const REALS: &[&str] = &["iec-61131-3: 6.3.2"];
 const GRAMMAR: &[&str] = &["iec-61131-3: Annex A"];
 const LONG_TYPES: &[&str] = &["strucpp-compliance: Data Types"];
 const ALIASES: &[&str] = &["ironplc-problem-codes: P2012", "iec-61131-3: Table 11"];
-const IN_OUT: &[&str] = &["ironplc-variables: scope", "iec-61131-3: 6.6.1.4.1"];
+/// IronPLC calls VAR_IN_OUT "Partial" in its list of scope keywords, which promises nothing.
+const IN_OUT: &[&str] = &["iec-61131-3: 6.5.2.2"];
+/// Initial values of arrays and of structures.
+const LISTS: &[&str] = &["iec-61131-3: Table 14"];
 const INITIAL_VALUES: &[&str] = &["ironplc-variables: initial-values"];
 const ARRAYS: &[&str] = &["ironplc-derived-types: array-types"];
 const STRUCTURES: &[&str] = &["ironplc-derived-types: structure-types"];
@@ -90,6 +93,12 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     }) {
         return Some(GRAMMAR);
     }
+    let is_list = pair(&line, |sign, next| {
+        sign.text == ":=" && matches!(next.text, "[" | "(")
+    });
+    if has("declaration") && is_list {
+        return Some(LISTS);
+    }
     if line
         .iter()
         .any(|token| token.kind == ProgramTokenKind::Number && token.text.contains('_'))
@@ -122,6 +131,7 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
 /// Returns who promises the construct that is not implemented.
 fn of_missing(essence: &Essence) -> Option<&'static [&'static str]> {
     let known = [
+        ("VAR_IN_OUT", IN_OUT),
         ("structure", STRUCTURES),
         ("array", ARRAYS),
         ("instance of a function block", BLOCKS),
@@ -169,12 +179,12 @@ fn is_literal(feature: &str) -> bool {
 /// Returns who promises the form of a literal that the engine does not take alone.
 fn of_literal(essence: &Essence) -> Option<&'static [&'static str]> {
     let promises = |feature: &String| match feature.as_str() {
-        "typed literal with a sign" | "real-with-exponent" => Some(NUMBERS),
+        "typed literal with a sign" | "real-with-exponent" | "BOOL#" => Some(NUMBERS),
         "real-beyond-REAL" => Some(REALS),
         "TIME#" | "LTIME#" => Some(DURATIONS),
         "date or time#" => Some(MOMENTS),
         text if text.ends_with("-with-escape") => Some(ESCAPES),
-        "\"text\"" => Some(TEXTS),
+        "\"text\"" | "STRING#" | "WSTRING#" => Some(TEXTS),
         based if based.ends_with("#digits") => Some(NUMBERS),
         _ => None,
     };
@@ -221,6 +231,10 @@ mod tests {
             of("x : ARRAY[0..0] OF INT := [1(0)];", &["declaration"]),
             Some(GRAMMAR)
         );
+        assert_eq!(of("x : OWN := [INT#1];", &["declaration"]), Some(LISTS));
+        assert_eq!(of("x : OWN := (f := 0);", &["declaration"]), Some(LISTS));
+        assert_eq!(of("x := STRING#'';", &["STRING#"]), Some(TEXTS));
+        assert_eq!(of("x : BOOL := BOOL#FALSE;", &["BOOL#"]), Some(NUMBERS));
         assert_eq!(
             of("x : INT := INT#-5;", &["typed literal with a sign"]),
             Some(NUMBERS)
@@ -245,6 +259,7 @@ mod tests {
             RANGES,
             REALS,
             GRAMMAR,
+            LISTS,
             LONG_TYPES,
             ALIASES,
             IN_OUT,
@@ -265,6 +280,10 @@ mod tests {
             Some(ARRAYS)
         );
         assert_eq!(of_missing(&essence(&["statement"])), None);
+        assert_eq!(
+            of_missing(&essence(&["VAR_IN_OUT", "instance of a function block"])),
+            Some(IN_OUT)
+        );
         assert_eq!(
             of_value(&essence(&["FUNCTION_BLOCK", "initial value"])),
             Some(INITIAL_VALUES)
