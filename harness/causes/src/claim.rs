@@ -79,12 +79,14 @@ fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) -> bool {
         let tokens = tokens(program);
         tokens.iter().any(|token| token.kind == ProgramTokenKind::Text)
     };
-    if has_text(whole) && !has_text(program) {
-        return false;
-    }
     let is_work = |operation: &&String| operation.contains("_TO_") || *operation == "bit access";
     let operations = operations_of(whole);
     let work: Vec<&String> = operations.iter().filter(is_work).collect();
+    // What a function converts does not matter where there is no such function.
+    let converts = work.iter().any(|operation| operation.contains("_TO_"));
+    if has_text(whole) && !has_text(program) && !converts {
+        return false;
+    }
     let types = |program: &str| {
         let tokens = tokens(program);
         let types: BTreeSet<ElementaryType> = tokens.iter().filter_map(type_of_token).collect();
@@ -118,6 +120,8 @@ mod tests {
             "x : DINT; y : INT; x := y;"
         ));
         assert!(keeps("x : DINT; x := x.3; y : INT;", "x : DINT; x := x.3;"));
+        let converting = "b : BOOL; s : STRING; b := STRING_TO_BOOL('TRUE');";
+        assert!(keeps(converting, &converting.replace("'TRUE'", "s")));
         assert!(keeps("n : INT; n := LEN('a$L');", "n : INT; n := LEN('');"));
         assert!(!keeps(
             "n : INT; s : STRING; s := '$L'; n := LEN(s);",

@@ -30,6 +30,8 @@ pub(crate) struct Constructs {
     becomes_truth_value: bool,
     /// Whether an initial value is that of a variable, which is no constant.
     begins_with_variable: bool,
+    /// The names that its statements use and nothing declares, in capitals; of a text that cannot be read nobody reports them.
+    undeclared: BTreeSet<String>,
 }
 
 impl Constructs {
@@ -47,6 +49,7 @@ impl Constructs {
             unclosed: unclosed(&tokens),
             becomes_truth_value: becomes_truth_value(&tokens),
             begins_with_variable: begins_with_variable(&tokens),
+            undeclared: undeclared(&tokens),
         }
     }
 
@@ -58,6 +61,7 @@ impl Constructs {
             && (self.becomes_truth_value || !smaller.becomes_truth_value)
             && (self.begins_with_variable || !smaller.begins_with_variable)
             && smaller.unclosed.is_subset(&self.unclosed)
+            && smaller.undeclared.is_subset(&self.undeclared)
             && smaller.literals.is_subset(&self.literals)
             && smaller.unary.is_subset(&self.unary)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
@@ -220,6 +224,25 @@ fn elementary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     found
 }
 
+/// Returns the names that the statements use by themselves, with a part or as the block of a call, and that no section declares.
+fn undeclared(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
+    let declared = in_declarations(tokens);
+    let is_head = |at: usize| {
+        let heads = ["PROGRAM", "FUNCTION", "FUNCTION_BLOCK"];
+        at > 0 && heads.iter().any(|head| tokens[at - 1].is(head))
+    };
+    let known: BTreeSet<String> = tokens
+        .iter()
+        .enumerate()
+        .filter(|(at, _)| declared[*at] || is_head(*at))
+        .map(|(_, token)| token.text.to_ascii_uppercase())
+        .collect();
+    let mut used = uses(tokens);
+    // A function may be one of the library.
+    used.retain(|name, ways| !known.contains(name) && ways.iter().any(|way| way != " ()"));
+    used.into_keys().collect()
+}
+
 /// Returns the operators before an operand and behind none, so that `a - b` does not become `-b`.
 fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     let ends_operand = |token: &ProgramToken<'_>| match token.kind {
@@ -347,6 +370,7 @@ mod tests {
             ("a[1].3 := b[2].3;", "a[1] := b[2];"),
             ("s.f := s.g;", "s := s;"),
             ("s(in := n); n := s.out;", "n := s;"),
+            ("w := data.%W1;", "w := a.%W1; q := w;"),
         ] {
             assert!(!may_become(body, smaller), "{body} {smaller}");
         }

@@ -195,6 +195,22 @@ mod tests {
     }
 
     #[test]
+    fn a_declaration_is_told_by_the_section_that_its_own_line_begins() {
+        let of = |program: &str, line: u32| {
+            let mut smallest = Smallest::rejected(program, line, "P0002");
+            for fact in &mut smallest.deviation.got {
+                if let Fact::Diagnostic(reported) = fact {
+                    reported.column = Some(9);
+                }
+            }
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let apart = of("TYPE\nE : WORD;\nEND_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 2);
+        assert_eq!(apart.construct(), "type");
+        assert!(apart.explains(&of("TYPE E : WORD; END_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 1)));
+    }
+
+    #[test]
     fn a_literal_that_is_not_known_is_one_cause_whatever_is_said_of_its_place() {
         let said = |program: &str, line: u32, message: &str| {
             let mut smallest = Smallest::rejected(program, line, "P0");
@@ -247,6 +263,47 @@ mod tests {
     }
 
     #[test]
+    fn what_a_conversion_gives_is_checked_for_all_conversions_or_for_none() {
+        let accepted = |ty: &str, call: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {call};\nEND_PROGRAM\n");
+            let mistake = Fact::Diagnostic(Diagnostic {
+                line: Some(5),
+                code: Some("P4027".to_owned()),
+                ..Diagnostic::default()
+            });
+            let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
+            let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
+            let mut smallest = Smallest::rejected(&program, 5, "");
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let to_integer = accepted("BOOL", "DINT_TO_INT(0)");
+        assert!(to_integer.explains(&accepted("INT", "INT_TO_REAL(0)")));
+        assert!(!to_integer.explains(&accepted("INT", "SQRT(0.0)")));
+    }
+
+    #[test]
+    fn an_instance_is_told_apart_from_the_variable_of_var_in_out_that_is_passed_to_it() {
+        let missing = |section: &str| {
+            let program = format!(
+                "FUNCTION_BLOCK b\n{section}\nx : INT;\nEND_VAR\nVAR\ny : INT;\nEND_VAR\ny := 0;\nEND_FUNCTION_BLOCK\n\
+                 PROGRAM p\nVAR\nf : b;\nz : INT;\nEND_VAR\nf(x := z);\nEND_PROGRAM\n"
+            );
+            let lacking = Fact::NotImplemented {
+                reason: "P9999: not yet".to_owned(),
+                promised_by: None,
+            };
+            let (expected, got) = (vec![Fact::Accepted], vec![lacking]);
+            let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
+            let mut smallest = Smallest::rejected(&program, 5, "");
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest)).construct()
+        };
+        assert_eq!(missing("VAR_INPUT"), "instance of a function block");
+        assert_eq!(missing("VAR_IN_OUT"), "VAR_IN_OUT, instance of a function block");
+    }
+
+    #[test]
     fn a_place_that_converts_nothing_is_one_cause_whatever_the_types() {
         let of = |program: &str, name: &str| {
             let fact = |raw| Fact::Value {
@@ -288,6 +345,11 @@ mod tests {
             of(&program, "x")
         };
         assert!(!assigned("INT").explains(&assigned("REAL")));
+        let to_element = of(
+            "PROGRAM p\nVAR\nx : ARRAY[0..1] OF LREAL;\ny : INT;\nEND_VAR\nx[0] := y;\nEND_PROGRAM\n",
+            "x[0]",
+        );
+        assert!(assigned("INT").explains(&to_element));
         assert!(!assigned("INT").explains(&of_integer));
     }
 

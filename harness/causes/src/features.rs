@@ -42,12 +42,14 @@ pub(crate) struct MarkedProgram<'p> {
 impl<'p> MarkedProgram<'p> {
     pub(crate) fn new(normal: &'p Normal) -> MarkedProgram<'p> {
         let deviation = &normal.deviation;
-        let is_placed = |line: &u32| *line > 1;
+        // A compiler that has lost the place says line 1, without a column or with the first.
         let line = |facts: &[Fact]| {
-            facts
+            let placed = facts
                 .iter()
-                .find_map(|fact| fact.diagnostic()?.line)
-                .filter(is_placed)
+                .filter_map(Fact::diagnostic)
+                .find(|one| one.line.is_some())?;
+            let has_column = placed.column.is_some_and(|column| column > 1);
+            placed.line.filter(|line| *line > 1 || has_column)
         };
         let tokens = tokens(&normal.program);
         MarkedProgram {
@@ -71,13 +73,14 @@ impl<'p> MarkedProgram<'p> {
     }
 
     /// Returns the features of a mistake that is accepted: the operators of its line, what it assigns, or the kinds of its operands.
-    /// Whatever the operator is, checking the types around it is one piece of work; and where nothing is checked, the value does not
-    /// matter.
+    /// Whatever the operator or the conversion is, checking the types around it is one piece of work; and where nothing is checked, the
+    /// value does not matter.
     pub(crate) fn of_mistake(&self, is_unchecked: bool) -> BTreeSet<String> {
         let line = self.of_line();
         let as_one = |operation: String| match operation.as_str() {
             "arithmetic" | "power" | "comparison" | "bitwise operator" => "operator".to_owned(),
             "call" if self.calls_block(&line) => "call of a block".to_owned(),
+            conversion if conversion.contains("_TO_") => "conversion function".to_owned(),
             _ => operation,
         };
         let mut features: BTreeSet<String> = operations(&line, &self.own).into_iter().map(as_one).collect();
@@ -169,6 +172,9 @@ impl<'p> MarkedProgram<'p> {
             })
         });
         let mut features: BTreeSet<String> = kinds.map(str::to_owned).collect();
+        if self.passes_in_out(&line) {
+            features.insert("VAR_IN_OUT".to_owned());
+        }
         if features.is_empty() {
             features = operations(&line, &self.own);
             if features.is_empty() {
@@ -192,6 +198,25 @@ impl<'p> MarkedProgram<'p> {
         features
     }
 
+    /// Returns whether a line names a variable of VAR_IN_OUT in the arguments of a call.
+    fn passes_in_out(&self, line: &[ProgramToken<'_>]) -> bool {
+        let mut is_in_out = false;
+        let mut names = BTreeSet::new();
+        for pair in self.tokens.windows(2) {
+            if pair[0].text.to_ascii_uppercase().contains("VAR") {
+                is_in_out = pair[0].is("VAR_IN_OUT");
+            } else if is_in_out && matches!(pair[1].text, ":" | ",") {
+                names.insert(pair[0].text.to_ascii_uppercase());
+            }
+        }
+        let mut arguments = line.windows(3);
+        arguments.any(|three| {
+            matches!(three[0].text, "(" | ",")
+                && three[2].text == ":="
+                && names.contains(&three[1].text.to_ascii_uppercase())
+        })
+    }
+
     /// Returns the features of a program that stops, or does not stop, with a fault.
     pub(crate) fn of_fault(&self) -> BTreeSet<String> {
         let mut features = operations(&self.tokens, &self.own);
@@ -205,6 +230,10 @@ impl<'p> MarkedProgram<'p> {
         let line = self.of_line();
         let operations = operations(&line, &self.own).into_iter();
         let mut features: BTreeSet<String> = operations.map(|one| either_way(&one)).collect();
+        // One of the two is the other with the comparison turned round.
+        if features.remove("MIN") {
+            features.insert("MAX".to_owned());
+        }
         let mut literals: Vec<String> = self.special_literals(&line);
         literals.extend(self.signed_literal(&line));
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
@@ -290,6 +319,8 @@ impl<'p> MarkedProgram<'p> {
         if numbers > 1 {
             let kinds: Vec<&str> = kinds.into_iter().collect();
             features.insert(format!("conversion {}", kinds.join(" and ")));
+            // Whether a variable or an element of a list is converted is one piece of work.
+            features.remove("subscript or list");
             return (features, true);
         }
         features.extend(self.special_literals(&self.tokens));
@@ -320,11 +351,16 @@ fn either_way(operation: &str) -> String {
 
 /// Returns where a line stands.
 fn place_of(tokens: &[ProgramToken<'_>], line: Option<u32>) -> &'static str {
+    // A section may begin on the line itself.
+    let first = tokens.iter().find(|token| Some(token.line) == line);
     let before = tokens
         .iter()
         .take_while(|token| line.is_none_or(|line| token.line < line));
     let mut place = "statement";
-    for token in before.filter(|token| token.kind == ProgramTokenKind::Word) {
+    for token in before
+        .chain(first)
+        .filter(|token| token.kind == ProgramTokenKind::Word)
+    {
         let upper = token.text.to_ascii_uppercase();
         place = match upper.as_str() {
             "TYPE" => "type",

@@ -71,14 +71,30 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
         let words = names.words(&all, at).filter(|_| ends && offset(token) > section);
         let Some(words) = words else { continue };
         let (from, until) = (offset(token), offset(token) + token.text.len());
-        found.push(format!(
+        found.push(without_unused(&format!(
             "{}    fitting : {words};\n{}fitting{}",
             &program[..section],
             &program[section..from],
             &program[until..]
-        ));
+        )));
     }
     found
+}
+
+/// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
+fn without_unused(program: &str) -> String {
+    let all = tokens(program);
+    let start = program.rfind("PROGRAM ").unwrap_or_default();
+    let is_unused = |line: &str| {
+        let declared = tokens(line);
+        let is_plain = matches!(&declared[..], [_, colon, _, end] if colon.text == ":" && end.text == ";");
+        let uses = |name: &str| all.iter().filter(|token| token.is(name)).count();
+        is_plain && line.as_ptr() as usize - program.as_ptr() as usize > start && uses(declared[0].text) == 1
+    };
+    program
+        .split_inclusive('\n')
+        .filter(|line| !is_unused(line))
+        .collect()
 }
 
 /// Returns the operands of a program alone: literals first, then variables, then calls of conversion functions. The most
@@ -230,7 +246,7 @@ fn behind_arithmetic(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usi
 
 #[cfg(test)]
 mod tests {
-    use super::{alone, only_initial_values};
+    use super::{alone, only_initial_values, with_fitting_operands};
 
     fn bodies(program: &str) -> Vec<String> {
         let line = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -322,5 +338,14 @@ mod tests {
                 "{found:?}"
             );
         }
+    }
+
+    #[test]
+    fn the_operand_that_a_fitting_one_replaces_goes() {
+        let program = "PROGRAM p\nVAR\n    d : DT;\n    x : INT;\nEND_VAR\n    x := d;\nEND_PROGRAM\n";
+        assert_eq!(
+            with_fitting_operands(program),
+            ["PROGRAM p\nVAR\n    x : INT;\n    fitting : INT;\nEND_VAR\n    x := fitting;\nEND_PROGRAM\n"]
+        );
     }
 }

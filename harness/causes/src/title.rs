@@ -234,14 +234,12 @@ fn described(program: &str, line: &str) -> String {
     let code = code.trim().trim_end_matches(';').trim_end();
     let mut types = Vec::new();
     for token in tokens(code) {
-        let declared = type_of(program, &token).filter(|_| !declares(code, token.text));
-        if let Some(ty) = declared
+        let declared = declared_as(program, &token).filter(|_| !declares(code, token.text));
+        if let Some(entry) = declared
             && types.len() < MAX_TYPES
+            && !types.contains(&entry)
         {
-            let entry = format!("{} : {ty}", token.text);
-            if !types.contains(&entry) {
-                types.push(entry);
-            }
+            types.push(entry);
         }
     }
     let section = section_of(program, line);
@@ -265,8 +263,8 @@ fn section_of<'p>(program: &'p str, line: &str) -> Option<&'p str> {
     (is_there && !matches!(head, "VAR" | "VAR_INPUT" | "END_VAR")).then_some(head)
 }
 
-/// Returns the type with which a program declares a name, as it is written.
-fn type_of(program: &str, name: &ProgramToken<'_>) -> Option<String> {
+/// Returns a name with the location, the type and the initial value with which a program declares it, as they are written.
+fn declared_as(program: &str, name: &ProgramToken<'_>) -> Option<String> {
     if name.kind != ProgramTokenKind::Word || is_fixed(name.text) {
         return None;
     }
@@ -276,12 +274,18 @@ fn type_of(program: &str, name: &ProgramToken<'_>) -> Option<String> {
     let rest = &tokens[colon + 1..];
     let end = rest.iter().position(|token| matches!(token.text, ";" | ":="))?;
     let mut words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
+    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     // A plain variable is shown with the value that it begins with.
     if let ([_], Some(behind)) = (&words[..], rest.iter().find(|token| token.text == ";")) {
-        let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
         words.push(program[offset(&rest[end])..offset(behind)].trim_end());
     }
-    Some(clipped(words.join(" ").trim_end())).filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))
+    let location = match tokens[at].is_located {
+        true => &program[offset(&tokens[at]) + name.text.len()..offset(&tokens[colon])],
+        false => "",
+    };
+    let ty = Some(clipped(words.join(" ").trim_end()));
+    let ty = ty.filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))?;
+    Some(format!("{}{} : {ty}", name.text, location.trim_end()))
 }
 
 /// Returns whether the name at this place is declared there: names with commas between them come before a colon.
@@ -414,6 +418,11 @@ mod tests {
         assert_eq!(
             described(PROGRAM, "    a := b + f(c[1]);"),
             "`a := b + f(c[1])` (a : REAL, b : REAL, c : ARRAY [ 1 .. 2 ] OF INT)"
+        );
+        let located = PROGRAM.replace("a, b : REAL;", "a AT %QD1 : REAL; b : REAL;");
+        assert_eq!(
+            described(&located, "a := b;"),
+            "`a := b` (a AT %QD1 : REAL, b : REAL)"
         );
         assert_eq!(
             described(PROGRAM, "x : LREAL := 1.0E300;"),
