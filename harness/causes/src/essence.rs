@@ -373,5 +373,8 @@ mod tests {
         let to_truth = called("BOOL", "REAL_TO_BOOL(0.0)");
         assert!(to_truth.explains(&called("REAL", "BOOL_TO_REAL(FALSE)")));
         assert!(!to_truth.explains(&called("INT", "REAL_TO_INT(0.0)")));
+        let greatest = called("INT", "MAX(0, 0, 0)");
+        assert!(greatest.explains(&called("INT", "MIN(0, 0, 0)")));
+        assert!(!greatest.explains(&called("INT", "LIMIT(0, 0, 0)")));
     }
 }
