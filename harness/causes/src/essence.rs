@@ -9,8 +9,9 @@ use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
 use crate::normal::Normal;
 use crate::range;
 use crate::reduction::Smallest;
+use crate::sign::Sign;
 use std::collections::BTreeSet;
-use stickler_run::Symptom;
+use stickler_run::{Fact, Grade, Symptom, Verdict};
 
 /// What matters of a small program that shows a defect.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -101,6 +102,15 @@ impl Essence {
             Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
                 Some((rejected(reported, &sign.at), program.of_rejection()))
             }
+            // What is reported elsewhere may be said of a program without the mistake too.
+            Symptom::OtherLine(_) => {
+                let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
+                let valid = Sign::of(&normal.program, Verdict::Fail, facts, Grade::Line);
+                match valid.symptom {
+                    Symptom::Rejected(reason) => Some((rejected(&reason, &valid.at), program.of_rejection())),
+                    _ => None,
+                }
+            }
             _ => None,
         };
         let by_chance = if smallest.flaky.is_some() {
@@ -155,9 +165,7 @@ fn rejected(reason: &str, at: &str) -> String {
 mod tests {
     use super::*;
     use crate::question::Deviation;
-    use crate::sign::Sign;
     use crate::title::title;
-    use stickler_run::{Fact, Grade, Verdict};
     use stickler_types::{Diagnostic, ElementaryType, Value};
 
     #[test]
@@ -207,6 +215,24 @@ mod tests {
         };
         let apart = of("TYPE\nE : WORD;\nEND_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 2);
         assert_eq!(apart.construct(), "type");
+        let program =
+            "TYPE\nE : WORD;\nEND_TYPE\nPROGRAM p\nVAR\nr : REAL;\nEND_VAR\nr.0 := TRUE;\nEND_PROGRAM\n";
+        let mut elsewhere = Smallest::rejected(program, 2, "P0002");
+        let mistake = Fact::Diagnostic(Diagnostic {
+            line: Some(8),
+            code: Some("P4069".to_owned()),
+            ..Diagnostic::default()
+        });
+        elsewhere.deviation.sign.symptom = Symptom::OtherLine("P4069".to_owned());
+        elsewhere.deviation.sign.at = String::new();
+        elsewhere.deviation.expected = vec![mistake];
+        let alias = Smallest::rejected(
+            "TYPE\nE : WORD;\nEND_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n",
+            2,
+            "P0002",
+        );
+        let alias = Essence::of(&alias, &Normal::unasked(&alias));
+        assert!(alias.explains(&Essence::of(&elsewhere, &Normal::unasked(&elsewhere))));
         assert!(apart.explains(&of("TYPE E : WORD; END_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 1)));
     }
 

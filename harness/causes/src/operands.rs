@@ -85,11 +85,16 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
 fn without_unused(program: &str) -> String {
     let all = tokens(program);
     let start = program.rfind("PROGRAM ").unwrap_or_default();
+    // Types may stand behind the program.
+    let end = program[start..]
+        .find("END_PROGRAM")
+        .map_or(program.len(), |end| start + end);
     let is_unused = |line: &str| {
+        let is_inside = (start..end).contains(&(line.as_ptr() as usize - program.as_ptr() as usize));
         let declared = tokens(line);
         let is_plain = matches!(&declared[..], [_, colon, _, end] if colon.text == ":" && end.text == ";");
         let uses = |name: &str| all.iter().filter(|token| token.is(name)).count();
-        is_plain && line.as_ptr() as usize - program.as_ptr() as usize > start && uses(declared[0].text) == 1
+        is_plain && is_inside && uses(declared[0].text) == 1
     };
     program
         .split_inclusive('\n')
@@ -342,10 +347,14 @@ mod tests {
 
     #[test]
     fn the_operand_that_a_fitting_one_replaces_goes() {
-        let program = "PROGRAM p\nVAR\n    d : DT;\n    x : INT;\nEND_VAR\n    x := d;\nEND_PROGRAM\n";
+        let types = "TYPE\n    e : INT;\nEND_TYPE\n";
+        let program =
+            format!("PROGRAM p\nVAR\n    d : DT;\n    x : INT;\nEND_VAR\n    x := d;\nEND_PROGRAM\n{types}");
         assert_eq!(
-            with_fitting_operands(program),
-            ["PROGRAM p\nVAR\n    x : INT;\n    fitting : INT;\nEND_VAR\n    x := fitting;\nEND_PROGRAM\n"]
+            with_fitting_operands(&program),
+            [format!(
+                "PROGRAM p\nVAR\n    x : INT;\n    fitting : INT;\nEND_VAR\n    x := fitting;\nEND_PROGRAM\n{types}"
+            )]
         );
     }
 }
