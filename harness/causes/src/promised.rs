@@ -22,6 +22,8 @@ const LONG_TYPES: &[&str] = &["strucpp-compliance: Data Types"];
 const ALIASES: &[&str] = &["ironplc-problem-codes: P2012", "iec-61131-3: Table 11"];
 /// IronPLC calls VAR_IN_OUT "Partial" in its list of scope keywords, which promises nothing.
 const IN_OUT: &[&str] = &["iec-61131-3: 6.5.2.2"];
+/// Types with an initial value of their own.
+const OWN_VALUES: &[&str] = &["iec-61131-3: Table 11"];
 /// Initial values of arrays and of structures.
 const LISTS: &[&str] = &["iec-61131-3: Table 14"];
 const INITIAL_VALUES: &[&str] = &["ironplc-variables: initial-values"];
@@ -111,6 +113,9 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
         .is_some_and(ElementaryType::is_third_edition);
     if has("declaration") && is_long && line.iter().all(|token| token.text != ":=") {
         return Some(LONG_TYPES);
+    }
+    if has("type") && line.iter().any(|token| token.text == ":=") {
+        return Some(OWN_VALUES);
     }
     // `NAME : INT;` alone.
     if has("type") && line.len() == 4 && line.iter().any(|token| of_type(&token).is_some()) {
@@ -242,6 +247,7 @@ mod tests {
         assert_eq!(of("x : LTOD;", &["declaration"]), Some(LONG_TYPES));
         assert_eq!(of("x : INT;", &["declaration", "VAR_IN_OUT"]), Some(IN_OUT));
         assert_eq!(of("x : INT;", &["declaration"]), None);
+        assert_eq!(of("x : INT := 0;", &["type"]), Some(OWN_VALUES));
         assert_eq!(of("x : INT;", &["type"]), Some(ALIASES));
         assert_eq!(of("x := BOOL#0;", &["statement"]), Some(NUMBERS));
     }
@@ -260,6 +266,7 @@ mod tests {
             REALS,
             GRAMMAR,
             LISTS,
+            OWN_VALUES,
             LONG_TYPES,
             ALIASES,
             IN_OUT,
