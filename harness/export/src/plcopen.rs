@@ -18,8 +18,8 @@ use stickler_reference::Dialect;
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::parse;
 use stickler_reference::syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
-use stickler_types::DialectName;
-use xml::{Xml, attribute, empty, fits, formatted, nested};
+use stickler_types::{BuiltIn, DialectName};
+use xml::{TextElement, Xml, attribute, empty, fits, formatted, nested};
 
 /// The namespace of the format.
 const NAMESPACE: &str = "http://www.plcopen.org/xml/tc6_0201";
@@ -36,6 +36,7 @@ pub struct ProjectPlan {
 /// A project that is filled page by page.
 pub(crate) struct Project {
     dialect: Dialect,
+    text_element: TextElement,
     data_types: Xml,
     pous: Xml,
     /// The names of the programs that run.
@@ -46,6 +47,11 @@ impl Project {
     pub(crate) fn new(dialect: DialectName) -> Project {
         Project {
             dialect: Dialect::of(dialect),
+            // matiec is the compiler of Beremiz.
+            text_element: match dialect.base() {
+                BuiltIn::Matiec => TextElement::Paragraph,
+                _ => TextElement::Xhtml,
+            },
             data_types: Writer::new_with_indent(Vec::new(), b' ', 1),
             pous: Writer::new_with_indent(Vec::new(), b' ', 1),
             programs: Vec::new(),
@@ -83,6 +89,7 @@ impl Project {
         let source = PageSource {
             text: &text,
             unit: &unit,
+            text_element: self.text_element,
         };
         self.add_units(&source)
             .map_err(|error| ExportError::Write(PathBuf::from(file), error))
@@ -194,6 +201,7 @@ fn write_configuration(xml: &mut Xml, programs: &[String]) -> io::Result<()> {
 struct PageSource<'p> {
     text: &'p str,
     unit: &'p SourceUnit<'p>,
+    text_element: TextElement,
 }
 
 impl PageSource<'_> {
@@ -207,12 +215,16 @@ impl PageSource<'_> {
         let attributes = [attribute("name", pou.name.text), attribute("pouType", kind)];
         nested(xml, "pou", attributes, |xml| {
             self.write_interface(xml, pou)?;
-            nested(xml, "body", [], |xml| formatted(xml, "ST", self.statements(pou)))?;
+            nested(xml, "body", [], |xml| {
+                formatted(xml, "ST", self.text_element, self.statements(pou))
+            })?;
             let comment = self.between(before, pou.span.start).trim();
             let comment = comment
                 .strip_prefix("(*")
                 .and_then(|text| text.strip_suffix("*)"));
-            comment.map_or(Ok(()), |comment| formatted(xml, "documentation", comment.trim()))
+            comment.map_or(Ok(()), |comment| {
+                formatted(xml, "documentation", self.text_element, comment.trim())
+            })
         })
     }
 

@@ -44,11 +44,23 @@ pub(super) fn empty<'a>(
     element.write_empty().map(drop)
 }
 
+/// The element of XHTML in which an editor looks for a text. The format asks for any one element of XHTML, and editors read different ones.
+#[derive(Clone, Copy)]
+pub(super) enum TextElement {
+    /// `xhtml`, as CODESYS and the systems that are built on it write it.
+    Xhtml,
+    /// `p`, the only one that Beremiz reads.
+    Paragraph,
+}
+
 /// Writes an element that holds a text in XHTML, which a reader gets back as it is.
-pub(super) fn formatted(xml: &mut Xml, name: &str, text: &str) -> io::Result<()> {
+pub(super) fn formatted(xml: &mut Xml, name: &str, within: TextElement, text: &str) -> io::Result<()> {
     let escaped = quick_xml::escape::partial_escape(text).replace('\r', "&#13;");
     nested(xml, name, [], |xml| {
-        let element = xml.create_element("xhtml");
+        let element = xml.create_element(match within {
+            TextElement::Xhtml => "xhtml",
+            TextElement::Paragraph => "p",
+        });
         let element = element.with_attribute(("xmlns", "http://www.w3.org/1999/xhtml"));
         element
             .write_text_content(BytesText::from_escaped(escaped))

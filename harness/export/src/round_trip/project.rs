@@ -73,6 +73,45 @@ fn a_project_is_valid_by_the_schema_where_that_is_at_hand() {
     }
 }
 
+/// A program for Python that reads a project with the classes of Beremiz, and writes the Structured Text that its compiler gets.
+const BEREMIZ: &str = "
+import sys
+import fake_wx, IDEFrame
+from PLCControler import PLCControler
+project = PLCControler()
+project.OpenXMLFile(sys.argv[1])
+text, errors, warnings = project.GenerateProgram(sys.argv[2])
+sys.exit(str(errors) if errors else 0)
+";
+
+#[test]
+fn beremiz_reads_a_project_where_it_is_installed() {
+    let Some(beremiz) = std::env::var_os("STICKLER_BEREMIZ") else {
+        eprintln!("not read: STICKLER_BEREMIZ does not name the folder of Beremiz");
+        return;
+    };
+    let cases = cases(&["conversion/real-to-integer.toml", "widening/integer.toml"]);
+    let text = project(DialectName::Matiec, &cases).expect("a project");
+    let folder = tempfile::tempdir().expect("a folder");
+    let (xml, st) = (folder.path().join("all.xml"), folder.path().join("all.st"));
+    fs::write(&xml, &text).expect("written");
+    let read = Command::new("python3")
+        .args(["-c", BEREMIZ])
+        .args([&xml, &st])
+        .env("PYTHONPATH", beremiz)
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .current_dir(folder.path())
+        .output()
+        .expect("python3");
+    assert!(read.status.success(), "{}", String::from_utf8_lossy(&read.stderr));
+    let generated = fs::read_to_string(&st).expect("a program");
+    let programs = text.matches("pouType=\"program\"").count();
+    assert_eq!(generated.matches("END_PROGRAM").count(), programs);
+    let dialect = stickler_reference::Dialect::of(DialectName::Matiec);
+    let (_, diagnostics) = stickler_reference::syntax::parse(&generated, &dialect);
+    assert!(diagnostics.is_empty(), "{diagnostics:?}");
+}
+
 /// Returns a case of the suite with a comment in its statements.
 fn commented(comment: &str) -> Vec<Case> {
     let mut cases = cases(&["widening/integer.toml"]);
