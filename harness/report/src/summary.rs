@@ -7,7 +7,7 @@ use crate::basis::Basis;
 use crate::discrepancies::NAME;
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::text::{clip, duration, judged, noted, outdated, outdated_entries, visible};
+use crate::text::{MAX_SHOWN_CHARACTERS, clip, duration, judged, noted, outdated, outdated_entries, visible};
 use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
@@ -24,8 +24,6 @@ const MAX_SHOWN_CAUSES: usize = 100;
 const MAX_SHOWN_FAILURES: usize = 100;
 /// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 60;
-/// The maximum number of characters that are shown of each line.
-const MAX_SHOWN_CHARACTERS: usize = 1200;
 
 /// The summary of a run, written when the run is over.
 pub(crate) struct Summary {

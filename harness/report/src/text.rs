@@ -5,6 +5,9 @@ use std::fmt::Write;
 use stickler_run::{BaselineNote, Grade, OutdatedEntry, Verdict, clip_line};
 use stickler_types::counted;
 
+/// The maximum number of characters that a report for people shows of a line.
+pub(crate) const MAX_SHOWN_CHARACTERS: usize = 1200;
+
 /// Escapes the control characters of a text (`\u{1b}`), except line ends and tabs, so that an engine's message cannot move
 /// the cursor of a terminal.
 pub(crate) fn visible(text: &str) -> String {

@@ -1,11 +1,12 @@
 //! Turns the answers of a recording into tables of cases, whose basis is the recording.
 
-use super::{FunctionAnswers, Question, RecordedSection, Recording};
+use super::{Question, RecordedSection, Recording};
 use crate::implicit::MatrixAnswer;
 use crate::program::ConversionProgram;
 use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
+use std::slice;
 use stickler_types::{DialectName, ElementaryType, Value};
 use toml::Value as Toml;
 
@@ -105,12 +106,10 @@ impl Recording {
                 Some((RecordedSection::Comparisons, expected))
             }
             Question::Call(signature, call) => {
-                let key = (dialect, super::key(signature));
-                let answer = match self.functions.get(&key)? {
-                    FunctionAnswers::Refused(kind) => Err(*kind),
-                    FunctionAnswers::Calls(calls) => calls.iter().find(|(known, _)| known == call)?.1.clone(),
-                };
+                let answers = self.results(dialect, signature, slice::from_ref(call));
+                let answer = answers.into_iter().next()?.map_err(|refusal| refusal.kind);
                 let expected = match answer {
+                    Err(RefusalKind::NotAsked) => return None,
                     Ok(Value::OutOfRange { .. }) => {
                         Err("a result beyond the range of its type, which no literal writes")
                     }

@@ -2,7 +2,7 @@
 
 use super::{BAD, BOLD, DIM, GOOD};
 use crate::diff::{self, DiffLine, Side};
-use crate::text::{clip, noted, visible};
+use crate::text::{MAX_SHOWN_CHARACTERS, clip, noted, visible};
 use crate::{compared, engine};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
@@ -13,8 +13,6 @@ const GOOD_PIECE: Style = AnsiColor::Green.on_default().bold().underline();
 
 /// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 40;
-/// The maximum number of characters that are shown of each line.
-const MAX_SHOWN_CHARACTERS: usize = 1200;
 
 /// Writes one case that is not as expected, and how to run it again.
 ///
