@@ -4,7 +4,7 @@ use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
 use std::fmt;
 
-mod out_of_range;
+mod observed;
 
 /// A value together with its type.
 ///
