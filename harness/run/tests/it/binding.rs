@@ -15,6 +15,7 @@ const RULE: &str = "rule: not-stated";
 const STANDARD: &str = "iec-61131-3: 6.3.4";
 const IRONPLC: &str = "ironplc-bit-access: Syntax";
 const RUSTY: &str = "rusty-datatypes: Date and Time";
+const RECORDED: &str = "recording: ironplc";
 const STRUCPP: &str = "strucpp-architecture: Type System";
 
 /// Returns a suite of one case with this basis, and the sources of Stickler's own suite.
@@ -78,7 +79,11 @@ fn a_miss_fails_where_the_source_binds_and_differs_elsewhere() {
         ("strucpp", RUSTY, Differs),
         ("strucpp", STANDARD, Fail),
         ("strucpp", RULE, Differs),
+        // A recording binds what was recorded, by the name of its file.
+        ("ironplc", RECORDED, Fail),
+        ("strucpp", RECORDED, Differs),
         // Its author lists the dialect.
+        ("described", RECORDED, Fail),
         ("described", IRONPLC, Fail),
         ("described", RULE, Differs),
         // The source speaks for another dialect than that of the case.
