@@ -296,7 +296,8 @@ impl Asking<'_> {
         Ok(())
     }
 
-    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled.
+    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled, or ended before
+    /// the program was small, since most such programs show another cause again.
     fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
@@ -320,7 +321,7 @@ impl Asking<'_> {
             _ => shown_by(&case),
         };
         let request = case.request();
-        if self.search.cancel.is_requested() {
+        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
             return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
         }
         let (reproduction, output) = reproduce_and_run(self.engine, &request, ability).ok()?;

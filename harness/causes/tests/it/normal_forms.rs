@@ -46,7 +46,7 @@ impl Engine for Compiler {
                 file("observed.txt", &observed.join(" ")),
             ],
             tools: Vec::new(),
-            commands: Vec::new(),
+            commands: vec!["echo shown".to_owned()],
         })
     }
 }
@@ -133,6 +133,28 @@ fn an_initial_value_that_fails_alone_is_the_cause_and_not_the_operation_around_i
         found[0].shown.is_derived,
         "the claims are about sums and products"
     );
+}
+
+#[cfg(unix)]
+#[test]
+fn the_commands_are_not_run_for_a_program_that_is_not_small() {
+    let printed = |limits| {
+        let declarations = "n : LREAL := -3.0; into : LREAL;";
+        let cases = vec![case(
+            "t::sum",
+            declarations,
+            "into := n + 8.0;",
+            "into = LREAL#5.0",
+        )];
+        let found = causes_within(&Compiler::new(without_signs), cases, limits);
+        found[0].shown.printed.trim().to_owned()
+    };
+    assert_eq!(printed(SearchLimits::default()), "shown");
+    let none = SearchLimits {
+        questions: 0,
+        ..SearchLimits::default()
+    };
+    assert_eq!(printed(none), "");
 }
 
 /// Begins REAL variables without the sign of their initial value.
