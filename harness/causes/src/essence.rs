@@ -168,6 +168,21 @@ mod tests {
     use crate::title::title;
     use stickler_types::{Diagnostic, ElementaryType, Value};
 
+    /// Returns what matters of a program that assigns an expression to a variable, and is accepted where this code had to be reported.
+    fn accepted(ty: &str, expression: &str, code: &str) -> Essence {
+        let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {expression};\nEND_PROGRAM\n");
+        let mistake = Fact::Diagnostic(Diagnostic {
+            line: Some(5),
+            code: Some(code.to_owned()),
+            ..Diagnostic::default()
+        });
+        let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
+        let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
+        let mut smallest = Smallest::rejected(&program, 5, "");
+        smallest.deviation = Deviation { sign, expected, got };
+        Essence::of(&smallest, &Normal::unasked(&smallest))
+    }
+
     #[test]
     fn a_typed_literal_with_a_sign_is_one_cause_wherever_it_stands() {
         let initial = Smallest::rejected(
@@ -261,19 +276,7 @@ mod tests {
 
     #[test]
     fn literals_that_should_not_be_read_are_told_apart_by_their_forms() {
-        let accepted = |ty: &str, literal: &str| {
-            let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {literal};\nEND_PROGRAM\n");
-            let mistake = Fact::Diagnostic(Diagnostic {
-                line: Some(5),
-                code: Some("P0002".to_owned()),
-                ..Diagnostic::default()
-            });
-            let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
-            let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
-            let mut smallest = Smallest::rejected(&program, 5, "");
-            smallest.deviation = Deviation { sign, expected, got };
-            Essence::of(&smallest, &Normal::unasked(&smallest))
-        };
+        let accepted = |ty: &str, literal: &str| accepted(ty, literal, "P0002");
         let underscore = accepted("BYTE", "BYTE#6_");
         assert!(underscore.explains(&accepted("INT", "INT#12_")));
         assert!(underscore.explains(&accepted("INT", "1_")));
@@ -290,19 +293,7 @@ mod tests {
 
     #[test]
     fn what_a_conversion_gives_is_checked_for_all_conversions_or_for_none() {
-        let accepted = |ty: &str, call: &str| {
-            let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {call};\nEND_PROGRAM\n");
-            let mistake = Fact::Diagnostic(Diagnostic {
-                line: Some(5),
-                code: Some("P4027".to_owned()),
-                ..Diagnostic::default()
-            });
-            let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
-            let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
-            let mut smallest = Smallest::rejected(&program, 5, "");
-            smallest.deviation = Deviation { sign, expected, got };
-            Essence::of(&smallest, &Normal::unasked(&smallest))
-        };
+        let accepted = |ty: &str, call: &str| accepted(ty, call, "P4027");
         let to_integer = accepted("BOOL", "DINT_TO_INT(0)");
         assert!(to_integer.explains(&accepted("INT", "INT_TO_REAL(0)")));
         assert!(!to_integer.explains(&accepted("INT", "SQRT(0.0)")));

@@ -73,8 +73,8 @@ impl<'p> MarkedProgram<'p> {
     }
 
     /// Returns the features of a mistake that is accepted: the operators of its line, what it assigns, or the kinds of its operands.
-    /// Whatever the operator or the conversion is, checking the types around it is one piece of work; and where nothing is checked, the
-    /// value does not matter.
+    /// Operators of all kinds are one feature, and so are conversion functions, because a compiler checks the types around them in one
+    /// place. Where `is_unchecked`, the compiler checks no types there, and the value is no feature.
     pub(crate) fn of_mistake(&self, is_unchecked: bool) -> BTreeSet<String> {
         let line = self.of_line();
         let as_one = |operation: String| match operation.as_str() {
@@ -172,7 +172,7 @@ impl<'p> MarkedProgram<'p> {
             })
         });
         let mut features: BTreeSet<String> = kinds.map(str::to_owned).collect();
-        if self.passes_in_out(&line) {
+        if passes_in_out(&line, &names) {
             features.insert("VAR_IN_OUT".to_owned());
         }
         if features.is_empty() {
@@ -196,25 +196,6 @@ impl<'p> MarkedProgram<'p> {
             );
         }
         features
-    }
-
-    /// Returns whether a line names a variable of VAR_IN_OUT in the arguments of a call.
-    fn passes_in_out(&self, line: &[ProgramToken<'_>]) -> bool {
-        let mut is_in_out = false;
-        let mut names = BTreeSet::new();
-        for pair in self.tokens.windows(2) {
-            if pair[0].text.to_ascii_uppercase().contains("VAR") {
-                is_in_out = pair[0].is("VAR_IN_OUT");
-            } else if is_in_out && matches!(pair[1].text, ":" | ",") {
-                names.insert(pair[0].text.to_ascii_uppercase());
-            }
-        }
-        let mut arguments = line.windows(3);
-        arguments.any(|three| {
-            matches!(three[0].text, "(" | ",")
-                && three[2].text == ":="
-                && names.contains(&three[1].text.to_ascii_uppercase())
-        })
     }
 
     /// Returns the features of a program that stops, or does not stop, with a fault.
@@ -347,6 +328,15 @@ fn either_way(operation: &str) -> String {
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
         None => operation.to_owned(),
     }
+}
+
+/// Returns whether a line passes an argument to a variable of VAR_IN_OUT by its name.
+fn passes_in_out(line: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
+    line.windows(3).any(|three| {
+        matches!(three[0].text, "(" | ",")
+            && three[2].text == ":="
+            && names.in_outs.contains(&three[1].text.to_ascii_uppercase())
+    })
 }
 
 /// Returns where a line stands.

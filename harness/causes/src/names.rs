@@ -17,6 +17,8 @@ pub(crate) struct DeclaredNames {
     pub(crate) initial: BTreeMap<String, String>,
     /// The inputs of each function and function block.
     inputs: BTreeMap<String, Vec<String>>,
+    /// The variables of VAR_IN_OUT.
+    pub(crate) in_outs: BTreeSet<String>,
     /// The type of each variable, field and parameter as it is written.
     pub(crate) words: BTreeMap<String, String>,
     pub(crate) own: BTreeSet<String>,
@@ -29,6 +31,7 @@ impl DeclaredNames {
             types: BTreeMap::new(),
             initial: BTreeMap::new(),
             inputs: BTreeMap::new(),
+            in_outs: BTreeSet::new(),
             words: BTreeMap::new(),
             own: own_functions(tokens),
             declared: in_declarations(tokens),
@@ -60,6 +63,8 @@ impl DeclaredNames {
             };
             if section == "VAR_INPUT" {
                 names.inputs.entry(unit.clone()).or_default().push(upper.clone());
+            } else if section == "VAR_IN_OUT" {
+                names.in_outs.insert(upper.clone());
             }
             let ends = |token: &&ProgramToken<'_>| !is_head && token.text != ";" && token.text != ":=";
             let ty: Vec<&ProgramToken<'_>> = match is_head {
