@@ -9,6 +9,7 @@ mod read;
 mod recordings;
 mod sections;
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use stickler_types::{DialectName, RecordingOrigin};
@@ -62,13 +63,10 @@ pub struct Source {
     pub(crate) line: u32,
 }
 
-/// What a recording says of itself.
+/// The origin of a recording, and the dialects in which its product was asked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct RecordedOrigin {
     origin: RecordingOrigin,
-    /// The product, its version and the date.
-    read: String,
-    /// The dialects in which the product was asked.
     dialects: Vec<DialectName>,
 }
 
@@ -200,10 +198,12 @@ impl Source {
 
     /// Returns the edition, version, commit or date at which a section was read: of a recording, the product, its version and the date.
     #[must_use]
-    pub fn read_of(&self, section: &str) -> &str {
+    pub fn read_of(&self, section: &str) -> Cow<'_, str> {
         match self.recorded.get(section) {
-            Some(Ok(recorded)) => &recorded.read,
-            _ => &self.read,
+            Some(Ok(RecordedOrigin { origin, .. })) => {
+                format!("{} {}, {}", origin.product, origin.version, origin.date).into()
+            }
+            _ => self.read.as_str().into(),
         }
     }
 

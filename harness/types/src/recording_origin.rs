@@ -20,6 +20,9 @@ pub struct RecordingOrigin {
 }
 
 impl RecordingOrigin {
+    /// The sentence that says what the file of a recording must have, for messages about a file that lacks some of it.
+    pub const REQUIRED: &str = "a recording says in [recording] its product, version, platform and date";
+
     /// Returns what is wrong with the origin, and what to do, as a fragment; `None` where it says what a recording must say.
     #[must_use]
     pub fn mistake(&self) -> Option<String> {

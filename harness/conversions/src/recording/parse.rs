@@ -77,8 +77,8 @@ fn read(name: String, text: &str) -> Result<Recording, Mistake> {
         let offset = error.span().map_or(0, |span| span.start);
         let message = error.message().trim_end().replace('\n', "; ");
         let advice = match message.starts_with("missing field") {
-            true => "; a recording says in [recording] its product, version, platform and date",
-            false => "",
+            true => format!("; {}", RecordingOrigin::REQUIRED),
+            false => String::new(),
         };
         (offset, format!("{message}{advice}"))
     })?;

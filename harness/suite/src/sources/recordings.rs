@@ -82,14 +82,13 @@ fn names(root: &files::Root) -> Vec<String> {
 fn section(text: &str) -> Result<RecordedOrigin, String> {
     let RecordingHead { recording, answers } = toml::from_str(&head(text)).map_err(|error| {
         let message = error.message().trim_end().replace('\n', "; ");
-        format!("{message}; it says in [recording] its product, version, platform and date")
+        format!("{message}; {}", RecordingOrigin::REQUIRED)
     })?;
     if let Some(mistake) = recording.mistake() {
         return Err(mistake);
     }
     let names = answers.iter().flat_map(|answers| &answers.dialects);
     Ok(RecordedOrigin {
-        read: format!("{} {}, {}", recording.product, recording.version, recording.date),
         origin: recording,
         dialects: names.filter_map(|name| name.parse().ok()).collect(),
     })

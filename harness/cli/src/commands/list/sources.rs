@@ -2,6 +2,7 @@
 
 use super::{BOLD, DIM, write_json};
 use serde::Serialize;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_suite::{Case, Source, SourceKind, Sources};
@@ -26,7 +27,7 @@ struct SourceLine<'a> {
     kind: &'static str,
     /// The address of the source, at the section that most cases cite.
     address: String,
-    read: &'a str,
+    read: Cow<'a, str>,
     engines: &'a [String],
     dialects: Vec<&'static str>,
     #[serde(flatten)]
