@@ -65,6 +65,17 @@ impl CaseFolder {
         }
     }
 
+    /// Finds the folder of cases as [`CaseFolder::locate`] does; `None` where none was named and none is found.
+    ///
+    /// # Errors
+    /// A name that is no folder.
+    pub fn locate_any(named: Option<&Path>) -> anyhow::Result<Option<CaseFolder>> {
+        match (named, CaseFolder::locate(named)) {
+            (None, found) => Ok(found.ok()),
+            (Some(_), found) => found.map(Some),
+        }
+    }
+
     /// Returns the folder of cases in the nearest place; `None` where there is none in any of them.
     fn search(here: &Path, program: Option<&Path>) -> Option<CaseFolder> {
         let above = |start: &Path| {

@@ -36,7 +36,8 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         .iter()
         .map(|file| source(file))
         .collect::<Result<_, _>>()?;
-    let cases = cases(arguments)?;
+    // Without cases only the comparison with a baseline is not possible.
+    let cases = CaseFolder::locate_any(arguments.cases.as_deref())?;
     let root = cases
         .as_ref()
         .map_or_else(PathBuf::new, |folder| folder.root.clone());
@@ -129,14 +130,6 @@ fn source(file: &Path) -> anyhow::Result<CopiedText> {
         name: file.display().to_string(),
         bytes,
     })
-}
-
-/// Finds the folder of cases; `None` where there is none, which only prevents the comparison with a baseline.
-fn cases(arguments: &ImportArguments) -> anyhow::Result<Option<CaseFolder>> {
-    match arguments.cases.as_deref() {
-        Some(named) => CaseFolder::locate(Some(named)).map(Some),
-        None => Ok(CaseFolder::locate(None).ok()),
-    }
 }
 
 fn plan(

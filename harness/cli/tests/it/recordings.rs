@@ -189,3 +189,46 @@ fn a_section_is_asked_again_of_the_same_compiler_only() {
     let (code, _, notes) = record(&["--commit", "abc"]);
     assert_eq!(code, Some(0), "{notes}");
 }
+
+#[test]
+fn a_promotion_that_fails_leaves_no_table_and_options_without_effect_are_refused() {
+    let folder = dialects::folder(MINE);
+    let folder = folder.path();
+    let cases = folder.join("conformance-cases");
+    let text = "[recording]\nproduct = \"MyPLC\"\nversion = \"2.1\"\nplatform = \"p\"\ndate = \"2026-11-25\"\n\
+                [[answers]]\ndialects = [\"codesys\"]\n[answers.implicit]\nINT = { accepts = \"DINT\" }\n\
+                [answers.bits]\nBYTE = { accepts = \"0\" }\n";
+    fs::create_dir_all(cases.join("recordings")).expect("a folder");
+    fs::write(folder.join(RECORDING), text).expect("written");
+    fs::create_dir_all(folder.join("a-finding")).expect("a folder");
+    for (arguments, said) in [
+        (
+            &["promote", RECORDING, "--title", "A title"][..],
+            "--basis and --title are for a finding",
+        ),
+        (
+            &["promote", RECORDING, "--basis", "iec-61131-3: 6.3"],
+            "--basis and --title are for a finding",
+        ),
+        (
+            &["promote", "a-finding", "--dialect", "codesys"],
+            "--dialect is for a recording",
+        ),
+    ] {
+        let (code, _, notes) = run(folder, arguments);
+        assert_eq!(code, Some(2));
+        assert!(notes.contains(said), "{notes}");
+    }
+    fs::write(cases.join("bit-access"), "in the way").expect("a file");
+    let (code, _, notes) = run(folder, &["promote", RECORDING]);
+    assert_eq!(code, Some(2));
+    assert!(notes.contains("cannot write "), "{notes}");
+    assert!(
+        !cases.join("widening/my-plc.toml").exists(),
+        "the first table is taken back"
+    );
+    fs::remove_file(cases.join("bit-access")).expect("a file");
+    let (code, shown, notes) = run(folder, &["promote", RECORDING]);
+    assert_eq!(code, Some(0), "{notes}");
+    assert!(shown.contains("widening/my-plc.toml  1 case\n"), "{shown}");
+}

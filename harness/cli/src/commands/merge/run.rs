@@ -22,13 +22,9 @@ use stickler_report::{Overview, ReportError, Reports};
 pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     refuse_to_overwrite(arguments)?;
     let parts = arguments.folders.iter().map(|folder| part(folder)).collect();
-    let stated = match &arguments.cases {
-        Some(named) => of_all_cases(&CaseFolder::locate(Some(named))?),
-        // Without cases the page has no conversions.
-        None => CaseFolder::locate(None)
-            .map(|folder| of_all_cases(&folder))
-            .unwrap_or_default(),
-    };
+    // Without cases the page has no conversions.
+    let folder = CaseFolder::locate_any(arguments.cases.as_deref())?;
+    let stated = folder.as_ref().map(of_all_cases).unwrap_or_default();
     let mut reports = Reports::create(&arguments.output, stated)?;
     let mut overview = Overview::default();
     let mut broken: Option<ReportError> = None;

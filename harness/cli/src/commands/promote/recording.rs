@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use stickler_campaign::check_name;
 use stickler_conversions::recording::{RecordedSection, RecordedTables, Recording};
 use stickler_suite::RECORDINGS;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, counted};
 
 /// Returns whether the path names the file of a recording rather than a finding.
 pub(super) fn is_recording(path: &Path) -> bool {
@@ -75,7 +75,8 @@ pub(super) fn execute(
         }
     }
     for (path, table) in places.iter().zip(&made.tables) {
-        writeln!(out, "{}  {} cases", path.display(), table.rows)?;
+        let cases = counted(table.rows as u64, "case", "cases");
+        writeln!(out, "{}  {cases}", path.display())?;
     }
     note_left_out(&made);
     writeln!(out, "  {} lint", shell::program())?;
