@@ -143,7 +143,7 @@ pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
 pub(crate) fn list(root: &Root) -> Listing {
     let mut listing = Listing::default();
     let is_hidden = |name: &std::ffi::OsStr| name.as_encoded_bytes().starts_with(b".");
-    let walk = WalkDir::new(root.path()).sort_by_file_name().into_iter();
+    let walk = WalkDir::new(root.path()).into_iter();
     for entry in walk.filter_entry(|entry| entry.depth() == 0 || !is_hidden(entry.file_name())) {
         match entry {
             Ok(entry) if entry.file_type().is_dir() => note_folder_without_readme(root, &entry, &mut listing),
@@ -164,6 +164,8 @@ pub(crate) fn list(root: &Root) -> Listing {
             }
         }
     }
+    let by_path = |a: &CaseFile, b: &CaseFile| a.below_root.split('/').cmp(b.below_root.split('/'));
+    listing.files.sort_unstable_by(by_path);
     listing
 }
 
@@ -221,7 +223,9 @@ fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: 
 pub(crate) fn read(path: &Path) -> Result<String, Mistake> {
     let unreadable = |error: std::io::Error| Mistake::new(1, format!("cannot be read: {error}"));
     let file = std::fs::File::open(path).map_err(unreadable)?;
-    let mut bytes = Vec::new();
+    // With room for the whole file, and one byte more for its end, it is read at once.
+    let len = file.metadata().map_or(0, |metadata| metadata.len());
+    let mut bytes = Vec::with_capacity(len.min(MAX_FILE_LEN) as usize + 1);
     file.take(MAX_FILE_LEN + 1)
         .read_to_end(&mut bytes)
         .map_err(unreadable)?;

@@ -70,14 +70,21 @@ impl Suite {
         suite.read_version(&root);
         suite.read_dialects(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
-        let read = sources::read(&root, &suite.dialects);
+        let (read, (places, errors), mut listing) = std::thread::scope(|scope| {
+            // Nothing else is needed to list the files, and the other processor is idle.
+            let listing = scope.spawn(|| files::list(&root));
+            let read = sources::read(&root, &suite.dialects);
+            let places = places::read(&root, &suite.dialects, &read.sources);
+            let listing = listing
+                .join()
+                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            (read, places, listing)
+        });
         suite.errors.extend(read.errors);
         suite.remarks.extend(read.remarks);
-        let sources = read.sources;
-        let (places, errors) = places::read(&root, &suite.dialects, &sources);
         suite.errors.extend(errors);
+        let sources = read.sources;
         let type_names = TypeNames::default();
-        let mut listing = files::list(&root);
         listing
             .files
             .retain(|file| is_wanted(ident::stem(&file.below_root), file.kind));
