@@ -144,11 +144,11 @@ fn numbered(count: usize, make: impl Fn(usize, Case) -> Case) -> Suite {
 #[test]
 fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
     let mut suite = Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases"));
-    // One case of five has every table and every kind of case in it, and is quick.
+    // One case of twenty has nearly every table and every kind of case in it, and is quick.
     let mut place = 0;
     suite.cases.retain(|_| {
         place += 1;
-        place % 5 == 0
+        place % 20 == 0
     });
     let unpacked = events(&suite, &[&Reference::new()], 0);
     for sure in [of_all_or_none as Sure, of_what_is_told] {
