@@ -12,7 +12,7 @@ use crate::{ReportError, compared, diff, engine};
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::PathBuf;
-use stickler_run::{CaseEvent, DefinedHeader, Reduced, Totals};
+use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
 
 /// The maximum length of the document, in bytes. A step summary may have 1 MiB; the rest is left to other steps.
@@ -200,8 +200,11 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
     if found.is_empty() {
         return;
     }
-    page.add("\n| cases | cause | engine | claim |\n|--:|---|---|---|\n");
-    for cause in found.iter().take(MAX_SHOWN_CAUSES) {
+    let (small, unreduced) = found.split_at(found.partition_point(|cause| !cause.is_partly_reduced()));
+    if !small.is_empty() {
+        page.add("\n| cases | cause | engine | claim |\n|--:|---|---|---|\n");
+    }
+    for cause in small.iter().take(MAX_SHOWN_CAUSES) {
         page.add(&format!(
             "| {} | {} | {} | {} |\n",
             cause.unexpected(),
@@ -210,21 +213,26 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
             inline(&cause.shown.basis)
         ));
     }
-    let rest = &found[found.len().min(MAX_SHOWN_CAUSES)..];
+    let explained = |causes: &[&Cause]| {
+        counted(
+            causes.iter().map(|cause| cause.unexpected()).sum(),
+            "case",
+            "cases",
+        )
+    };
+    let rest = &small[small.len().min(MAX_SHOWN_CAUSES)..];
     if !rest.is_empty() {
-        let cases: u64 = rest.iter().map(|cause| cause.unexpected()).sum();
         page.add(&format!(
             "\n{} more, of {}.\n",
             counted(rest.len() as u64, "cause", "causes"),
-            counted(cases, "case", "cases")
+            explained(rest)
         ));
     }
-    let partly = found.iter().filter(|cause| cause.reduction == Reduced::Partly);
-    let partly = partly.count() as u64;
-    if partly > 0 {
+    if !unreduced.is_empty() {
         page.add(&format!(
-            "\nThe search ended before the programs of {} were as small as possible; several may have one cause.\n",
-            counted(partly, "cause", "causes")
+            "\nThe search ended before {}, of {}, could be made as small as possible; most of them may show a cause of the list.\n",
+            counted(unreduced.len() as u64, "program", "programs"),
+            explained(unreduced)
         ));
     }
 }

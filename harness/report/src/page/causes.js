@@ -13,8 +13,10 @@ function showCauses(main, query) {
       location.hash = addressOf("causes", { engine: chosen });
     })));
   }
+  const isSmall = (cause) => cause.reduction !== "partly";
   const lists = [
-    ["Contradicts a source that binds the engine", causes.filter(({ cause }) => !cause.differs)],
+    ["Contradicts a source that binds the engine", causes.filter(({ cause }) => !cause.differs && isSmall(cause))],
+    ["Not made small, as the search ended before: most may show a cause of the list above", causes.filter(({ cause }) => !cause.differs && !isSmall(cause))],
     ["Differs from rules of Stickler, or from sources that speak for other engines", causes.filter(({ cause }) => cause.differs)],
   ];
   for (const [title, list] of lists) {

@@ -3,7 +3,7 @@
 use super::{MAX_BYTES, markdown};
 use crate::overview::Overview;
 use crate::sample;
-use stickler_run::{CaseEvent, Event, Reduced, Verdict};
+use stickler_run::{CaseEvent, Cause, Event, Reduced, Verdict};
 
 fn page(events: &[Event]) -> String {
     let mut overview = Overview::default();
@@ -86,21 +86,27 @@ fn several_engines_stand_side_by_side() {
 #[test]
 fn the_causes_that_are_not_expected_stand_before_the_cases() {
     let mut run = sample::run();
-    let causes = [("`a` gives 1", Verdict::Fail), ("known", Verdict::Xfail)];
+    let causes = [
+        ("large", Verdict::Fail, Reduced::Partly),
+        ("`a` gives 1", Verdict::Fail, Reduced::Smallest),
+        ("known", Verdict::Xfail, Reduced::Partly),
+    ];
     let footer = run.len() - 1;
-    for (title, verdict) in causes {
-        let mut cause = sample::cause(title, 7, verdict);
-        cause.reduction = Reduced::Partly;
+    for (title, verdict, reduction) in causes {
+        let cause = Cause {
+            reduction,
+            ..sample::cause(title, 7, verdict)
+        };
         run.insert(footer, Event::Cause(cause));
     }
     let text = page(&run);
     assert!(
-        text.contains("\nThe search ended before the programs of 1 cause were as small"),
+        text.contains("\nThe search ended before 1 program, of 7 cases, could be made as small"),
         "{text}"
     );
     let row = "| 7 | \\`a\\` gives 1 | reference | ironplc-type-conversions: Integer widening |\n";
     assert!(text.contains(row), "{text}");
-    assert!(!text.contains("known"), "{text}");
+    assert!(!text.contains("known") && !text.contains("large"), "{text}");
     assert!(text.find(row) < text.find("### fail:"), "{text}");
 }
 

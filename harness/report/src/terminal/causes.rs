@@ -31,8 +31,9 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<us
     let room = columns.map_or(usize::MAX, |columns| {
         columns.saturating_sub(width + 2).max(MIN_TITLE)
     });
+    let (small, unreduced) = causes.split_at(causes.partition_point(|cause| !cause.is_partly_reduced()));
     writeln!(out, "{BOLD}{:>width$}  Cause{BOLD:#}", "Cases")?;
-    for cause in causes.iter().take(MAX_SHOWN_CAUSES) {
+    for cause in small.iter().take(MAX_SHOWN_CAUSES) {
         let on = if several {
             format!(" on {}", visible(&cause.engine))
         } else {
@@ -54,12 +55,23 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<us
             shortened(&about(cause), room)
         )?;
     }
-    let rest = &causes[causes.len().min(MAX_SHOWN_CAUSES)..];
-    if !rest.is_empty() {
-        let cases: u64 = rest.iter().map(|cause| cause.unexpected()).sum();
-        let causes = counted(rest.len() as u64, "cause", "causes");
-        writeln!(out, "{:>width$}  {causes} more", grouped(cases))?;
-    }
+    let mut count = |causes: &[&Cause], one: &str, several: &str| match causes {
+        [] => Ok(()),
+        causes => {
+            let cases: u64 = causes.iter().map(|cause| cause.unexpected()).sum();
+            let causes = counted(causes.len() as u64, one, several);
+            writeln!(out, "{:>width$}  {causes}", grouped(cases))
+        }
+    };
+    count(
+        &small[small.len().min(MAX_SHOWN_CAUSES)..],
+        "cause more",
+        "causes more",
+    )?;
+    let [one, several] = ["program", "programs"].map(|programs| {
+        format!("{programs} not made small, which may show a cause of the list: the search ended before")
+    });
+    count(unreduced, &one, &several)?;
     writeln!(out)
 }
 
@@ -79,9 +91,6 @@ fn about(cause: &Cause) -> String {
             repeats.seen, repeats.of
         ));
     }
-    if cause.is_partly_reduced() {
-        text.push_str("; not as small as it could be");
-    }
     text
 }
 
@@ -89,7 +98,7 @@ fn about(cause: &Cause) -> String {
 mod tests {
     use crate::overview::Overview;
     use crate::sample;
-    use stickler_run::{Repeats, Verdict};
+    use stickler_run::{Reduced, Repeats, Verdict};
 
     fn shown(overview: &Overview) -> String {
         let mut bytes = Vec::new();
@@ -121,6 +130,13 @@ Cases  Cause
         assert!(text.starts_with(start), "{text}");
         assert!(text.ends_with("    3  2 causes more\n\n"), "{text}");
         assert!(!text.contains("known"), "{text}");
+        let mut large = sample::cause("large", 50, Verdict::Fail);
+        large.reduction = Reduced::Partly;
+        overview.causes.push(large);
+        let text = shown(&overview);
+        assert!(text.starts_with(start) && !text.contains("large"), "{text}");
+        let end = "    3  2 causes more\n   50  1 program not made small, which may show a cause of the list: the search ended before\n\n";
+        assert!(text.ends_with(end), "{text}");
         overview.causes.clear();
         assert_eq!(shown(&overview), "");
     }
