@@ -1,6 +1,7 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its case speaks of.
 
 use crate::essence::Essence;
+use crate::literals::valued_types;
 use crate::reduction::Smallest;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_engines::Identity;
@@ -31,6 +32,38 @@ const ARRAYS: &[&str] = &["ironplc-derived-types: array-types"];
 const STRUCTURES: &[&str] = &["ironplc-derived-types: structure-types"];
 const BLOCKS: &[&str] = &["ironplc-pous: function-block"];
 
+/// Standard functions, each with who promises it, as the tables of the folder `language` cite them.
+const FUNCTIONS: [(&str, &[&str]); 7] = [
+    (
+        "SEL",
+        &["ironplc-standard-functions: sel", "iec-61131-3: Table 32"],
+    ),
+    (
+        "MAX",
+        &["ironplc-standard-functions: max", "iec-61131-3: Table 32"],
+    ),
+    (
+        "MIN",
+        &["ironplc-standard-functions: min", "iec-61131-3: Table 32"],
+    ),
+    (
+        "LIMIT",
+        &["ironplc-standard-functions: limit", "iec-61131-3: Table 32"],
+    ),
+    (
+        "MUX",
+        &["ironplc-standard-functions: mux", "iec-61131-3: Table 32"],
+    ),
+    (
+        "LEN",
+        &["ironplc-standard-functions: len", "iec-61131-3: Table 34"],
+    ),
+    (
+        "CONCAT",
+        &["ironplc-standard-functions: concat", "iec-61131-3: Table 34"],
+    ),
+];
+
 /// Returns the basis by which an engine must take the program of a cause: the first source that promises its construct and binds the
 /// engine. `None` where the construct is not known or nobody promises it.
 pub(crate) fn promise(
@@ -41,7 +74,10 @@ pub(crate) fn promise(
 ) -> Option<&'static str> {
     let promises = match &shown.deviation.sign.symptom {
         Symptom::Rejected(_) => of_rejection(shown, essence),
-        Symptom::NotImplemented(_) => of_missing(essence),
+        Symptom::NotImplemented(_) => of_missing(essence).or_else(|| {
+            let all = tokens(&shown.program);
+            of_function(&all, &all)
+        }),
         Symptom::Value => of_value(essence),
         _ => None,
     }?;
@@ -130,7 +166,23 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     let calls = pair(&line, |word, next| {
         word.kind == ProgramTokenKind::Word && next.text == "("
     });
-    (has("VAR_IN_OUT") && !calls).then_some(IN_OUT)
+    match has("VAR_IN_OUT") && !calls {
+        true => Some(IN_OUT),
+        false => of_function(&line, &all),
+    }
+}
+
+/// Returns who promises the one function that is called among these tokens of a program. A function that selects one of its arguments
+/// is promised where these have one type: whether it converts them is another claim.
+fn of_function(called: &[ProgramToken<'_>], all: &[ProgramToken<'_>]) -> Option<&'static [&'static str]> {
+    let is_call = |pair: &&[ProgramToken<'_>]| pair[0].kind == ProgramTokenKind::Word && pair[1].text == "(";
+    let mut calls = called.windows(2).filter(is_call);
+    let (first, None) = (calls.next()?, calls.next()) else {
+        return None;
+    };
+    let (name, promises) = FUNCTIONS.iter().find(|(name, _)| first[0].is(name))?;
+    let takes_one_type = matches!(*name, "LEN" | "CONCAT") || valued_types(all).len() < 2;
+    takes_one_type.then_some(*promises)
 }
 
 /// Returns who promises the construct that is not implemented.
@@ -240,6 +292,16 @@ mod tests {
         assert_eq!(of("x : OWN := (f := 0);", &["declaration"]), Some(LISTS));
         assert_eq!(of("x := STRING#'';", &["STRING#"]), Some(TEXTS));
         assert_eq!(of("x : BOOL := BOOL#FALSE;", &["BOOL#"]), Some(NUMBERS));
+        let promises = |name: &str| {
+            FUNCTIONS
+                .iter()
+                .find(|(known, _)| *known == name)
+                .map(|(_, promises)| *promises)
+        };
+        assert_eq!(of("x := LEN(y);", &["LEN"]), promises("LEN"));
+        assert_eq!(of("x := min(y, y);", &["MAX"]), promises("MIN"));
+        assert_eq!(of("x := MIN(LEN(y), y);", &["MAX", "LEN"]), None);
+        assert_eq!(of("x := MIN(INT#0, REAL#0.0);", &["MAX"]), None);
         assert_eq!(
             of("x : INT := INT#-5;", &["typed literal with a sign"]),
             Some(NUMBERS)
@@ -275,7 +337,8 @@ mod tests {
             STRUCTURES,
             BLOCKS,
         ];
-        for basis in all.concat() {
+        let of_functions = FUNCTIONS.iter().flat_map(|(_, promises)| *promises);
+        for basis in all.concat().iter().chain(of_functions) {
             assert!(suite.sources.of(basis).is_some(), "{basis}");
         }
     }

@@ -145,6 +145,11 @@ pub(super) fn outermost_first<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<&'t Expre
     all
 }
 
+/// Writes numbers with a base in decimal, so that a base stays only where it matters.
+pub(super) fn literals_to_decimal(draft: &mut TextDraft, sites: &mut Sites) {
+    draft.change("decimal", sites, |draft| literals(draft, LiteralStep::Decimal));
+}
+
 /// Makes numbers 0, and empties texts.
 pub(super) fn literals_to_zero(draft: &mut TextDraft, sites: &mut Sites) {
     draft.change("zero", sites, |draft| literals(draft, LiteralStep::Zero));
@@ -167,6 +172,7 @@ pub(super) fn lessen_literals(draft: &mut TextDraft, sites: &mut Sites) {
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum LiteralStep {
+    Decimal,
     Zero,
     One,
     Half,
@@ -194,6 +200,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
         LiteralKind::Integer => {
             let number: i128 = text.replace('_', "").parse().ok()?;
             match step {
+                LiteralStep::Decimal => return None,
                 LiteralStep::Zero => 0,
                 LiteralStep::One => 1,
                 LiteralStep::Half => number / 2,
@@ -206,6 +213,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
             let base: u32 = base.parse().ok().filter(|base| [2, 8, 16].contains(base))?;
             let number = u128::from_str_radix(&digits.replace('_', ""), base).ok()?;
             let number = match step {
+                LiteralStep::Decimal => return Some(number.to_string()),
                 LiteralStep::Zero => 0,
                 LiteralStep::One => 1,
                 LiteralStep::Half => number / 2,
@@ -218,6 +226,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
             }
         }
         LiteralKind::Real => match step {
+            LiteralStep::Decimal => return None,
             LiteralStep::Zero => "0.0".to_owned(),
             LiteralStep::One => "1.0".to_owned(),
             LiteralStep::Half => format!("{}.0", text.split('.').next()?),
@@ -229,12 +238,13 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
         LiteralKind::Duration => match step {
             LiteralStep::Zero => "0s".to_owned(),
             LiteralStep::One => "1s".to_owned(),
-            LiteralStep::Half | LiteralStep::Less => return None,
+            LiteralStep::Decimal | LiteralStep::Half | LiteralStep::Less => return None,
         },
         LiteralKind::SingleByteText | LiteralKind::DoubleByteText => {
             let quote = text.get(..1)?;
             let inner = text.get(1..text.len().checked_sub(1)?)?;
             let kept = match step {
+                LiteralStep::Decimal => return None,
                 LiteralStep::Zero => 0,
                 LiteralStep::One => 1,
                 LiteralStep::Half => inner.chars().count() / 2,

@@ -54,6 +54,7 @@ const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
         pass("drop lines", chunks::drop_lines),
         pass("drop words", chunks::drop_words),
         pass("drop characters", chunks::drop_characters),
+        pass("write numbers in decimal", expressions::literals_to_decimal),
         pass("make literals zero", expressions::literals_to_zero),
         pass("make literals one", expressions::literals_to_one),
         pass("halve literals", expressions::halve_literals),

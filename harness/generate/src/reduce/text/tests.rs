@@ -112,6 +112,24 @@ fn what_remains_of_a_program_is_what_the_symptom_needs() {
 }
 
 #[test]
+fn a_base_stays_where_it_matters() {
+    let start = "PROGRAM main\nVAR\n    x : BYTE;\nEND_VAR\n    x := BYTE#2#101 XOR 16#7F;\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["XOR"]);
+    assert!(
+        !found.value.contains("2#") && !found.value.contains("16#"),
+        "{}",
+        found.value
+    );
+    let found = reduce(start, &["XOR", "16#"]);
+    assert!(
+        found.value.contains("16#0") && !found.value.contains("2#1"),
+        "{}",
+        found.value
+    );
+}
+
+#[test]
 fn a_location_goes_where_it_does_not_matter() {
     let start = "PROGRAM main\nVAR\n    x AT %MW5 : INT;\nEND_VAR\n    x := x MOD 3;\nEND_PROGRAM\n";
     accepted(start);
