@@ -2,7 +2,7 @@
 
 use crate::names::DeclaredNames;
 use crate::reduction::Smallest;
-use crate::statements::path;
+use crate::shape::path;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_run::Fact;
 

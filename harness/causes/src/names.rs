@@ -1,7 +1,6 @@
 //! The names that a program declares, with their types and initial values, found without a parser.
 
-use crate::shape::{in_declarations, own_functions};
-use crate::statements::path;
+use crate::shape::{in_declarations, own_functions, path};
 use crate::tokens::{ProgramToken, ProgramTokenKind};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;

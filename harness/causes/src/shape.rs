@@ -274,6 +274,46 @@ fn one_a_name(declaration: &[String]) -> Vec<String> {
         .collect()
 }
 
+/// Returns the end of the variable that begins at a token, with its fields and subscripts and without a bit; `None` where none
+/// begins there.
+pub(crate) fn path(all: &[ProgramToken<'_>], at: usize) -> Option<usize> {
+    let token = all.get(at)?;
+    let is_behind_point = at > 0 && all[at - 1].text == ".";
+    if token.kind != ProgramTokenKind::Word || is_fixed(token.text) || is_behind_point {
+        return None;
+    }
+    let mut end = at + 1;
+    loop {
+        match all.get(end).map(|token| token.text) {
+            Some("[") => end = closed(all, end)?,
+            Some(".")
+                if all
+                    .get(end + 1)
+                    .is_some_and(|next| next.kind == ProgramTokenKind::Word) =>
+            {
+                end += 2
+            }
+            _ => return Some(end),
+        }
+    }
+}
+
+/// Returns the place behind the bracket that closes the one at a place.
+fn closed(all: &[ProgramToken<'_>], open: usize) -> Option<usize> {
+    let mut depth = 0_usize;
+    for (at, token) in all.iter().enumerate().skip(open) {
+        match token.text {
+            "[" => depth += 1,
+            "]" => depth -= 1,
+            _ => {}
+        }
+        if depth == 0 {
+            return Some(at + 1);
+        }
+    }
+    None
+}
+
 #[cfg(test)]
 mod tests {
     use super::{KeptTypes, shape, token_at};

@@ -1,8 +1,8 @@
 //! Programs with other statements in a body: one that only names a variable, or two in the place of one.
 
 use crate::names::{DeclaredNames, prefix_type};
-use crate::shape::is_fixed;
-use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
+use crate::shape::path;
+use crate::tokens::{ProgramToken, tokens};
 use std::ops::Range;
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
@@ -115,46 +115,6 @@ pub(crate) fn bodies(all: &[ProgramToken<'_>]) -> Vec<Range<usize>> {
         }
     }
     found
-}
-
-/// Returns the end of the variable that begins at a token, with its fields and subscripts and without a bit; `None` where none
-/// begins there.
-pub(crate) fn path(all: &[ProgramToken<'_>], at: usize) -> Option<usize> {
-    let token = all.get(at)?;
-    let is_behind_point = at > 0 && all[at - 1].text == ".";
-    if token.kind != ProgramTokenKind::Word || is_fixed(token.text) || is_behind_point {
-        return None;
-    }
-    let mut end = at + 1;
-    loop {
-        match all.get(end).map(|token| token.text) {
-            Some("[") => end = closed(all, end)?,
-            Some(".")
-                if all
-                    .get(end + 1)
-                    .is_some_and(|next| next.kind == ProgramTokenKind::Word) =>
-            {
-                end += 2
-            }
-            _ => return Some(end),
-        }
-    }
-}
-
-/// Returns the place behind the bracket that closes the one at a place.
-fn closed(all: &[ProgramToken<'_>], open: usize) -> Option<usize> {
-    let mut depth = 0_usize;
-    for (at, token) in all.iter().enumerate().skip(open) {
-        match token.text {
-            "[" => depth += 1,
-            "]" => depth -= 1,
-            _ => {}
-        }
-        if depth == 0 {
-            return Some(at + 1);
-        }
-    }
-    None
 }
 
 /// Returns whether a program declares a function block with this name.

@@ -1,6 +1,6 @@
 //! Programs that differ from another in one property: of a literal, of a type, of an operand.
 
-use crate::statements::path;
+use crate::shape::path;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_types::ElementaryType;

@@ -9,6 +9,7 @@
 #![forbid(unsafe_code)]
 
 mod dialects;
+mod draft;
 mod engines;
 mod error;
 mod file;

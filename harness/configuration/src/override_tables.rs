@@ -1,6 +1,6 @@
 //! Reads the overrides of a table `[dialects.NAME]`: `implicit`, `flags`, `conversions` and `operators`.
 
-use crate::dialects::Draft;
+use crate::draft::Draft;
 use crate::near::{advice, list};
 use crate::table::{ConfigurationMistake, text};
 use std::collections::BTreeSet;

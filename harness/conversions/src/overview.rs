@@ -16,11 +16,11 @@ mod values;
 pub use inputs::boundaries as boundary_calls;
 pub use json::write as write_json;
 pub use page::OverviewPage;
-pub use recorded::{ComparedAnswer, RecordedAnswers};
+pub use recorded::{ComparedAnswer, QuestionNumber, RecordedAnswers};
 pub use results::{
     AnswerSource, AssertedResult, ComparedResult, DialectResults, ExpectedResult, OtherStatement,
     SignatureResults, gather,
 };
-pub use statements::{CaseProgram, CaseStatement, QuestionNumber, Statements, StatementsBuilder};
+pub use statements::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
 pub use statements::{FunctionCall, FunctionTable, StatedResult};
 pub use values::{CallOperands, ValueError, calls};

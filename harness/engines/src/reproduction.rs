@@ -1,6 +1,7 @@
 //! Reproductions: the files and commands by which a person runs a program on a compiler without Stickler.
 
-use crate::adapters::{ProbeVariable, without_colours};
+use crate::adapters::plain::without_colours;
+use crate::adapters::probe_variable::ProbeVariable;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{Ability, Engine, Outcome, RunRequest, shell_quote};
 use serde::{Deserialize, Serialize};

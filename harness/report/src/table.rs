@@ -1,10 +1,10 @@
 //! A table of plain text whose columns are as wide as their widest cells.
 
-use crate::text::shortened;
 use anstyle::Style;
 use std::fmt::Display;
 use std::io::{self, Write};
 use std::ops::Range;
+use stickler_types::shortened;
 
 /// The number of spaces between two columns.
 const GAP: usize = 2;

@@ -40,14 +40,6 @@ pub(crate) fn clip(text: &str, lines: usize, characters: usize) -> String {
     kept.join("\n")
 }
 
-/// Shortens a line to so many characters at most, for a column of a table.
-pub(crate) fn shortened(line: &str, characters: usize) -> String {
-    match line.char_indices().nth(characters) {
-        None => line.to_owned(),
-        Some(_) => line.chars().take(characters - 1).chain(['…']).collect(),
-    }
-}
-
 /// Breaks a sentence between words, so that each line has so many characters at most where its words allow that.
 pub(crate) fn wrapped(sentence: &str, columns: Option<usize>) -> String {
     let Some(columns) = columns else {
@@ -118,7 +110,7 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{clip, duration, noted, shortened, visible, wrapped};
+    use super::{clip, duration, noted, visible, wrapped};
     use crate::sample;
     use stickler_run::{BaselineNote, Verdict};
 
@@ -156,11 +148,6 @@ mod tests {
             "what is cut off is shorter than the word about it"
         );
         assert_eq!(clip("äöü", 1, 3), "äöü");
-    }
-
-    #[test]
-    fn a_line_that_is_shortened_is_as_long_as_its_column() {
-        assert_eq!([shortened("äöüß", 4), shortened("äöüß?", 4)], ["äöüß", "äöü…"]);
     }
 
     #[test]

@@ -2,10 +2,10 @@
 //! failing cases, and the failing cases that no cause explains.
 
 use crate::overview::Overview;
-use crate::text::{shortened, visible};
+use crate::text::visible;
 use crate::{compared, engine};
 use stickler_run::{CaseEvent, Cause, Fact, Verdict};
-use stickler_types::counted;
+use stickler_types::{counted, shortened};
 
 /// The maximum number of characters of a title.
 const MAX_TITLE: usize = 200;

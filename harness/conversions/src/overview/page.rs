@@ -2,7 +2,7 @@
 
 use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureResults};
 use super::table::{self, Align, NotedCell};
-use super::values::CallOperands;
+use super::values::{CallOperands, MAX_VALUE_LEN};
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::literals;
@@ -11,7 +11,7 @@ use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
-use stickler_types::{DialectName, ElementaryType, Family, Value, wrap, wrap_within};
+use stickler_types::{DialectName, ElementaryType, Family, Value, shortened, wrap, wrap_within};
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -34,9 +34,6 @@ const MANY: usize = 3;
 
 /// The magnitude from which on a real is shown with an exponent, since its digits would be too many to read.
 const LARGE: f64 = 1e16;
-
-/// The maximum number of characters that are shown of a value.
-const MAX_VALUE_LEN: usize = 40;
 
 /// The page that shows what a function gives.
 pub struct OverviewPage<'p> {
@@ -318,15 +315,16 @@ fn align(ty: ElementaryType) -> Align {
 /// Returns the shortened literal of a value, without its type where that is `ty`, which the heading names.
 fn untyped(value: &Value, ty: ElementaryType) -> String {
     let literal = value.to_string();
-    shortened(match literal.split_once('#') {
+    let shown = match literal.split_once('#') {
         Some((prefix, rest)) if prefix == ty.name() => rest,
         _ => &literal,
-    })
+    };
+    shortened(shown, MAX_VALUE_LEN)
 }
 
 /// Returns the shortened typed literal of a value.
 fn in_words(value: &Value) -> String {
-    shortened(&value.to_string())
+    shortened(&value.to_string(), MAX_VALUE_LEN)
 }
 
 /// Returns a fragment that says how a result contradicts a document, or why there is no result; `None` where nothing is wrong.
@@ -357,13 +355,4 @@ fn disputed(expected: &ExpectedResult) -> Option<String> {
         in_words(&other.value),
         other.basis
     ))
-}
-
-/// Shortens a text to [`MAX_VALUE_LEN`] characters.
-pub fn shortened(text: &str) -> String {
-    if text.chars().count() <= MAX_VALUE_LEN {
-        return text.to_owned();
-    }
-    let beginning: String = text.chars().take(MAX_VALUE_LEN - 1).collect();
-    format!("{beginning}…")
 }

@@ -1,9 +1,11 @@
 //! Reads operands that are given as texts on the command line.
 
 use super::inputs;
-use super::page::shortened;
 use stickler_exact::Signature;
-use stickler_types::{ElementaryType, Family, LiteralError, Value};
+use stickler_types::{ElementaryType, Family, LiteralError, Value, shortened};
+
+/// The maximum number of characters that are shown of a value.
+pub(super) const MAX_VALUE_LEN: usize = 40;
 
 /// The operands of one call.
 pub type CallOperands = Vec<Value>;
@@ -97,7 +99,7 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<CallOperands>)], bare_text: b
                 let reason = read(text, *ty, bare_text).err()?;
                 Some(format!(
                     "`{}` is no value of type {ty}: {reason}",
-                    shortened(text)
+                    shortened(text, MAX_VALUE_LEN)
                 ))
             });
             wrong.collect::<Vec<_>>().join("; ")
@@ -113,7 +115,7 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<CallOperands>)], bare_text: b
                 .map_or("", |(signature, _)| signature.function.as_str());
             format!(
                 "`{}` is no value of a type that {name} takes: {}",
-                shortened(&texts),
+                shortened(&texts, MAX_VALUE_LEN),
                 types.join(", ")
             )
         }
@@ -159,7 +161,7 @@ fn number_misfit(text: &str, ty: ElementaryType) -> Option<String> {
 fn reason(error: LiteralError, literal: &str, ty: ElementaryType) -> String {
     let place = match literal.get(error.offset()..) {
         None | Some("") => "at its end".to_owned(),
-        Some(rest) => format!("at `{}`", shortened(rest)),
+        Some(rest) => format!("at `{}`", shortened(rest, MAX_VALUE_LEN)),
     };
     match (error, ty.integer_range()) {
         (LiteralError::Malformed { expected, .. }, _) => format!("expected {expected} {place}"),

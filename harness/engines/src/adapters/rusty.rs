@@ -8,6 +8,7 @@
 
 mod diagnostics;
 mod driver;
+mod errors;
 mod library;
 mod pack;
 mod program;
@@ -23,8 +24,9 @@ use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
     RunRequest, Session,
 };
-use diagnostics::{ErrorPart, LocatedDiagnostic, OutputParser};
+use diagnostics::OutputParser;
 use driver::{HEADER, driver, functions};
+use errors::{ErrorPart, LocatedDiagnostic, sorted};
 use library::StandardLibrary;
 use program::PackedProgram;
 pub(super) use reproduction::reproduce;
@@ -296,7 +298,7 @@ impl RustySession<'_> {
         let file = PackedProgram::file_of(0);
         self.folder.write(&file, source).map_err(failed)?;
         let found = self.call(&[file], options)?;
-        let found = diagnostics::sorted(found.into_iter().map(|(_, diagnostic)| diagnostic));
+        let found = sorted(found.into_iter().map(|(_, diagnostic)| diagnostic));
         match found.iter().any(Diagnostic::is_error) {
             true => Err(Outcome::rejected(found)),
             false => Ok(found),

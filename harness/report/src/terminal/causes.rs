@@ -2,11 +2,11 @@
 
 use super::{BAD, BOLD, DIM};
 use crate::overview::Overview;
-use crate::text::{shortened, visible};
+use crate::text::visible;
 use std::collections::BTreeSet;
 use std::io::{self, Write};
 use stickler_run::Cause;
-use stickler_types::{counted, grouped};
+use stickler_types::{counted, grouped, shortened};
 
 /// The maximum number of causes that are shown.
 const MAX_SHOWN_CAUSES: usize = 20;

@@ -5,10 +5,10 @@ use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
 use crate::table::{AlignedTable, Cell};
-use crate::text::{shortened, visible};
+use crate::text::visible;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
-use stickler_types::counted;
+use stickler_types::{counted, shortened};
 
 /// The maximum number of sources and sections that a summary names because they are not met.
 const MAX_NAMED: usize = 20;

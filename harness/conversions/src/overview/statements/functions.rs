@@ -1,6 +1,7 @@
 //! The functions of a table of statements as texts, for reports that show one function at a time.
 
-use super::{QuestionNumber, Statements};
+use super::Statements;
+use crate::overview::recorded::QuestionNumber;
 use std::collections::HashMap;
 
 /// A conversion function with the types of one of its signatures, and what documents state of its calls.

@@ -1,33 +1,19 @@
 //! Parses the diagnostics of `plc --error-format=clang`, and finds the file that each is about.
 
 use super::FUNCTIONS;
+use super::errors::{ErrorPart, LocatedDiagnostic, sorted};
 use super::program::PackedProgram;
 use crate::adapters::described::DiagnosticPattern;
 use crate::adapters::plain::without_colours;
 use crate::process::Ended;
 use crate::{Diagnostic, Outcome};
 use std::path::Path;
-use stickler_types::Code;
 
 /// The pattern of an error or a warning in the list of diagnostics. Notes begin with other words.
 const LISTED: &str = r"^(?:(?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:)? )?(?<severity>error|warning)\[(?<code>\w+)\]: (?<message>.*)$";
 
 /// The pattern of the last line about an error that prevents the object file, with or without a place.
 const LAST: &str = r"\A(?<message>.+?)(?: at: (?<file>[^:\n]+):(?<line>\d+):(?<column>\d+):?(?:\{\d+:\d+-(?<end_line>\d+):(?<end_column>\d+)\}:?)?)?\s*\z";
-
-/// The part of the compiled text that an error is about.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum ErrorPart {
-    /// The program at this place of the pack.
-    Program(usize),
-    /// The functions that show the values of the program of this number.
-    Functions(usize),
-    /// Other text, or an unknown part.
-    Elsewhere,
-}
-
-/// An error, and the part that it is about.
-pub(super) type LocatedDiagnostic = (ErrorPart, Diagnostic);
 
 /// A parser of the compiler's output.
 pub(super) struct OutputParser {
@@ -166,37 +152,4 @@ fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> LocatedDiagnostic 
 /// Returns a rejection with these diagnostics.
 pub(super) fn rejected(diagnostics: impl Iterator<Item = Diagnostic>) -> Outcome {
     Outcome::rejected(sorted(diagnostics))
-}
-
-/// Returns the diagnostics with the registry's codes, sorted by line, column and code, each once.
-pub(super) fn sorted(diagnostics: impl Iterator<Item = Diagnostic>) -> Vec<Diagnostic> {
-    let mut diagnostics: Vec<Diagnostic> = diagnostics.map(translated).collect();
-    diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
-    diagnostics.dedup();
-    diagnostics
-}
-
-/// The compiler's codes that mean the same as one of the registry.
-///
-/// Basis: rusty: its reference of error codes, `plc explain`. Others, such as E048 of anything that is not declared, stand for
-/// several of the registry.
-const CODES: [(&str, Code); 5] = [
-    ("E032", Code::FunctionCallWrongArgCount),
-    ("E037", Code::AssignmentTypeMismatch),
-    ("E052", Code::UndeclaredUnknownType),
-    ("E057", Code::BitAccessOutOfRange),
-    ("E058", Code::ArrayIndexOutOfBounds),
-];
-
-/// Returns the diagnostic with the registry's code where the compiler's own means the same.
-fn translated(diagnostic: Diagnostic) -> Diagnostic {
-    let own = diagnostic.code.as_deref().unwrap_or_default();
-    match CODES.iter().find(|(code, _)| *code == own) {
-        Some((own, code)) => Diagnostic {
-            code: Some(code.as_str().to_owned()),
-            message: format!("{own}: {}", diagnostic.message),
-            ..diagnostic
-        },
-        None => diagnostic,
-    }
 }

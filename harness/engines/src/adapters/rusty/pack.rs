@@ -5,8 +5,9 @@
 //! names later, when it makes the object file, is run alone. No program sees what another does when it runs.
 
 use super::RustySession;
-use super::diagnostics::{ErrorPart, LocatedDiagnostic, rejected, steady};
+use super::diagnostics::{rejected, steady};
 use super::driver::{RustySubject, driver, functions};
+use super::errors::{ErrorPart, LocatedDiagnostic};
 use super::program::PackedProgram;
 use crate::adapters::locate::suspects;
 use crate::adapters::rename::places_named;

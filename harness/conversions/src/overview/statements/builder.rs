@@ -1,0 +1,303 @@
+//! Gathers what cases state about conversions, and numbers the questions.
+
+use super::{Accepted, CaseProgram, CaseStatement, FunctionStatements, Statements};
+use crate::overview::inputs;
+use crate::overview::recorded::{QuestionNumber, RecordedColumn};
+use crate::overview::results::ExpectedResult;
+use crate::recording::Recording;
+use std::collections::HashMap;
+use std::sync::Arc;
+use stickler_exact::{Signature, call_of_program, signatures};
+use stickler_types::{DialectName, ElementaryType, Value, WordTable};
+
+/// Gathers statements.
+pub struct StatementsBuilder {
+    dialects: Vec<DialectName>,
+    words: WordTable,
+    pairs: AcceptedTable,
+    parts: AcceptedTable,
+    functions: Vec<StatedFunction>,
+    function_numbers: HashMap<(String, ElementaryType, ElementaryType), Option<usize>>,
+    call_cases: Vec<(Arc<str>, usize, usize)>,
+}
+
+/// A function with the types of one of its signatures, and its calls.
+struct StatedFunction {
+    signature: Signature,
+    dialects: Vec<usize>,
+    calls: Vec<Vec<Value>>,
+    boundaries: usize,
+    call_numbers: HashMap<String, usize>,
+    /// The results that cases assert, and their bases, by the number of the call and the index of the dialect.
+    asserted: HashMap<(usize, usize), (Value, Arc<str>)>,
+}
+
+/// Statements about pairs of words, and the cases that ask about them.
+#[derive(Default)]
+struct AcceptedTable {
+    all: Vec<Accepted>,
+    numbers: HashMap<(u32, u32), usize>,
+    cases: Vec<(Arc<str>, usize)>,
+}
+
+impl AcceptedTable {
+    fn add(
+        &mut self,
+        (from, to): (u32, u32),
+        statement: &CaseStatement<'_>,
+        dialects: &[DialectName],
+        basis: u32,
+    ) {
+        let Some(dialect) = dialects.iter().position(|dialect| *dialect == statement.dialect) else {
+            return;
+        };
+        let next = self.all.len();
+        let number = *self.numbers.entry((from, to)).or_insert(next);
+        if number == next {
+            let stated = vec![None; dialects.len()];
+            self.all.push(Accepted { from, to, stated });
+        }
+        let stated = &mut self.all[number].stated[dialect];
+        if stated.is_none() {
+            *stated = Some((statement.word, basis));
+        }
+        self.cases.push((Arc::clone(statement.case), number));
+    }
+}
+
+impl StatementsBuilder {
+    /// Begins a table whose columns are these dialects.
+    #[must_use]
+    pub fn new(dialects: Vec<DialectName>) -> StatementsBuilder {
+        StatementsBuilder {
+            dialects,
+            words: WordTable::default(),
+            pairs: AcceptedTable::default(),
+            parts: AcceptedTable::default(),
+            functions: Vec::new(),
+            function_numbers: HashMap::new(),
+            call_cases: Vec::new(),
+        }
+    }
+
+    /// Adds a statement about the implicit conversion of a pair of types.
+    pub fn add_implicit(&mut self, from: ElementaryType, to: ElementaryType, statement: &CaseStatement<'_>) {
+        let pair = (self.words.number(from.name()), self.words.number(to.name()));
+        let basis = self.words.number(statement.basis);
+        self.pairs.add(pair, statement, &self.dialects, basis);
+    }
+
+    /// Adds a statement about a bit or a part of a type, such as `7` or `%B1`.
+    pub fn add_part(&mut self, ty: ElementaryType, part: &str, statement: &CaseStatement<'_>) {
+        let pair = (self.words.number(ty.name()), self.words.number(part));
+        let basis = self.words.number(statement.basis);
+        self.parts.add(pair, statement, &self.dialects, basis);
+    }
+
+    /// Adds the call that a case makes, if its program makes one call of a conversion function, and the result that it asserts; and with
+    /// the first call of a function the boundary values of its types.
+    pub fn add_program(&mut self, case: &CaseProgram<'_>) {
+        let Some(call) = call_of_program(case.source) else {
+            return;
+        };
+        let Some(from) = ElementaryType::from_name(call.operand.type_name()) else {
+            return;
+        };
+        let function = call.function.to_ascii_uppercase();
+        let key = (function, from, call.result);
+        let number = match self.function_numbers.get(&key) {
+            Some(number) => *number,
+            None => {
+                let function = StatedFunction::find(&key, &self.dialects);
+                let number = function.is_some().then_some(self.functions.len());
+                self.functions.extend(function);
+                self.function_numbers.insert(key, number);
+                number
+            }
+        };
+        if let Some(number) = number {
+            let function = &mut self.functions[number];
+            let call = function.call(vec![call.operand]);
+            let dialect = self.dialects.iter().position(|dialect| *dialect == case.dialect);
+            if let (Some(dialect), Some(result)) = (dialect, case.result) {
+                let stated = (result.clone(), Arc::clone(case.basis));
+                function.asserted.entry((call, dialect)).or_insert(stated);
+            }
+            self.call_cases.push((Arc::clone(case.case), number, call));
+        }
+    }
+
+    /// Returns whether no case has asked a question yet.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.pairs.all.is_empty() && self.parts.all.is_empty() && self.functions.is_empty()
+    }
+
+    /// Returns the table, with what documents state of each call, and what the recorded compilers answer.
+    #[must_use]
+    pub fn finish(mut self, recordings: &[Recording]) -> Statements {
+        let mut recorded = RecordedColumn::all(recordings, &self.dialects);
+        let mut all = Statements {
+            dialects: self.dialects.iter().map(|dialect| dialect.as_str()).collect(),
+            pairs: self.pairs.all,
+            parts: self.parts.all,
+            ..Statements::default()
+        };
+        let number = |index: usize| QuestionNumber::try_from(index).unwrap_or(QuestionNumber::MAX);
+        let first_part = all.pairs.len();
+        let first_call = first_part + all.parts.len();
+        for (question, pair) in all.pairs.iter().enumerate() {
+            let ty = |word: u32| ElementaryType::from_name(self.words.all().get(word as usize)?);
+            if let (Some(from), Some(to)) = (ty(pair.from), ty(pair.to)) {
+                for column in &mut recorded {
+                    let word = pair.stated[column.dialect()].map(|(word, _)| word);
+                    column.add_pair(number(question), (from, to), word);
+                }
+            }
+        }
+        for (question, part) in (first_part..).zip(&all.parts) {
+            let word = |word: u32| self.words.all().get(word as usize);
+            let ty = word(part.from).and_then(|name| ElementaryType::from_name(name));
+            if let (Some(ty), Some(named)) = (ty, word(part.to)) {
+                for column in &mut recorded {
+                    let word = part.stated[column.dialect()].map(|(word, _)| word);
+                    column.add_part(number(question), ty, named, word);
+                }
+            }
+        }
+        let mut first_calls = Vec::with_capacity(self.functions.len());
+        let mut known_bases = HashMap::new();
+        for function in &self.functions {
+            let first = all.calls.operands.len();
+            first_calls.push(first);
+            for column in &mut recorded {
+                if function.dialects.contains(&column.dialect()) {
+                    let dialect = (column.dialect(), self.dialects[column.dialect()]);
+                    let calls = 0..function.calls.len();
+                    let expected = calls.map(|call| function.expected(call, dialect)).collect();
+                    let first = number(first_call + first);
+                    column.add_calls(first, &function.signature, &function.calls, expected);
+                }
+            }
+            let signature = &function.signature;
+            let types = signature.operands.iter().map(|ty| self.words.number(ty.name()));
+            let operands = types.collect();
+            all.functions.push(FunctionStatements {
+                name: self.words.number(&signature.function),
+                operands,
+                result: self.words.number(signature.result.name()),
+                dialects: function.dialects.clone(),
+                calls: function.calls.len(),
+                boundaries: function.boundaries,
+            });
+            for (number, call) in function.calls.iter().enumerate() {
+                let texts = call.iter().map(|value| self.words.number(&value.to_string()));
+                all.calls.operands.push(texts.collect());
+                let (bases, values) = function.stated(number, &self.dialects, &mut self.words);
+                for dialect in &function.dialects {
+                    let expected = function.expected(number, (*dialect, self.dialects[*dialect]));
+                    if let Some(other) = expected.otherwise {
+                        let value = self.words.number(&other.value.to_string());
+                        let basis = self.words.number(&other.basis);
+                        all.disputed.push((first + number, *dialect, value, basis));
+                    }
+                }
+                let next = all.bases.len();
+                let number = *known_bases.entry(bases.clone()).or_insert(next);
+                if number == next {
+                    all.bases.push(bases);
+                }
+                all.calls.bases.push(number);
+                all.calls.values.push(values);
+            }
+        }
+        let pairs = self.pairs.cases.into_iter();
+        all.questions = pairs.map(|(case, pair)| (case, number(pair))).collect();
+        let parts = self.parts.cases.into_iter();
+        all.questions
+            .extend(parts.map(|(case, part)| (case, number(first_part + part))));
+        let calls = self.call_cases.into_iter();
+        all.questions.extend(
+            calls.map(|(case, function, call)| (case, number(first_call + first_calls[function] + call))),
+        );
+        all.words = self.words.all().to_vec();
+        all.recorded = recorded.into_iter().map(RecordedColumn::into_answers).collect();
+        all
+    }
+}
+
+impl StatedFunction {
+    /// Returns a function with its boundary values, if one of the dialects has it with these types.
+    fn find(
+        (name, from, result): &(String, ElementaryType, ElementaryType),
+        dialects: &[DialectName],
+    ) -> Option<StatedFunction> {
+        let mut found: Option<StatedFunction> = None;
+        for (index, dialect) in dialects.iter().enumerate() {
+            let mut all = signatures(name, *dialect).into_iter();
+            let signature = all.find(|one| one.operands == [*from] && one.result == *result);
+            match (&mut found, signature) {
+                (_, None) => {}
+                (Some(function), Some(_)) => function.dialects.push(index),
+                (None, Some(signature)) => {
+                    let boundaries = inputs::boundaries(&signature);
+                    let mut function = StatedFunction {
+                        signature,
+                        dialects: vec![index],
+                        calls: Vec::new(),
+                        boundaries: boundaries.len(),
+                        call_numbers: HashMap::new(),
+                        asserted: HashMap::new(),
+                    };
+                    boundaries.into_iter().for_each(|call| {
+                        function.call(call);
+                    });
+                    found = Some(function);
+                }
+            }
+        }
+        found
+    }
+
+    /// Returns the number of a call, which is added where it is new.
+    fn call(&mut self, operands: Vec<Value>) -> usize {
+        let text: String = operands.iter().map(ToString::to_string).collect();
+        let next = self.calls.len();
+        let number = *self.call_numbers.entry(text).or_insert(next);
+        if number == next {
+            self.calls.push(operands);
+        }
+        number
+    }
+
+    /// Returns the expected result of a call in a dialect, which is given with its index.
+    fn expected(&self, number: usize, (index, dialect): (usize, DialectName)) -> ExpectedResult {
+        let asserted = self.asserted.get(&(number, index));
+        let asserted = asserted.map(|(value, basis)| (value, basis));
+        ExpectedResult::of(&self.signature, &self.calls[number], dialect, asserted)
+    }
+
+    /// Returns the basis of a call by dialect, and the stated values: one where all are equal.
+    fn stated(
+        &self,
+        number: usize,
+        dialects: &[DialectName],
+        words: &mut WordTable,
+    ) -> (Vec<Option<u32>>, Vec<u32>) {
+        let mut values = Vec::new();
+        let mut bases = Vec::with_capacity(self.dialects.len());
+        for dialect in &self.dialects {
+            let stated = self.expected(number, (*dialect, dialects[*dialect]));
+            bases.push(stated.basis.as_ref().map(|basis| words.number(basis)));
+            if stated.basis.is_some() {
+                values.push(words.number(&stated.value.to_string()));
+            }
+        }
+        if let [first, rest @ ..] = &values[..]
+            && rest.iter().all(|value| value == first)
+        {
+            values.truncate(1);
+        }
+        (bases, values)
+    }
+}
