@@ -40,6 +40,7 @@ pub mod events;
 mod folder;
 mod groups;
 mod junit;
+mod markdown;
 pub mod observations;
 pub mod overview;
 mod page;

@@ -5,6 +5,7 @@
 
 mod check;
 mod document;
+mod error;
 mod passed;
 mod read;
 #[cfg(test)]
@@ -12,7 +13,7 @@ mod schema_check;
 #[cfg(test)]
 mod schema_tests;
 
-pub use read::ResultsError;
+pub use error::ResultsError;
 pub(crate) use read::read;
 
 use crate::groups::{GroupNumber, Groups};

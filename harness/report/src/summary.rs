@@ -5,6 +5,7 @@ mod observed;
 
 use crate::basis::Basis;
 use crate::discrepancies::NAME;
+use crate::markdown::{code, fence, inline, linked};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::{MAX_SHOWN_CHARACTERS, clip, duration, judged, noted, outdated, outdated_entries, visible};
@@ -272,47 +273,6 @@ fn basis(case: &CaseEvent, overview: &Overview) -> String {
         Some(source) => linked(&case.basis, &source.address_of(section)),
         None => inline(&case.basis),
     }
-}
-
-/// Formats a text that leads to an address of the web; the text alone where the address is another one.
-pub(crate) fn linked(text: &str, address: &str) -> String {
-    match address.starts_with("https://") || address.starts_with("http://") {
-        true => {
-            let address = address.replace(['<', '>', '\n'], "").replace('|', "%7C");
-            format!("[{}](<{address}>)", inline(text))
-        }
-        false => inline(text),
-    }
-}
-
-/// Returns a code fence: three backticks, or more than any line of the text has.
-pub(crate) fn fence(text: &str) -> String {
-    let longest = text
-        .split(|character| character != '`')
-        .map(str::len)
-        .max()
-        .unwrap_or(0);
-    "`".repeat(longest.max(2) + 1)
-}
-
-/// Formats a text as inline code, between two backticks, so that a single one in the text is harmless.
-pub(crate) fn code(text: &str) -> String {
-    format!("`` {} ``", visible(text).replace(['\n', '\t'], " "))
-}
-
-/// Escapes a text for Markdown and HTML, on one line.
-pub(crate) fn inline(text: &str) -> String {
-    let mut escaped = String::with_capacity(text.len());
-    for character in clip(&visible(text).replace('\n', " "), 1, MAX_SHOWN_CHARACTERS).chars() {
-        if matches!(
-            character,
-            '\\' | '`' | '*' | '_' | '[' | ']' | '<' | '>' | '|' | '#' | '&' | '~'
-        ) {
-            escaped.push('\\');
-        }
-        escaped.push(character);
-    }
-    escaped
 }
 
 /// Describes a custom dialect and the cases that are not run in it, one line each.

@@ -2,8 +2,8 @@
 
 use super::page::{block, called, expected_and_got, not_compared, without_agreeing};
 use crate::basis::Basis;
+use crate::markdown::{code, inline, linked};
 use crate::overview::Overview;
-use crate::summary::{code, inline, linked};
 use crate::text::visible;
 use std::collections::BTreeMap;
 use std::fmt::Write;

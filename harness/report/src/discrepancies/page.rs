@@ -3,7 +3,7 @@
 use super::{Cluster, ClusterKey};
 use crate::basis::Basis;
 use crate::engine;
-use crate::summary::{code, fence, inline};
+use crate::markdown::{code, fence, inline};
 use crate::text::{noted, visible};
 use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade, PROGRAM};

@@ -1,8 +1,7 @@
 //! Checks of a `results.json` beyond its schema: what its parts say of each other.
 
-use super::ResultsError;
-use super::document::{EngineResult, ResultsDocument};
-use super::read::case_key;
+use super::document::{EngineResult, ResultsDocument, case_key};
+use super::error::ResultsError;
 use std::collections::{HashMap, HashSet};
 use stickler_run::{Totals, Verdict};
 

@@ -293,3 +293,8 @@ impl<'d> CaseResult<'d> {
         }
     }
 }
+
+/// Returns what tells a case from all others of a run.
+pub(super) fn case_key(engine: &str, dialect: &str, probe: &str, arguments: &str) -> String {
+    format!("{engine}\0{dialect}\0{probe}{arguments}")
+}

@@ -1,9 +1,9 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
-use super::front_page::numbers;
 use super::functions::{Functions, file};
-use super::history::{History, Step, VersionRun};
+use super::history::{History, Step};
 use super::html::{chart, escaped, page as whole, share};
+use super::versions::VersionRun;
 use crate::comparison::{Change, Kind};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -82,7 +82,7 @@ fn write_step(step: &Step<'_>) -> String {
         "<h2>From {} to {}</h2>\n<p>{}</p>\n{lists}",
         escaped(step.old.version),
         escaped(step.new.version),
-        escaped(&numbers(step))
+        escaped(&step.numbers())
     )
 }
 

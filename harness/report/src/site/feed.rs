@@ -1,6 +1,5 @@
 //! `feed.xml`: what each new version of an engine fixed and broke, as an Atom feed. Basis: RFC 4287.
 
-use super::front_page::numbers;
 use super::history::{History, Step};
 use jiff::Timestamp;
 use quick_xml::Writer;
@@ -54,10 +53,10 @@ fn entry(xml: &mut Writer<Vec<u8>>, history: &History<'_>, step: &Step<'_>) -> i
     let id = [engine, old, new].map(percent_encoded).join(":");
     xml.create_element("entry").write_inner_content(|xml| {
         text(xml, "id", &format!("urn:x-stickler:change:{id}"))?;
-        text(xml, "title", &format!("{engine} {new}: {}", numbers(step)))?;
+        text(xml, "title", &format!("{engine} {new}: {}", step.numbers()))?;
         text(xml, "updated", &step.new.run.started.to_string())?;
         link(xml, "alternate", &format!("engines/{}", history.file))?;
-        let summary = format!("From {old} to {new}: {}.", numbers(step));
+        let summary = format!("From {old} to {new}: {}.", step.numbers());
         text(xml, "summary", &summary)
     })?;
     Ok(())

@@ -4,7 +4,6 @@ use super::feed;
 use super::functions::Functions;
 use super::history::{History, Step};
 use super::html::{escaped, page_with, share};
-use crate::comparison::Kind;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -100,21 +99,8 @@ fn changes(histories: &[History<'_>]) -> String {
             escaped(history.name),
             escaped(step.old.version),
             escaped(step.new.version),
-            escaped(&numbers(step))
+            escaped(&step.numbers())
         );
     }
     list + "</ul>\n"
-}
-
-/// Returns the numbers of a step as text: `2 fixed, 1 broken, 0 crashed`, or why there are none.
-pub(super) fn numbers(step: &Step<'_>) -> String {
-    match &step.changes {
-        Err(reason) => format!("not compared, since {reason}"),
-        Ok(_) => format!(
-            "{} fixed, {} broken, {} crashed",
-            step.of_kind(Kind::Fixed).count(),
-            step.of_kind(Kind::Broken).count(),
-            step.of_kind(Kind::Crashed).count()
-        ),
-    }
 }

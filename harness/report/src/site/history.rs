@@ -2,11 +2,10 @@
 
 use super::SiteError;
 use super::run::SiteRun;
-use super::versions;
+use super::versions::{self, VersionRun};
 use crate::comparison::{Change, Comparison, ComparisonError, Kind};
 use crate::discrepancies::file_name;
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_types::counted;
 
 /// The runs of one engine.
 pub(super) struct History<'r> {
@@ -19,15 +18,6 @@ pub(super) struct History<'r> {
     pub(super) counted: Vec<VersionRun<'r>>,
     /// The steps from version to version, oldest first.
     pub(super) steps: Vec<Step<'r>>,
-}
-
-/// A run of an engine.
-#[derive(Clone, Copy)]
-pub(super) struct VersionRun<'r> {
-    pub(super) run: &'r SiteRun,
-    pub(super) version: &'r str,
-    /// The run of the same version that counts in place of this one.
-    pub(super) replaced: Option<&'r SiteRun>,
 }
 
 /// The changes of an engine from one version to the next.
@@ -89,29 +79,24 @@ impl<'r> History<'r> {
     }
 }
 
-impl VersionRun<'_> {
-    /// Returns why the run does not count, as a fragment; `None` where it counts.
-    pub(super) fn reason(&self, engine: &str) -> Option<String> {
-        let other = self.replaced?;
-        let [own, others] = [self.run, other].map(|run| run.sum(engine).cases());
-        let cases = |number| counted(number, "case", "cases");
-        Some(match other.number > self.run.number {
-            true => format!("the later run of {} counts, with {}", other.date(), cases(others)),
-            false => format!(
-                "it has {}, and the run of {} counts, with {}",
-                cases(own),
-                other.date(),
-                cases(others)
-            ),
-        })
-    }
-}
-
 impl Step<'_> {
     /// Returns the changes of one kind.
     pub(super) fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Change> {
         let changes = self.changes.iter().flatten();
         changes.filter(move |change| change.kind == kind)
+    }
+
+    /// Returns the numbers of changes as text: `2 fixed, 1 broken, 0 crashed`, or why there are none.
+    pub(super) fn numbers(&self) -> String {
+        match &self.changes {
+            Err(reason) => format!("not compared, since {reason}"),
+            Ok(_) => format!(
+                "{} fixed, {} broken, {} crashed",
+                self.of_kind(Kind::Fixed).count(),
+                self.of_kind(Kind::Broken).count(),
+                self.of_kind(Kind::Crashed).count()
+            ),
+        }
     }
 }
 

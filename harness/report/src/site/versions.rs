@@ -1,11 +1,39 @@
 //! The versions of an engine: which run of each counts, and which version is newer.
 
-use super::history::VersionRun;
+use super::run::SiteRun;
 use semver::Version;
+use stickler_types::counted;
 
 /// The parts of a hundred of the cases of the largest run of a version that a run must have to count in its place. A part of the suite never
 /// does; a run of a suite that lost some cases does.
 const ENOUGH_PERCENT: u64 = 90;
+
+/// A run of an engine.
+#[derive(Clone, Copy)]
+pub(super) struct VersionRun<'r> {
+    pub(super) run: &'r SiteRun,
+    pub(super) version: &'r str,
+    /// The run of the same version that counts in place of this one.
+    pub(super) replaced: Option<&'r SiteRun>,
+}
+
+impl VersionRun<'_> {
+    /// Returns why the run does not count, as a fragment; `None` where it counts.
+    pub(super) fn reason(&self, engine: &str) -> Option<String> {
+        let other = self.replaced?;
+        let [own, others] = [self.run, other].map(|run| run.sum(engine).cases());
+        let cases = |number| counted(number, "case", "cases");
+        Some(match other.number > self.run.number {
+            true => format!("the later run of {} counts, with {}", other.date(), cases(others)),
+            false => format!(
+                "it has {}, and the run of {} counts, with {}",
+                cases(own),
+                other.date(),
+                cases(others)
+            ),
+        })
+    }
+}
 
 /// Sets, for each run of an engine, the run of the same version that counts in its place: the latest of those that have nearly as many
 /// cases as the largest. The runs come by date.

@@ -1,7 +1,8 @@
 //! Writes the claims as Markdown: each section of each document, and the results of the engines.
 
-use super::{BoundedMarkdown, inline, linked};
+use super::BoundedMarkdown;
 use crate::claims::{Row, Standing};
+use crate::markdown::{inline, linked};
 use crate::overview::Overview;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.

@@ -1,6 +1,7 @@
 //! Writes the observations as Markdown: the disagreements between engines where no document states what they must do.
 
-use super::{BoundedMarkdown, code, inline};
+use super::BoundedMarkdown;
+use crate::markdown::{code, inline};
 use crate::observations::{Disagreement, probe};
 use crate::overview::Overview;
 use stickler_types::counted;
