@@ -1,28 +1,20 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
-use crate::assignments::shows_initial_value;
-use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::{FailedCases, FailureGroup};
-use crate::literals::valued_types;
+use crate::growing_cause::{GrowingCause, merged, reproducer};
 use crate::normal::{Normal, normal_form};
-use crate::operations::operations_of;
-use crate::promised::{cite, promise};
 use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
-use crate::shape::types_of;
 use crate::sign::Sign;
-use crate::title::title;
-use crate::tokens::tokens;
 use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
-use stickler_engines::{Ability, Engine, EngineSession, Identity, Reproduction, reproduce_and_run};
+use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
 use stickler_run::{
-    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, Reproducer, RunError, Symptom,
-    Verdict, shown_by,
+    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, shown_by,
 };
-use stickler_suite::{Case, SourceKind, Sources, Suite};
+use stickler_suite::{Case, Suite};
 use stickler_types::Observation;
 use stickler_workers::{Cancellation, WorkerPool};
 
@@ -127,6 +119,7 @@ pub fn find(
             let identity = engine.identity();
             members.extend(pairs.map(|((_, group), found)| {
                 let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
+                let found = (&found.smallest, &found.normal);
                 GrowingCause::new(group, found, case.copied(), (identity, &search.suite.sources))
             }));
             reported.done += wave.len() as u64;
@@ -330,191 +323,7 @@ impl Asking<'_> {
     }
 }
 
-/// A cause while groups are added to it.
-struct GrowingCause {
-    cause: Cause,
-    essence: Essence,
-    sign: Sign,
-    /// A case of the group with other types than the shown one.
-    other: Option<CaseEvent>,
-    /// Whether the shown claim does not bind the engine.
-    differs: bool,
-    /// The rank of the shown claim.
-    rank: u8,
-}
-
-impl GrowingCause {
-    /// Returns the cause of a group, by its smallest program. `case` is that of the program.
-    fn new(
-        group: &FailureGroup,
-        found: &ReducedGroup,
-        case: Option<&Case>,
-        (engine, sources): (&Identity, &Sources),
-    ) -> GrowingCause {
-        let ReducedGroup { smallest, normal } = found;
-        let essence = Essence::of(smallest, normal);
-        let types = |program: &str| valued_types(&tokens(program)).len();
-        let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program))
-            && types(&smallest.program) <= types(&normal.program);
-        // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
-        // that is rejected like one with a mistake.
-        let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
-        let is_other = normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
-        let begins = normal.is_beginning && !shows_initial_value(smallest);
-        let is_derived = hides || is_other || begins;
-        let mut shown = match is_derived {
-            true => normal.as_smallest(smallest),
-            false => smallest.clone(),
-        };
-        let is_derived = is_derived || !keeps_claim(&group.shown, smallest);
-        if is_derived {
-            shown.deviation.forget_promise();
-        }
-        // What the claim of the case does not speak of, another one may promise.
-        let promised = case
-            .filter(|_| is_derived || is_missing(&shown, &essence))
-            .filter(|_| group.shown.verdict != Verdict::Differs)
-            .and_then(|case| promise(&shown, &essence, case, (engine, sources)));
-        if let Some(basis) = promised {
-            cite(&mut shown.deviation.got, basis, sources);
-        }
-        let basis = promised.unwrap_or(&group.shown.basis);
-        let is_derived = is_derived && promised.is_none();
-        let shown = &shown;
-        let mut types = types_of(&shown.program);
-        types.sort_unstable();
-        let cause = Cause {
-            engine: group.shown.engine.clone(),
-            symptom: essence.class.clone(),
-            construct: essence.construct(),
-            title: title(shown, engine.grade == Grade::Code),
-            shown: Reproducer {
-                is_derived,
-                basis: basis.to_owned(),
-                ..reproducer(&group.shown, shown)
-            },
-            second: None,
-            types: vec![types.join(", ")],
-            reduction: smallest.reduction,
-            flaky: smallest.flaky.clone(),
-            cases: group.cases.clone(),
-        };
-        GrowingCause {
-            differs: group.shown.verdict == Verdict::Differs,
-            rank: rank(basis, &group.shown.engine, sources),
-            cause,
-            essence,
-            sign: shown.deviation.sign.clone(),
-            other: group.second.clone(),
-        }
-    }
-
-    /// Returns the order of members with one essence, of which the first is shown: programs of which the claim of their case
-    /// still speaks, then claims by their rank, then the smaller program.
-    fn preference(&self) -> (u8, bool, u8, usize, &str) {
-        let program = &self.cause.shown.program;
-        (
-            match self.cause.reduction {
-                Reduced::Smallest => 0,
-                Reduced::Partly => 1,
-                Reduced::Not => 2,
-            },
-            self.cause.shown.is_derived,
-            self.rank,
-            program.len(),
-            program,
-        )
-    }
-
-    /// Returns whether a program has other types than the shown one, so that it is worth a place as a second witness.
-    fn has_other_types(&self, reproducer: &Reproducer) -> bool {
-        types_of(&reproducer.program) != types_of(&self.cause.shown.program)
-    }
-}
-
-/// Merges the members of one cause: those with the same essence, and those that contain what another needs.
-fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
-    // What needs least comes first, since it can only be contained in what comes later; what may be hidden comes last.
-    members.sort_by_key(|member| {
-        let Essence {
-            features,
-            labels,
-            hidden,
-            ..
-        } = &member.essence;
-        (
-            hidden.is_some(),
-            features.len(),
-            labels.len(),
-            std::cmp::Reverse(member.cause.number()),
-        )
-    });
-    let mut causes: Vec<GrowingCause> = Vec::new();
-    for member in members {
-        let explaining = causes
-            .iter_mut()
-            .filter(|cause| cause.essence.explains(&member.essence));
-        let Some(cause) = explaining.max_by_key(|cause| cause.essence.features.len()) else {
-            causes.push(member);
-            continue;
-        };
-        let mut member = member;
-        let is_same = cause.essence == member.essence;
-        // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
-        // claim still speaks.
-        let is_claimed = cause.sign.rejects_valid()
-            && cause.cause.shown.is_derived
-            && !member.cause.shown.is_derived
-            && member.cause.reduction == Reduced::Smallest;
-        if is_same && member.preference() < cause.preference()
-            || is_claimed && member.differs <= cause.differs
-            || cause.differs && !member.differs
-        {
-            std::mem::swap(cause, &mut member);
-            std::mem::swap(&mut cause.essence, &mut member.essence);
-        }
-        cause.cause.explain(member.cause);
-        let second = cause.cause.second.take();
-        cause.cause.second = second.filter(|second| cause.has_other_types(second));
-        cause.other = cause.other.take().or(member.other);
-    }
-    causes
-}
-
-/// Returns whether a construct itself is not implemented, whatever the claim of the case is about.
-fn is_missing(shown: &Smallest, essence: &Essence) -> bool {
-    matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_))
-        && !essence.features.contains("bit access")
-}
-
-fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
-    Reproducer {
-        case: event.id.clone(),
-        dialect: event.dialect.clone(),
-        basis: event.basis.clone(),
-        about: event.title.clone(),
-        file: event.file.clone(),
-        line: event.line,
-        program: smallest.program.clone(),
-        expected: smallest.deviation.expected.clone(),
-        got: smallest.deviation.got.clone(),
-        is_derived: false,
-        reproduction: None,
-        printed: String::new(),
-    }
-}
-
 /// Returns the beginning of a text.
 fn beginning(text: &str) -> String {
     text.chars().take(MAX_PRINTED).collect()
-}
-
-/// Returns the rank of a claim among those that a cause contradicts: what the makers of the engine say themselves comes first,
-/// then the standard.
-fn rank(basis: &str, engine: &str, sources: &Sources) -> u8 {
-    match sources.of(basis) {
-        Some((source, _)) if source.engines.iter().any(|own| own == engine) => 0,
-        Some((source, _)) if source.kind == SourceKind::Standard => 1,
-        _ => 2,
-    }
 }

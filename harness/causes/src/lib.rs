@@ -26,6 +26,7 @@ mod essence;
 mod failed;
 mod features;
 mod find;
+mod growing_cause;
 mod key;
 mod literals;
 mod names;
