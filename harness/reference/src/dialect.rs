@@ -99,6 +99,11 @@ pub struct Dialect {
     pub cross_family_widening: bool,
     /// An untyped integer literal may stand for a REAL or LREAL.
     pub integer_literal_as_real: bool,
+    /// An untyped real literal may stand where an integer is expected; it converts as a value does.
+    ///
+    /// Basis: strucpp-architecture: Type System ("assignable to any numeric type"); ironplc-type-conversions: Integer and Real Types, by which it
+    /// may not.
+    pub real_literal_as_integer: bool,
     /// An untyped integer literal may be assigned or passed to a bit string (an initializer and an operand
     /// always take one).
     pub integer_literal_as_bit_string: bool,

@@ -56,6 +56,7 @@ impl Dialect {
             negates_durations: true,
             cross_family_widening: false,
             integer_literal_as_real: true,
+            real_literal_as_integer: false,
             integer_literal_as_bit_string: false,
             bit_access: true,
             partial_access: PartialAccess::Disabled,
@@ -174,6 +175,7 @@ impl Dialect {
         Dialect {
             name: DialectName::Strucpp,
             widening: Widening::Numbers,
+            real_literal_as_integer: true,
             implicit_warnings: ImplicitWarnings::Narrowing,
             conversions: ConversionChoices {
                 rounding: Rounding::HalfAwayFromZero,

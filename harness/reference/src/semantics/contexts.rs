@@ -97,7 +97,7 @@ pub(super) fn fit(
             _ => false,
         },
         Inferred::Integer(_) => elementary.is_some_and(|ty| integer_fits(ty, context, dialect)),
-        Inferred::Real => elementary.is_some_and(ElementaryType::is_real),
+        Inferred::Real => elementary.is_some_and(|ty| real_fits(ty, context, dialect)),
         Inferred::Text { wide, single } => match elementary {
             Some(ElementaryType::String) => !wide,
             Some(ElementaryType::Wstring) => wide,
@@ -130,4 +130,11 @@ fn integer_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) ->
     } else {
         ty.is_integer() || ty == ElementaryType::Bool
     }
+}
+
+/// Returns whether an untyped real literal may stand for a value of a type. An operand's type is that of the other one, and a real literal is no
+/// integer there.
+fn real_fits(ty: ElementaryType, context: ValueContext, dialect: &Dialect) -> bool {
+    let is_operand = matches!(context, ValueContext::Operand | ValueContext::CommonArgument);
+    ty.is_real() || (dialect.real_literal_as_integer && ty.is_integer() && !is_operand)
 }

@@ -1,6 +1,7 @@
 //! Literals: the types they take, and the values that these hold.
 
 use super::{ED2, ED3, MATIEC, codes, codes_in, gives};
+use stickler_types::DialectName;
 
 #[test]
 fn a_literal_that_does_not_fit_is_said_where_it_stands() {
@@ -177,4 +178,22 @@ fn strings_are_read_with_their_escapes_and_cut_to_their_targets() {
         ],
     );
     assert_eq!(codes("s : STRING;", "s := '€';"), ["P4052"]);
+}
+
+#[test]
+fn a_real_literal_is_an_integer_where_the_dialect_takes_it_for_every_number() {
+    let strucpp = DialectName::Strucpp;
+    assert_eq!(
+        codes_in(strucpp, "i : INT;", "i := 1.5;"),
+        ["S0003"],
+        "taken, with a warning"
+    );
+    assert_eq!(codes_in(strucpp, "r : REAL;", "r := 1.5;"), [""; 0]);
+    assert_eq!(codes_in(strucpp, "b : BOOL;", "b := 1.5;"), ["P4035"]);
+    assert_eq!(codes_in(ED3, "i : INT;", "i := 1.5;"), ["P4035"]);
+    // An operand has the type of the other one, and no document says that a real literal is an integer there.
+    assert_eq!(
+        codes_in(strucpp, "i : INT; r : REAL;", "r := i + 1.5;"),
+        ["P4049"]
+    );
 }
