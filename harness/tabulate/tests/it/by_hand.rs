@@ -8,8 +8,9 @@ use stickler_types::DialectName::{self, IronplcEd3, Matiec};
 use stickler_types::{ElementaryType, Value};
 
 /// The functions through which the input of a row goes, one after the other.
-const STEPS: [(&str, [&str; 2]); 5] = [
+const STEPS: [(&str, [&str; 2]); 6] = [
     ("chains", ["{inner}", "{outer}"]),
+    ("chains-of-what-widened", ["{inner}", "{outer}"]),
     ("chains-by-the-page", ["{inner}", "{outer}"]),
     (
         "expression-result-widens",
@@ -129,9 +130,13 @@ const EXTENDS_SIGN: &str = "ironplc-conversion-design: Codegen Routing";
 #[test]
 fn a_chain_cites_what_its_first_step_rests_on_unless_the_second_extends_a_sign() {
     let sources = folder::names(&crate::root()).unwrap().sources;
-    let table = &tables()["chains"];
+    let tables = tables();
+    let chains = ["chains", "chains-of-what-widened"].map(|name| &tables[name]);
+    let probes = chains
+        .into_iter()
+        .flat_map(|table| table.probes.iter().map(move |probe| (table, probe)));
     let mut extending = 0;
-    for probe in &table.probes {
+    for (table, probe) in probes {
         let dialects = &probe.dialects;
         for (row, &dialect) in
             rows(table).flat_map(|row| dialects.iter().map(move |dialect| (row.clone(), dialect)))
