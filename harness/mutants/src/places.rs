@@ -22,7 +22,7 @@ mod wrong_code;
 
 use crate::{RunFailure, ends_with};
 use clap::Args;
-use explained::ExplainedSaboteurs;
+use explained::{ExplainedSaboteurs, Explanation};
 use saboteur::Saboteur;
 use std::path::PathBuf;
 use stickler_suite::Suite;
@@ -40,7 +40,8 @@ pub struct PlacesArguments {
     /// Only places whose names contain this text: `target.argument`, `source.`, `from SINT`.
     #[arg(long, value_name = "TEXT", default_value = "")]
     place: String,
-    /// A line for each saboteur: rule, place, and how many cases have it, see it and fail.
+    /// A line for each saboteur: rule, place, how many cases have it, have it and assert something, see it, see it and assert nothing,
+    /// and fail, and one of them.
     #[arg(long)]
     each: bool,
     /// The number of threads; 0 stands for one a processor.
@@ -70,14 +71,19 @@ pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
     let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
     let judged = table::judge(tallies, &explained);
     let whole = arguments.rule.is_empty() && arguments.place.is_empty();
-    let listed = judged
-        .iter()
-        .filter(|one| one.kind.is_some() && !one.is_recorded());
     let stale = match whole {
-        true => explained.stale(listed.map(|one| &one.saboteur)),
+        true => explained.stale(
+            &saboteurs(&judged, |one| one.kind.is_some() && !one.is_recorded()),
+            &saboteurs(&judged, Judged::is_noticed),
+        ),
         false => Vec::new(),
     };
     Ok(print(&judged, &stale, arguments.each))
+}
+
+fn saboteurs(judged: &[Judged], wanted: impl Fn(&Judged) -> bool) -> Vec<&Saboteur> {
+    let wanted = judged.iter().filter(|one| wanted(one));
+    wanted.map(|one| &one.saboteur).collect()
 }
 
 /// Prints the tables and what is wrong, and returns the exit code.
@@ -85,9 +91,10 @@ fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
     if each {
         for Judged { saboteur, tally, .. } in judged {
             let (rule, place) = (saboteur.rule, saboteur.place);
+            let example = tally.example.as_deref().unwrap_or("-");
             println!(
-                "{rule}\t{place}\t{}\t{}\t{}",
-                tally.met, tally.changed, tally.noticed
+                "{rule}\t{place}\t{}\t{}\t{}\t{}\t{}\t{example}",
+                tally.met, tally.asserting, tally.changed, tally.recorded, tally.noticed
             );
         }
     }
@@ -97,14 +104,19 @@ fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
         println!("{}", one.complaint());
     }
     for entry in stale {
-        println!("stale: unnoticed.toml explains {entry}, which is noticed or does not exist");
+        println!("stale: unnoticed.toml explains {entry}");
     }
     let noticed = judged.iter().filter(|one| one.is_noticed()).count();
     let recorded = judged.iter().filter(|one| one.is_recorded()).count();
+    let explained = |kind| {
+        let explained = judged.iter().filter(|one| !one.is_recorded());
+        explained.filter(|one| one.kind == Some(kind)).count()
+    };
     println!(
-        "{} saboteurs: {noticed} noticed, {recorded} break no claim (o), {} explained (e), {} none of these",
+        "{} saboteurs: {noticed} noticed, {recorded} break no claim (o), {} open and {} impossible (e), {} none of these",
         judged.len(),
-        judged.len() - noticed - recorded - unexplained.len(),
+        explained(Explanation::Open),
+        explained(Explanation::Impossible),
         unexplained.len()
     );
     u8::from(!unexplained.is_empty() || !stale.is_empty())

@@ -6,29 +6,38 @@ use serde::Deserialize;
 
 const TEXT: &str = include_str!("../../unnoticed.toml");
 
-/// The saboteurs that nothing notices for a reason.
-pub struct ExplainedSaboteurs(Vec<UnnoticedEntry>);
+/// The saboteurs that nothing notices, by the reason.
+pub struct ExplainedSaboteurs(Vec<UnnoticedReason>);
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct UnnoticedFile {
+    reason: Vec<UnnoticedReason>,
+}
+
+/// A reason for which no case notices saboteurs.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct UnnoticedReason {
+    kind: Explanation,
+    text: String,
     unnoticed: Vec<UnnoticedEntry>,
 }
 
-/// Saboteurs that nothing notices for one reason: each of the rules in each of the places.
+/// Saboteurs that nothing notices: each of the rules in each of the places. In their names `*` stands for any text.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct UnnoticedEntry {
+    /// Rules as the program prints them: `implicit.lreal-to-real.refused`, `literal.*`.
     rules: Vec<String>,
-    /// Places as the program prints them: `target.initial-value`.
+    /// Places as the program prints them: `target.initial-value`, `source.*`.
     places: Vec<String>,
-    /// The pairs of types that are meant, `LDT to DT`, where `*` stands for any type; without them the place as a whole and each
-    /// pair in it.
+    /// The places that are not meant, although `places` has them.
+    #[serde(default)]
+    except: Vec<String>,
+    /// The pairs of types that are meant, `LDT to DT`; without them the place as a whole and each pair in it.
     #[serde(default)]
     pairs: Vec<String>,
-    kind: Explanation,
-    /// The reason for which no case can notice.
-    reason: String,
 }
 
 /// The kind of reason for which no case notices a saboteur.
@@ -39,8 +48,6 @@ pub enum Explanation {
     Impossible,
     /// No document says what must happen there.
     Open,
-    /// A program could ask, and the suite does not: the reason says what it asks instead.
-    Unasked,
 }
 
 impl ExplainedSaboteurs {
@@ -54,76 +61,136 @@ impl ExplainedSaboteurs {
 
     pub(super) fn from_text(text: &str) -> anyhow::Result<ExplainedSaboteurs> {
         let file: UnnoticedFile = toml::from_str(text)?;
-        for entry in &file.unnoticed {
-            let what = || format!("{} in {}", entry.rules.join(", "), entry.places.join(", "));
-            anyhow::ensure!(!entry.reason.trim().is_empty(), "{}: no reason", what());
-            let wrong = entry.pairs.iter().find(|pair| !pair.contains(" to "));
-            anyhow::ensure!(
-                wrong.is_none(),
-                "{}: pairs are written `LDT to DT`, with `*` for any type",
-                what()
-            );
+        for reason in &file.reason {
+            anyhow::ensure!(!reason.text.trim().is_empty(), "a reason has no text");
+            let mut pairs = reason.unnoticed.iter().flat_map(|entry| &entry.pairs);
+            if let Some(wrong) = pairs.find(|pair| !pair.contains(" to ")) {
+                anyhow::bail!("`{wrong}`: pairs are written `LDT to DT`, with `*` for any type");
+            }
         }
-        Ok(ExplainedSaboteurs(file.unnoticed))
+        Ok(ExplainedSaboteurs(file.reason))
     }
 
-    /// Returns the rules that the list names.
+    fn entries(&self) -> impl Iterator<Item = &UnnoticedEntry> {
+        self.0.iter().flat_map(|reason| &reason.unnoticed)
+    }
+
+    /// Returns the names of rules that stand for none of these.
     #[cfg(test)]
-    pub(super) fn rules(&self) -> impl Iterator<Item = &str> {
-        self.0
-            .iter()
-            .flat_map(|entry| entry.rules.iter().map(String::as_str))
+    pub(super) fn unknown_rules(&self, known: &[String]) -> Vec<&str> {
+        let named = self.entries().flat_map(|entry| &entry.rules);
+        let unknown = named.filter(|name| !known.iter().any(|rule| matches(name, rule)));
+        unknown.map(String::as_str).collect()
     }
 
     /// Returns why nothing notices a saboteur.
     pub fn kind(&self, saboteur: &Saboteur) -> Option<Explanation> {
-        let entry = self.0.iter().find(|entry| entry.explains(saboteur))?;
-        Some(entry.kind)
+        let explains =
+            |reason: &&UnnoticedReason| reason.unnoticed.iter().any(|entry| entry.explains(saboteur));
+        Some(self.0.iter().find(explains)?.kind)
     }
 
-    /// Returns what the list explains although it is noticed, or does not exist. `explained` are the saboteurs that
-    /// [`ExplainedSaboteurs::kind`] found in the list.
-    pub fn stale<'a>(&self, explained: impl Iterator<Item = &'a Saboteur> + Clone) -> Vec<String> {
+    /// Returns what is wrong with the list, of which `unnoticed` are the saboteurs that it explains and `noticed` all that are noticed.
+    pub fn stale(&self, unnoticed: &[&Saboteur], noticed: &[&Saboteur]) -> Vec<String> {
         let mut stale = Vec::new();
-        for entry in &self.0 {
-            for rule in &entry.rules {
-                for place in &entry.places {
-                    let is_meant = |saboteur: &Saboteur| {
-                        saboteur.rule.to_string() == *rule && entry.names_in(saboteur.place, place)
-                    };
-                    if !explained.clone().any(is_meant) {
-                        stale.push(format!("{rule} in {place}"));
-                    }
-                }
-            }
+        for entry in self.entries() {
+            stale.extend(entry.idle(unnoticed));
+            stale.extend(entry.noticed(noticed));
+            stale.extend(entry.idle_exceptions(noticed));
         }
         stale
     }
 }
 
 impl UnnoticedEntry {
+    /// Returns each rule and place that stand for no saboteur that needs an explanation.
+    fn idle(&self, unnoticed: &[&Saboteur]) -> impl Iterator<Item = String> {
+        let idle = self.names().filter(move |(rule, place)| {
+            let mut meant = unnoticed
+                .iter()
+                .filter(|saboteur| self.means(saboteur, rule, place));
+            meant.next().is_none()
+        });
+        idle.map(|(rule, place)| format!("{rule} in {place}, which is noticed or does not exist"))
+    }
+
+    /// Returns the saboteurs that are noticed although a `*` stands for them. Of a pair of types another place may be noticed.
+    fn noticed(&self, noticed: &[&Saboteur]) -> impl Iterator<Item = String> {
+        let patterns = self
+            .names()
+            .filter(|(rule, place)| rule.contains('*') || place.contains('*'));
+        patterns.flat_map(move |(rule, place)| {
+            let covered = noticed.iter().filter(move |saboteur| {
+                whole_place(saboteur.place) == saboteur.place && self.means(saboteur, rule, place)
+            });
+            covered
+                .map(move |saboteur| format!("{saboteur} by `{rule}` in `{place}`, although it is noticed"))
+        })
+    }
+
+    /// Returns the exceptions that are none, because no rule of the entry is noticed there.
+    fn idle_exceptions(&self, noticed: &[&Saboteur]) -> impl Iterator<Item = String> {
+        let idle = self.except.iter().filter(move |place| {
+            let mut there = noticed.iter().filter(|saboteur| {
+                let rule = saboteur.rule.to_string();
+                saboteur.place.to_string() == **place && self.rules.iter().any(|name| matches(name, &rule))
+            });
+            there.next().is_none()
+        });
+        idle.map(|place| {
+            format!("nothing in {place} by its exception: no rule of the entry is noticed there")
+        })
+    }
+
+    /// Returns each rule with each place.
+    fn names(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.rules
+            .iter()
+            .flat_map(|rule| self.places.iter().map(move |place| (&**rule, &**place)))
+    }
+
     fn explains(&self, saboteur: &Saboteur) -> bool {
-        let rule = saboteur.rule.to_string();
-        self.rules.contains(&rule) && self.names(saboteur.place)
+        self.names()
+            .any(|(rule, place)| self.means(saboteur, rule, place))
     }
 
-    fn names(&self, place: BrokenPlace) -> bool {
-        self.places.iter().any(|name| self.names_in(place, name))
+    /// Returns whether the entry means a saboteur by one of its rules and one of its places.
+    fn means(&self, saboteur: &Saboteur, rule: &str, place: &str) -> bool {
+        let whole = whole_place(saboteur.place).to_string();
+        self.has_pair(saboteur.place)
+            && matches(rule, &saboteur.rule.to_string())
+            && matches(place, &whole)
+            && !self.except.contains(&whole)
     }
 
-    /// Returns whether the entry means a place, or a pair of types in it, by one of its names.
-    fn names_in(&self, place: BrokenPlace, name: &str) -> bool {
-        let BrokenPlace::Cell(from, to, target) = place else {
-            return self.pairs.is_empty() && place.to_string() == name;
+    /// Returns whether a place is a pair of types that is listed, or anything where none are listed.
+    fn has_pair(&self, place: BrokenPlace) -> bool {
+        if self.pairs.is_empty() {
+            return true;
+        }
+        let BrokenPlace::Cell(from, to, _) = place else {
+            return false;
         };
-        let is_pair = |pair: &String| {
-            let Some((row, column)) = pair.split_once(" to ") else {
-                return false;
-            };
-            let fits = |word: &str, name: &str| word == "*" || word == name;
-            fits(row, from.name()) && fits(column, to.name())
-        };
-        BrokenPlace::Target(target).to_string() == name
-            && (self.pairs.is_empty() || self.pairs.iter().any(is_pair))
+        let pair = format!("{} to {}", from.name(), to.name());
+        self.pairs.iter().any(|listed| matches(listed, &pair))
+    }
+}
+
+/// Returns the place that a pair of types is in; any other place as it is.
+fn whole_place(place: BrokenPlace) -> BrokenPlace {
+    match place {
+        BrokenPlace::Cell(_, _, target) => BrokenPlace::Target(target),
+        place => place,
+    }
+}
+
+/// Returns whether a name is the one that is written, in which `*` stands for any text.
+fn matches(written: &str, name: &str) -> bool {
+    match written.split_once('*') {
+        None => written == name,
+        Some((before, behind)) => name.strip_prefix(before).is_some_and(|rest| {
+            let starts = (0..=rest.len()).filter(|&start| rest.is_char_boundary(start));
+            starts.into_iter().any(|start| matches(behind, &rest[start..]))
+        }),
     }
 }

@@ -16,13 +16,15 @@ use stickler_workers::WorkerPool;
 pub struct Tally {
     /// The number of cases in whose program the saboteur breaks something.
     pub met: usize,
-    /// The number of those to which it answers otherwise than the reference.
+    /// The number of those that assert something, and do not only record what happens.
+    pub asserting: usize,
+    /// The number of `met` to which it answers otherwise than the reference.
     pub changed: usize,
     /// The number of those that fail.
     pub noticed: usize,
     /// The number of those that are changed and only record what happens, because no document says what must.
     pub recorded: usize,
-    /// The key of the first case that is changed.
+    /// The key of the first case that is changed; of the first that the saboteur breaks something in, where none is.
     pub example: Option<String>,
 }
 
@@ -54,11 +56,15 @@ pub fn measure(
     for tallies in measured {
         for (saboteur, tally) in tallies {
             let sum = all.entry(saboteur).or_default();
+            let first_changed = sum.changed == 0 && tally.changed > 0;
+            if sum.example.is_none() || first_changed {
+                sum.example = tally.example;
+            }
             sum.met += tally.met;
+            sum.asserting += tally.asserting;
             sum.changed += tally.changed;
             sum.noticed += tally.noticed;
             sum.recorded += tally.recorded;
-            sum.example = sum.example.take().or(tally.example);
         }
     }
     Ok(all)
@@ -96,10 +102,14 @@ fn try_case(
         );
         let tally = tallies.entry(saboteur).or_default();
         tally.met += 1;
+        tally.asserting += usize::from(!case.is_open());
+        let example = tally.example.get_or_insert_with(|| case.key());
         if answers != right {
+            if tally.changed == 0 {
+                *example = case.key();
+            }
             tally.changed += 1;
             tally.recorded += usize::from(case.is_open());
-            tally.example.get_or_insert_with(|| case.key());
             tally.noticed += usize::from(judge(case, &answers, Grade::Code).verdict != Verdict::Pass);
         }
     }

@@ -23,9 +23,16 @@ impl Judged {
         self.tally.noticed > 0
     }
 
-    /// Returns whether every case that sees the saboteur only records: then it breaks no claim.
+    /// Returns whether every case that has the saboteur, or every one that sees it, only records: then it breaks no claim.
     pub fn is_recorded(&self) -> bool {
-        self.tally.changed > 0 && self.tally.recorded == self.tally.changed
+        let Tally {
+            met,
+            asserting,
+            changed,
+            recorded,
+            ..
+        } = self.tally;
+        (met > 0 && asserting == 0) || (changed > 0 && recorded == changed)
     }
 
     /// Returns whether no case notices, although some asserts something or none sees it, and nobody has said why.
@@ -36,15 +43,17 @@ impl Judged {
     /// Returns the line that says what is wrong with a saboteur that no case notices.
     pub fn complaint(&self) -> String {
         let Judged { saboteur, tally, .. } = self;
+        let example = tally.example.as_deref().unwrap_or_default();
         match tally {
             Tally { met: 0, .. } => {
                 format!("no case: {saboteur}: no program of the suite has this rule in this place")
             }
             Tally { changed: 0, met, .. } => {
-                format!("changes nothing: {saboteur}: {met} cases have it, and no value of theirs shows it")
+                format!(
+                    "changes nothing: {saboteur}: {met} cases have it, and no value of theirs shows it ({example})"
+                )
             }
-            Tally { changed, example, .. } => {
-                let example = example.as_deref().unwrap_or_default();
+            Tally { changed, .. } => {
                 format!(
                     "unnoticed: {saboteur}: {changed} cases see it, and none of them asserts what it breaks ({example})"
                 )
@@ -147,7 +156,7 @@ pub fn by_rule(judged: &[Judged]) -> String {
 
 fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
     let _ = write!(table, "{name:<48}");
-    for (field, width) in fields.iter().zip([13, 13, 13, 20, 11]) {
+    for (field, width) in fields.iter().zip([20, 20, 20, 24, 11]) {
         let _ = write!(table, "{field:>width$}");
     }
     let _ = writeln!(table, "{fewest:>14}");

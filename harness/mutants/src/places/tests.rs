@@ -193,12 +193,123 @@ fn a_saboteur_that_changes_nothing_is_said_to() {
 }
 
 #[test]
+fn a_saboteur_breaks_no_claim_where_the_cases_that_have_it_or_see_it_only_record() {
+    let is_recorded = |met, asserting, changed, recorded| {
+        let judged = Judged {
+            saboteur: saboteur("implicit.lreal-to-real.wrong", BrokenPlace::Target("field")),
+            tally: Tally {
+                met,
+                asserting,
+                changed,
+                recorded,
+                ..Tally::default()
+            },
+            kind: None,
+        };
+        judged.is_recorded()
+    };
+    assert!(is_recorded(2, 0, 0, 0), "nobody asserts anything");
+    assert!(is_recorded(3, 1, 2, 2), "the one that asserts does not see it");
+    assert!(!is_recorded(2, 1, 0, 0), "a value could show it");
+    assert!(
+        !is_recorded(3, 1, 3, 2),
+        "one that sees it asserts something else"
+    );
+    assert!(!is_recorded(0, 0, 0, 0), "no case has it");
+}
+
+/// A list that explains two rules in all targets but one.
+const LIST: &str = r#"
+[[reason]]
+kind = "open"
+text = "No document says it."
+
+[[reason.unnoticed]]
+rules  = ["implicit.lreal-to-real.*"]
+places = ["target.*"]
+except = ["target.assignment"]
+
+[[reason.unnoticed]]
+rules  = ["implicit.from-time.wrong"]
+places = ["target.assignment"]
+pairs  = ["* to DATE"]
+"#;
+
+fn saboteur(rule: &str, place: BrokenPlace) -> Saboteur {
+    let rules = Rule::all();
+    let rule = rules.iter().find(|known| known.to_string() == rule);
+    Saboteur {
+        rule: *rule.expect("the rule is known"),
+        place,
+    }
+}
+
+#[test]
+fn a_star_stands_for_any_text_but_for_the_exceptions() {
+    use stickler_types::ElementaryType::{Date, Lreal, Real, Time, Tod};
+    let list = ExplainedSaboteurs::from_text(LIST).expect("it is readable");
+    let is_explained = |rule, place| list.kind(&saboteur(rule, place)).is_some();
+    let refused = "implicit.lreal-to-real.refused";
+    assert!(is_explained(refused, BrokenPlace::Target("field")));
+    assert!(is_explained(
+        "implicit.lreal-to-real.wrong",
+        BrokenPlace::Target("field")
+    ));
+    assert!(is_explained(refused, BrokenPlace::Cell(Lreal, Real, "field")));
+    assert!(!is_explained(refused, BrokenPlace::Source("field")));
+    assert!(!is_explained(
+        "implicit.real-to-lreal.refused",
+        BrokenPlace::Target("field")
+    ));
+    assert!(!is_explained(refused, BrokenPlace::Target("assignment")));
+    assert!(!is_explained(
+        refused,
+        BrokenPlace::Cell(Lreal, Real, "assignment")
+    ));
+    let wrong = "implicit.from-time.wrong";
+    assert!(is_explained(wrong, BrokenPlace::Cell(Time, Date, "assignment")));
+    assert!(!is_explained(wrong, BrokenPlace::Cell(Time, Tod, "assignment")));
+    assert!(!is_explained(wrong, BrokenPlace::Target("assignment")));
+}
+
+#[test]
+fn an_entry_that_explains_too_much_or_nothing_is_stale() {
+    use stickler_types::ElementaryType::{Date, Lreal, Real, Time};
+    let list = ExplainedSaboteurs::from_text(LIST).expect("it is readable");
+    let refused = |place| saboteur("implicit.lreal-to-real.refused", place);
+    let in_field = refused(BrokenPlace::Target("field"));
+    let assigned = refused(BrokenPlace::Target("assignment"));
+    let to_date = saboteur(
+        "implicit.from-time.wrong",
+        BrokenPlace::Cell(Time, Date, "assignment"),
+    );
+    assert_eq!(list.stale(&[&in_field, &to_date], &[&assigned]), [""; 0]);
+    // Of a pair of types, a place may be noticed that is not noticed as a whole.
+    let pair = refused(BrokenPlace::Cell(Lreal, Real, "path"));
+    assert_eq!(list.stale(&[&in_field, &to_date], &[&assigned, &pair]), [""; 0]);
+    let noticed = refused(BrokenPlace::Target("path"));
+    assert_eq!(
+        list.stale(&[&in_field, &to_date], &[&assigned, &noticed]),
+        [
+            "implicit.lreal-to-real.refused in target.path by `implicit.lreal-to-real.*` in `target.*`, although it is noticed"
+        ]
+    );
+    assert_eq!(
+        list.stale(&[&in_field], &[]),
+        [
+            "nothing in target.assignment by its exception: no rule of the entry is noticed there",
+            "implicit.from-time.wrong in target.assignment, which is noticed or does not exist",
+        ]
+    );
+}
+
+#[test]
 fn the_list_names_rules_and_places_that_there_are() {
-    let known: BTreeSet<String> = Rule::all().iter().map(Rule::to_string).collect();
-    assert_eq!(known.len(), Rule::all().len(), "each rule has a name of its own");
+    let known: Vec<String> = Rule::all().iter().map(Rule::to_string).collect();
+    let names: BTreeSet<&String> = known.iter().collect();
+    assert_eq!(names.len(), known.len(), "each rule has a name of its own");
     let explained = ExplainedSaboteurs::read().expect("the list is readable");
-    let unknown: Vec<&str> = explained.rules().filter(|rule| !known.contains(*rule)).collect();
-    assert_eq!(unknown, [""; 0]);
+    assert_eq!(explained.unknown_rules(&known), [""; 0]);
     let all = required(&SAMPLE);
     assert!(
         all.iter()
