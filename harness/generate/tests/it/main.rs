@@ -2,5 +2,6 @@
 
 mod execute;
 mod generator;
+mod operands;
 mod telling;
 mod writer;
