@@ -366,19 +366,27 @@ impl UnaryCall<'_> {
         says.then_some(BCD).filter(|_| self.rules == Rules::Matiec)
     }
 
-    /// Returns the basis of TRUNC and its variants. The ForgeIEC page has three of the variants that name a type; the
-    /// others are open.
+    /// Returns the basis of TRUNC and its variants. The ForgeIEC page lists TRUNC_INT of REAL and TRUNC_LINT of LREAL, and has TRUNC_DINT
+    /// of a REAL in its examples; the other variants, and these of the other real type, are open.
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
             "TRUNC" if truncated == WholePosition::Inside => {
                 self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC)
             }
-            "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
-                WholePosition::Inside => self.rules.only_matiec(NAMING),
-                WholePosition::Outside => self.rules.only_matiec(RANGE),
-                WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
-            },
+            "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => {
+                let is_of_the_page = match name {
+                    "TRUNC_LINT" => self.from == ElementaryType::Lreal,
+                    _ => self.from == ElementaryType::Real,
+                };
+                match truncated {
+                    WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+                    _ if !is_of_the_page => None,
+                    WholePosition::Outside => self.rules.only_matiec(RANGE),
+                    WholePosition::Inside if name == "TRUNC_DINT" => self.rules.only_matiec(MATIEC_TRUNC),
+                    WholePosition::Inside => self.rules.only_matiec(NAMING),
+                }
+            }
             _ => None,
         }
     }
