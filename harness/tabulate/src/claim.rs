@@ -196,7 +196,9 @@ fn is_named(call: &Call, dialect: DialectName) -> bool {
         return false;
     }
     match &*call.signature.function {
-        "TRUNC" | "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" | "BCD_TO_INT" | "INT_TO_BCD" => true,
+        "TRUNC_INT" | "TRUNC_DINT" => from == ElementaryType::Real,
+        "TRUNC_LINT" => from == ElementaryType::Lreal,
+        "TRUNC" | "BCD_TO_INT" | "INT_TO_BCD" => true,
         name if name.starts_with("TO_") || call.signature.operation != Operation::Convert => false,
         _ => match (from, to) {
             (ElementaryType::Bool | ElementaryType::Time, _)
