@@ -1,6 +1,8 @@
 //! Reads a folder of case files into a suite.
 
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::thread;
 
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
@@ -70,14 +72,16 @@ impl Suite {
         suite.read_version(&root);
         suite.read_dialects(&root);
         suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
-        let (read, (places, errors), mut listing) = std::thread::scope(|scope| {
+        let (read, (places, errors), mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.
-            let listing = scope.spawn(|| files::list(&root));
+            let listing = thread::Builder::new().spawn_scoped(scope, || files::list(&root));
             let read = sources::read(&root, &suite.dialects);
             let places = places::read(&root, &suite.dialects, &read.sources);
-            let listing = listing
-                .join()
-                .unwrap_or_else(|panic| std::panic::resume_unwind(panic));
+            let listing = match listing {
+                Ok(listing) => listing.join().unwrap_or_else(|panic| resume_unwind(panic)),
+                // Without threads it takes longer.
+                Err(_) => files::list(&root),
+            };
             (read, places, listing)
         });
         suite.errors.extend(read.errors);
