@@ -66,16 +66,16 @@ impl Overview {
         }
     }
 
-    /// Returns the causes of cases that are not as expected: those whose programs were made small before the others, most of which show
-    /// one of these; those that explain most of these cases first.
-    pub(crate) fn unexpected_causes(&self) -> Vec<&Cause> {
+    /// Returns the causes of cases that are not as expected, those that explain most of these cases first: those whose programs were
+    /// made small, and the others, most of which show one of these.
+    pub(crate) fn unexpected_causes(&self) -> (Vec<&Cause>, Vec<&Cause>) {
         let mut causes: Vec<&Cause> = self
             .causes
             .iter()
             .filter(|cause| cause.unexpected() > 0)
             .collect();
-        causes.sort_by_key(|cause| (cause.is_partly_reduced(), std::cmp::Reverse(cause.unexpected())));
-        causes
+        causes.sort_by_key(|cause| std::cmp::Reverse(cause.unexpected()));
+        causes.into_iter().partition(|cause| !cause.is_partly_reduced())
     }
 
     /// Returns the kept failing cases that no cause explains: no cause is searched for what passed unexpectedly, and of some

@@ -197,11 +197,7 @@ fn failures(overview: &Overview, page: &mut BoundedMarkdown) {
 
 /// Adds the causes that explain most of the cases that are not as expected, where causes were searched for.
 fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
-    let found = overview.unexpected_causes();
-    if found.is_empty() {
-        return;
-    }
-    let (small, unreduced) = found.split_at(found.partition_point(|cause| !cause.is_partly_reduced()));
+    let (small, unreduced) = overview.unexpected_causes();
     if !small.is_empty() {
         page.add("\n| cases | cause | engine | claim |\n|--:|---|---|---|\n");
     }
@@ -233,7 +229,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
         page.add(&format!(
             "\nThe search ended before {}, of {}, could be made as small as possible; most of them may show a cause of the list.\n",
             counted(unreduced.len() as u64, "program", "programs"),
-            explained(unreduced)
+            explained(&unreduced)
         ));
     }
 }

@@ -32,9 +32,11 @@ pub(crate) struct Unexpected {
 impl Unexpected {
     /// Returns the messages of a run, the causes first, those that explain most cases at the top.
     pub(crate) fn all(overview: &Overview) -> impl Iterator<Item = Unexpected> {
-        let causes = overview.unexpected_causes().into_iter();
+        let (small, unreduced) = overview.unexpected_causes();
         let cases = overview.unexplained_failures();
-        causes
+        small
+            .into_iter()
+            .chain(unreduced)
             .map(|cause| of_cause(cause, overview))
             .chain(cases.map(|case| of_case(case, overview)))
     }

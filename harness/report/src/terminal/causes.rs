@@ -21,17 +21,17 @@ const MIN_TITLE: usize = 20;
 /// # Errors
 /// Returns the error of writing to `out`.
 pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<usize>) -> io::Result<()> {
-    let causes = overview.unexpected_causes();
-    if causes.is_empty() {
+    let (small, unreduced) = overview.unexpected_causes();
+    if small.is_empty() && unreduced.is_empty() {
         return Ok(());
     }
     let several = overview.engines().len() > 1;
-    let widths = causes.iter().map(|cause| grouped(cause.unexpected()).len());
+    let causes = small.iter().chain(&unreduced);
+    let widths = causes.map(|cause| grouped(cause.unexpected()).len());
     let width = widths.max().unwrap_or_default().max("Cases".len());
     let room = columns.map_or(usize::MAX, |columns| {
         columns.saturating_sub(width + 2).max(MIN_TITLE)
     });
-    let (small, unreduced) = causes.split_at(causes.partition_point(|cause| !cause.is_partly_reduced()));
     writeln!(out, "{BOLD}{:>width$}  Cause{BOLD:#}", "Cases")?;
     for cause in small.iter().take(MAX_SHOWN_CAUSES) {
         let on = if several {
@@ -71,7 +71,7 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<us
     let [one, several] = ["program", "programs"].map(|programs| {
         format!("{programs} not made small, which may show a cause of the list: the search ended before")
     });
-    count(unreduced, &one, &several)?;
+    count(&unreduced, &one, &several)?;
     writeln!(out)
 }
 
