@@ -55,6 +55,17 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
     }
 }
 
+/// Returns whether the ForgeIEC page has a truncation whose name tells its result, of an operand of this type.
+///
+/// Basis: forgeiec-conversion-functions: The naming pattern (TRUNC_INT of REAL, TRUNC_LINT of LREAL), TRUNC vs. ROUND (TRUNC_DINT of a REAL).
+#[must_use]
+pub fn page_has_truncation(signature: &Signature) -> bool {
+    matches!(
+        (&signature.function[..], &signature.operands[..]),
+        ("TRUNC_INT" | "TRUNC_DINT", [ElementaryType::Real]) | ("TRUNC_LINT", [ElementaryType::Lreal])
+    )
+}
+
 /// Returns whether an override in the definition of a dialect decides the result of a call: with another choice in its
 /// place, the result would differ. Always `false` in a dialect of a documented system, and for operands that do not fit.
 #[must_use]
@@ -366,27 +377,20 @@ impl UnaryCall<'_> {
         says.then_some(BCD).filter(|_| self.rules == Rules::Matiec)
     }
 
-    /// Returns the basis of TRUNC and its variants. The ForgeIEC page lists TRUNC_INT of REAL and TRUNC_LINT of LREAL, and has TRUNC_DINT
-    /// of a REAL in its examples; the other variants, and these of the other real type, are open.
+    /// Returns the basis of TRUNC and its variants. What the ForgeIEC page does not have is open.
     fn of_truncation(self, name: &str, raw: u64) -> Option<&'static str> {
         let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
             "TRUNC" if truncated == WholePosition::Inside => {
                 self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC)
             }
-            "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => {
-                let is_of_the_page = match name {
-                    "TRUNC_LINT" => self.from == ElementaryType::Lreal,
-                    _ => self.from == ElementaryType::Real,
-                };
-                match truncated {
-                    WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
-                    _ if !is_of_the_page => None,
-                    WholePosition::Outside => self.rules.only_matiec(RANGE),
-                    WholePosition::Inside if name == "TRUNC_DINT" => self.rules.only_matiec(MATIEC_TRUNC),
-                    WholePosition::Inside => self.rules.only_matiec(NAMING),
-                }
-            }
+            "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
+                WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+                _ if !page_has_truncation(self.signature) => None,
+                WholePosition::Outside => self.rules.only_matiec(RANGE),
+                WholePosition::Inside if name == "TRUNC_DINT" => self.rules.only_matiec(MATIEC_TRUNC),
+                WholePosition::Inside => self.rules.only_matiec(NAMING),
+            },
             _ => None,
         }
     }

@@ -55,7 +55,7 @@ mod text;
 mod value;
 mod vendor_page;
 
-pub use basis::{Expected, expected, is_overridden};
+pub use basis::{Expected, expected, is_overridden, page_has_truncation};
 pub use bulk::Bulk;
 pub use catalogue::{functions, has_type, signatures};
 pub use choices::choices_of;

@@ -2,7 +2,7 @@
 
 use crate::call::{Agreed, Call};
 use crate::table::{ProbeClaim, Table, TableProbe};
-use stickler_exact::{Expected, Operation};
+use stickler_exact::{Expected, Operation, page_has_truncation};
 use stickler_types::{DialectName, ElementaryType};
 
 /// The tables whose probes may record a result that a document speaks of, because their ids are older than that knowledge, or
@@ -196,9 +196,8 @@ fn is_named(call: &Call, dialect: DialectName) -> bool {
         return false;
     }
     match &*call.signature.function {
-        "TRUNC_INT" | "TRUNC_DINT" => from == ElementaryType::Real,
-        "TRUNC_LINT" => from == ElementaryType::Lreal,
         "TRUNC" | "BCD_TO_INT" | "INT_TO_BCD" => true,
+        name if name.starts_with("TRUNC_") => page_has_truncation(&call.signature),
         name if name.starts_with("TO_") || call.signature.operation != Operation::Convert => false,
         _ => match (from, to) {
             (ElementaryType::Bool | ElementaryType::Time, _)
