@@ -40,8 +40,7 @@ pub struct PlacesArguments {
     /// Only places whose names contain this text: `target.argument`, `source.`, `from SINT`.
     #[arg(long, value_name = "TEXT", default_value = "")]
     place: String,
-    /// A line for each saboteur: rule, place, how many cases have it, have it and assert something, see it, see it and assert nothing,
-    /// and fail, and one of them.
+    /// A line for each saboteur: rule, place, how many cases have it, see it, see it and assert nothing, and fail, and one of them.
     #[arg(long)]
     each: bool,
     /// The number of threads; 0 stands for one a processor.
@@ -93,8 +92,8 @@ fn print(judged: &[Judged], stale: &[String], each: bool) -> u8 {
             let (rule, place) = (saboteur.rule, saboteur.place);
             let example = tally.example.as_deref().unwrap_or("-");
             println!(
-                "{rule}\t{place}\t{}\t{}\t{}\t{}\t{}\t{example}",
-                tally.met, tally.asserting, tally.changed, tally.recorded, tally.noticed
+                "{rule}\t{place}\t{}\t{}\t{}\t{}\t{example}",
+                tally.met, tally.changed, tally.recorded, tally.noticed
             );
         }
     }

@@ -16,9 +16,7 @@ use stickler_workers::WorkerPool;
 pub struct Tally {
     /// The number of cases in whose program the saboteur breaks something.
     pub met: usize,
-    /// The number of those that assert something, and do not only record what happens.
-    pub asserting: usize,
-    /// The number of `met` to which it answers otherwise than the reference.
+    /// The number of those to which it answers otherwise than the reference.
     pub changed: usize,
     /// The number of those that fail.
     pub noticed: usize,
@@ -61,7 +59,6 @@ pub fn measure(
                 sum.example = tally.example;
             }
             sum.met += tally.met;
-            sum.asserting += tally.asserting;
             sum.changed += tally.changed;
             sum.noticed += tally.noticed;
             sum.recorded += tally.recorded;
@@ -102,7 +99,6 @@ fn try_case(
         );
         let tally = tallies.entry(saboteur).or_default();
         tally.met += 1;
-        tally.asserting += usize::from(!case.is_open());
         let example = tally.example.get_or_insert_with(|| case.key());
         if answers != right {
             if tally.changed == 0 {

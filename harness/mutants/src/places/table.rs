@@ -23,16 +23,9 @@ impl Judged {
         self.tally.noticed > 0
     }
 
-    /// Returns whether every case that has the saboteur, or every one that sees it, only records: then it breaks no claim.
+    /// Returns whether every case that sees the saboteur only records: then it breaks no claim.
     pub fn is_recorded(&self) -> bool {
-        let Tally {
-            met,
-            asserting,
-            changed,
-            recorded,
-            ..
-        } = self.tally;
-        (met > 0 && asserting == 0) || (changed > 0 && recorded == changed)
+        self.tally.changed > 0 && self.tally.recorded == self.tally.changed
     }
 
     /// Returns whether no case notices, although some asserts something or none sees it, and nobody has said why.
