@@ -1,6 +1,6 @@
 //! Reads `*.st` files: one annotated program becomes a case in each of its dialects.
 //!
-//! WrittenBasis: conformance-cases/README.md (marks).
+//! Basis: conformance-cases/README.md (marks).
 
 use std::sync::Arc;
 

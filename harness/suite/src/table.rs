@@ -10,9 +10,11 @@ mod inputs;
 mod keys;
 mod matrix;
 mod probe;
+mod probes;
 mod read;
 mod section;
 mod types;
+mod word;
 
 pub(crate) use budget::Budget;
 pub use keys::Generate;

@@ -112,14 +112,14 @@ impl<'a> Arranged<'a> {
     }
 }
 
-/// Reads a probe with `places`. Beside the design it has the program of its first combination.
+/// Reads a probe with `places`. The probe that is returned beside the design has the program of its first combination.
 pub(super) fn read<'k>(
     reader: &mut ProbeReader<'k, '_>,
     file: &'k TableFile,
     key: &'k ProbeKey,
     places: &'k Spanned<PlacesKey>,
     remarks: &mut Remarks,
-) -> Option<Probe<'k>> {
+) -> Option<(Probe<'k>, Arranged<'k>)> {
     if let Some(target) = key.observe.iter().flat_map(|observe| &observe.0).next() {
         let message = "`observe` belongs to a probe with `source`; a target says where its value is";
         reader.wrong(target, "probe.observe", message.to_owned());
@@ -132,16 +132,16 @@ pub(super) fn read<'k>(
         wording: wording(places.get_ref(), file.matrix.is_some()),
     };
     let (program, observe) = composer.compose(reader, design.arrangements().first()?, remarks)?;
-    let mut probe = reader.with_program(file, key, program, vec![observe])?;
-    probe.arranged = Some(Arranged {
+    let probe = reader.with_program(file, key, program, vec![observe])?;
+    let arranged = Arranged {
         from: reader.template(places, composer.wording.from, KEY)?,
         to: reader.template(places, composer.wording.to, KEY)?,
         combinations: places.get_ref().combinations,
         probes: design.arrangements().iter().map(|_| None).collect(),
         composer,
         design,
-    });
-    Some(probe)
+    };
+    Some((probe, arranged))
 }
 
 /// Returns the design of the places that a probe names; all of a role where it names none.

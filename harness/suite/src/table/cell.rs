@@ -1,6 +1,6 @@
 //! One cell of a matrix in one probe: the values that it takes, and the results that are expected.
 //!
-//! WrittenBasis: conformance-cases/README.md (a matrix of types).
+//! Basis: conformance-cases/README.md (a matrix of types).
 
 use std::sync::Arc;
 

@@ -1,6 +1,6 @@
 //! Expands a matrix into a case for every cell × probe × value × dialect.
 //!
-//! WrittenBasis: conformance-cases/README.md (a matrix of types).
+//! Basis: conformance-cases/README.md (a matrix of types).
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -25,9 +25,11 @@ use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
 use crate::table::inputs;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
-use crate::table::probe::{self, Placeholders, Probe};
+use crate::table::probe::{Placeholders, Probe};
+use crate::table::probes::{self, TableProbe};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, RowInput, TypeInfo};
+use crate::table::word::{CellWord, words};
 
 /// The text that replaces a placeholder without a value.
 const UNKNOWN: &str = "?";
@@ -47,7 +49,7 @@ pub(crate) fn expand(
     };
     let mistakes = &mut harvest.mistakes;
     let declared = types::declared(&table.file.types, table.context, mistakes);
-    let mut probes = probe::read(table.file, table.context, placeholders, mistakes, remarks);
+    let mut probes = probes::read(table.file, table.context, placeholders, mistakes, remarks);
     let sections = section::read(table, key, names, mistakes);
     let mut expander = MatrixExpander {
         table,
@@ -75,49 +77,6 @@ pub(crate) fn expand(
             probe.remarks(count, &mut harvest.remarks);
         }
     }
-}
-
-/// The word that applies to a cell, and its origin.
-#[derive(Clone, Copy)]
-struct CellWord {
-    word: MatrixWord,
-    /// The dialect whose definition states the word, with the basis; `None` if the word is that of the matrix.
-    stated: Option<(DialectName, &'static str)>,
-}
-
-/// Groups the dialects of a cell by the word that applies: that of the matrix, or that of a dialect's definition. A
-/// definition overrides only the words about implicit conversion.
-fn overridden(
-    probe: &Probe<'_>,
-    row: &str,
-    column: &TypeInfo,
-    word: MatrixWord,
-    dialects: &[DialectName],
-) -> Vec<(CellWord, Vec<DialectName>)> {
-    let stated = |dialect: &DialectName| {
-        let pair = (
-            ElementaryType::from_name(row)?,
-            ElementaryType::from_name(&column.name)?,
-        );
-        let stated = dialect.definition()?.implicit(pair.0, pair.1)?;
-        Some(CellWord {
-            word: stated.value,
-            stated: Some((*dialect, &stated.basis)),
-        })
-    };
-    let by_matrix = CellWord { word, stated: None };
-    if dialects.iter().all(|dialect| dialect.definition().is_none()) || !probe.is_implicit_conversion() {
-        return vec![(by_matrix, dialects.to_vec())];
-    }
-    let (others, overriding): (Vec<DialectName>, Vec<DialectName>) =
-        dialects.iter().partition(|dialect| stated(dialect).is_none());
-    let mut said = vec![(by_matrix, others)];
-    said.extend(
-        overriding
-            .iter()
-            .filter_map(|dialect| Some((stated(dialect)?, vec![*dialect]))),
-    );
-    said
 }
 
 /// Returns the texts of the placeholders that all cases of a cell share.
@@ -151,13 +110,13 @@ struct MatrixExpander<'a, 'h> {
 
 impl MatrixExpander<'_, '_> {
     /// Reports the keys that have no meaning in a matrix.
-    fn check_keys(&mut self, probes: &mut [Probe<'_>]) {
+    fn check_keys(&mut self, probes: &mut [TableProbe<'_>]) {
         if let Some(expect) = &self.table.file.expect {
             let line = self.table.context.lines.line(expect.span().start);
             let message = "`expect` belongs to a table of rows; a matrix says it by its words";
             self.wrong(Mistake::new(line, message).key("expect"));
         }
-        for probe in probes {
+        for TableProbe { probe, .. } in probes {
             if probe.key.expect.is_some() {
                 let message = "`expect` belongs to a table of rows";
                 self.wrong(Mistake::new(probe.line, message).key("probe.expect"));
@@ -207,10 +166,10 @@ impl MatrixExpander<'_, '_> {
     fn section(
         &mut self,
         section: &Section<'_>,
-        probe: &mut Probe<'_>,
+        probe: &mut TableProbe<'_>,
         types: &BTreeMap<Arc<str>, TypeInfo>,
     ) -> Result<(), Mistake> {
-        let dialects = probe.narrowed(&section.dialects);
+        let dialects = probe.probe.narrowed(&section.dialects);
         let columns: Vec<&TypeInfo> = section
             .matrix
             .columns
@@ -222,7 +181,7 @@ impl MatrixExpander<'_, '_> {
                 continue;
             };
             let inputs = inputs::of_row(
-                probe,
+                &probe.probe,
                 row_type,
                 row.line,
                 self.table.context,
@@ -233,26 +192,18 @@ impl MatrixExpander<'_, '_> {
                     .look()
                     .map_err(|message| Mistake::new(row.line, message))?;
                 if let Some(word) = word {
-                    for (said, dialects) in overridden(probe, &row.name, column, *word, &dialects) {
-                        let place = (row, row_type);
-                        let Some(mut arranged) = probe.arranged.take() else {
-                            self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
-                            continue;
-                        };
+                    for (said, dialects) in words(&probe.probe, &row.name, column, *word, &dialects) {
                         let texts = cell_texts(row, column, said.word, "");
-                        if probe.only.holds(&texts) {
-                            let places = self.table.context.places;
-                            for (index, dialects) in
-                                arranged.chosen(places, number(row, column), &dialects, &texts)
-                            {
-                                if let Some(probe) =
-                                    arranged.probe(probe, index, self.table.context, self.harvest)
-                                {
-                                    self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
-                                }
+                        if !probe.probe.only.holds(&texts) {
+                            continue;
+                        }
+                        let (context, place) = (self.table.context, (row, row_type));
+                        let number = number(row, column);
+                        for (index, dialects) in probe.chosen(context.places, number, dialects, &texts) {
+                            if let Some(probe) = probe.at(index, context, self.harvest) {
+                                self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
                             }
                         }
-                        probe.arranged = Some(arranged);
                     }
                 }
                 if self.harvest.mistakes.len() > MAX_MISTAKES {
@@ -277,9 +228,6 @@ impl MatrixExpander<'_, '_> {
     ) -> Result<(), Mistake> {
         let types = declarations(row_type, column);
         let texts = cell_texts(row, column, word, &types);
-        if !probe.only.holds(&texts) {
-            return Ok(());
-        }
         let cell = PlacedCell {
             row: row_type,
             column,

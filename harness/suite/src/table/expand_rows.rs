@@ -1,6 +1,6 @@
 //! Expands a table of rows into a case for every row × probe × dialect.
 //!
-//! WrittenBasis: conformance-cases/README.md (a table of rows).
+//! Basis: conformance-cases/README.md (a table of rows).
 
 use stickler_types::{DialectName, Value};
 use toml::Spanned;
@@ -16,7 +16,8 @@ use crate::program::Remarks;
 use crate::table::budget::Budget;
 use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
 use crate::table::keys::TableRow;
-use crate::table::probe::{self, Placeholders, Probe};
+use crate::table::probe::{Placeholders, Probe};
+use crate::table::probes::{self, TableProbe};
 
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
@@ -53,7 +54,7 @@ pub(crate) fn expand(
         known: names.len(),
         unnamed: None,
     };
-    let mut probes = probe::read(
+    let mut probes = probes::read(
         table.file,
         table.context,
         placeholders,
@@ -102,7 +103,7 @@ struct RowExpander<'a, 'h> {
 
 impl RowExpander<'_, '_> {
     /// Reports columns that cannot be placeholders, and keys that have no meaning in a table of rows.
-    fn check_keys(&mut self, probes: &[Probe<'_>]) {
+    fn check_keys(&mut self, probes: &[TableProbe<'_>]) {
         for (at, column) in self.table.file.columns.iter().flatten().enumerate() {
             let name = column.get_ref();
             let line = self.table.context.lines.line(column.span().start);
@@ -118,7 +119,7 @@ impl RowExpander<'_, '_> {
         if !self.table.file.types.is_empty() {
             self.wrong(Mistake::new(1, "[types] belongs to a matrix").key("types"));
         }
-        for probe in probes {
+        for TableProbe { probe, .. } in probes {
             if let Some(values) = &probe.key.values {
                 let line = self.table.context.lines.line(values.span().start);
                 self.wrong(
@@ -133,10 +134,10 @@ impl RowExpander<'_, '_> {
         }
     }
 
-    fn probes(&mut self, probes: &mut [Probe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
+    fn probes(&mut self, probes: &mut [TableProbe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
         for probe in probes {
             let before = self.harvest.cases.len();
-            let own = probe.narrowed(dialects);
+            let own = probe.probe.narrowed(dialects);
             for (number, row) in self.table.file.rows.iter().flatten().enumerate() {
                 let line = self.table.context.lines.line(row.span().start);
                 self.budget
@@ -157,7 +158,7 @@ impl RowExpander<'_, '_> {
 
     fn row(
         &mut self,
-        probe: &mut Probe<'_>,
+        table_probe: &mut TableProbe<'_>,
         (number, row): (usize, &Spanned<TableRow>),
         line: u32,
         dialects: &[DialectName],
@@ -173,6 +174,7 @@ impl RowExpander<'_, '_> {
             return Ok(());
         }
         let texts: Vec<&str> = cells.iter().map(|cell| &**cell).collect();
+        let probe = &table_probe.probe;
         if !probe.only.holds(&texts) {
             return Ok(());
         }
@@ -191,16 +193,10 @@ impl RowExpander<'_, '_> {
                 return Ok(());
             }
         };
-        match probe.arranged.take() {
-            None => self.cases(probe, &texts, line, &expect, &dialects),
-            Some(mut arranged) => {
-                let places = self.table.context.places;
-                for (index, dialects) in arranged.chosen(places, number, &dialects, &texts) {
-                    if let Some(probe) = arranged.probe(probe, index, self.table.context, self.harvest) {
-                        self.cases(probe, &texts, line, &expect, &dialects);
-                    }
-                }
-                probe.arranged = Some(arranged);
+        let context = self.table.context;
+        for (index, dialects) in table_probe.chosen(context.places, number, dialects, &texts) {
+            if let Some(probe) = table_probe.at(index, context, self.harvest) {
+                self.cases(probe, &texts, line, &expect, &dialects);
             }
         }
         Ok(())
@@ -427,7 +423,7 @@ impl RowExpander<'_, '_> {
 fn note_unused_columns(
     table: &TableExpansion<'_>,
     names: &[Box<str>],
-    probes: &[Probe<'_>],
+    probes: &[TableProbe<'_>],
     harvest: &mut Harvest,
 ) {
     for (slot, column) in table.file.columns.iter().flatten().enumerate() {

@@ -1,8 +1,7 @@
-//! Probes: templates of programs, read once for all cells or rows.
+//! A probe: a template of programs, read once for all cells or rows.
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashSet;
 use stickler_types::{Code, DialectName};
 use toml::Spanned;
 
@@ -16,7 +15,6 @@ use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::places::Placement;
 use crate::program::{ProgramTemplate, Remarks};
-use crate::table::arranged::{self, Arranged};
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
 
@@ -40,8 +38,6 @@ pub(crate) struct Probe<'a> {
     pub(crate) applied: Vec<bool>,
     /// The places of which the program was put together, if it was.
     pub(crate) placement: Option<Arc<Placement>>,
-    /// The probes of the single combinations of places; `None` if the probe has a program of its own.
-    pub(crate) arranged: Option<Arranged<'a>>,
 }
 
 /// A variable whose value is observed.
@@ -60,41 +56,6 @@ pub(crate) struct Placeholders<'a> {
     pub(crate) unnamed: Option<usize>,
 }
 
-/// Reads the probes of a file; leaves out those with mistakes.
-pub(crate) fn read<'a>(
-    file: &'a TableFile,
-    context: &FileContext<'_>,
-    placeholders: Placeholders<'a>,
-    mistakes: &mut Vec<Mistake>,
-    remarks: &mut Remarks,
-) -> Vec<Probe<'a>> {
-    if file.probe.is_empty() {
-        mistakes.push(Mistake::new(1, "the table has no [[probe]]").key("probe"));
-    }
-    let mut probes: Vec<Probe<'a>> = Vec::new();
-    let mut names = FxHashSet::default();
-    for key in &file.probe {
-        let mut reader = ProbeReader {
-            context,
-            placeholders,
-            mistakes: Vec::new(),
-        };
-        let probe = reader.probe(file, key.get_ref(), remarks);
-        if let Some(probe) = probe.filter(|_| reader.mistakes.is_empty()) {
-            if !names.insert(Arc::clone(&probe.name)) {
-                let message = format!("there are two probes `{}`", probe.name);
-                reader
-                    .mistakes
-                    .push(Mistake::new(probe.line, message).key("probe.name"));
-            } else {
-                probes.push(probe);
-            }
-        }
-        mistakes.append(&mut reader.mistakes);
-    }
-    probes
-}
-
 /// Reads one probe, and collects its mistakes.
 pub(super) struct ProbeReader<'a, 'c> {
     pub(super) context: &'c FileContext<'c>,
@@ -103,23 +64,19 @@ pub(super) struct ProbeReader<'a, 'c> {
 }
 
 impl<'a> ProbeReader<'a, '_> {
-    fn probe(&mut self, file: &'a TableFile, key: &'a ProbeKey, remarks: &mut Remarks) -> Option<Probe<'a>> {
-        match (&key.source, &key.places) {
-            (Some(source), None) => {
-                let observe = key.observe.iter().flat_map(|observe| &observe.0);
-                let observe = observe.filter_map(|target| self.target(target)).collect();
-                let place =
-                    TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
-                let program = self.program(source.get_ref(), place, "probe.source", remarks)?;
-                self.with_program(file, key, program, observe)
-            }
-            (None, Some(places)) => arranged::read(self, file, key, places, remarks),
-            _ => {
-                let message = "a probe has either `source` or `places`".to_owned();
-                self.wrong(&key.name, "probe", message);
-                None
-            }
-        }
+    /// Reads a probe whose program is written out.
+    pub(super) fn written_out(
+        &mut self,
+        file: &TableFile,
+        key: &'a ProbeKey,
+        source: &Spanned<String>,
+        remarks: &mut Remarks,
+    ) -> Option<Probe<'a>> {
+        let observe = key.observe.iter().flat_map(|observe| &observe.0);
+        let observe = observe.filter_map(|target| self.target(target)).collect();
+        let place = TextPlace::of_toml_string(self.context.text, &self.context.lines, source.span().start);
+        let program = self.program(source.get_ref(), place, "probe.source", remarks)?;
+        self.with_program(file, key, program, observe)
     }
 
     /// Reads the keys of a probe beside its program and what is observed.
@@ -166,7 +123,6 @@ impl<'a> ProbeReader<'a, '_> {
                 .and_then(|expect| self.template(expect, expect.get_ref(), "expect")),
             frame,
             placement: None,
-            arranged: None,
         })
     }
 
@@ -275,7 +231,6 @@ impl<'a> Probe<'a> {
             expect: self.expect.clone(),
             frame: self.frame.clone(),
             placement: Some(Arc::new(placement)),
-            arranged: None,
         }
     }
 
@@ -314,23 +269,10 @@ impl<'a> Probe<'a> {
         }
     }
 
-    /// Adds a warning if the probe has no case, and one for each mark that applied in no case.
-    pub(crate) fn remarks(&self, cases: usize, remarks: &mut Vec<Mistake>) {
-        if cases == 0 {
-            let message = format!("the probe `{}` has no case", self.name);
-            remarks.push(Mistake::new(self.line, message).key("probe"));
-            return;
-        }
-        if self.arranged.as_ref().is_some_and(|arranged| !arranged.is_idle()) {
-            return;
-        }
-        for (mark, _) in self
-            .program
-            .marks
-            .iter()
-            .zip(&self.applied)
-            .filter(|(_, applied)| !**applied)
-        {
+    /// Adds a warning for each mark that applied in no case.
+    pub(super) fn note_idle_marks(&self, remarks: &mut Vec<Mistake>) {
+        let marks = self.program.marks.iter().zip(&self.applied);
+        for (mark, _) in marks.filter(|(_, applied)| !**applied) {
             let line = self.program.place.line(mark.line);
             remarks.push(Mistake::new(line, "the mark applies in no case").key("probe.source"));
         }
@@ -348,10 +290,6 @@ impl<'a> Probe<'a> {
                 .iter()
                 .any(|target| in_template(&target.name) || target.ty.as_ref().is_some_and(in_template))
             || self.only.slots().any(|used| used == slot)
-            || self
-                .arranged
-                .as_ref()
-                .is_some_and(|arranged| arranged.mentions(slot))
             || self
                 .program
                 .marks
