@@ -9,6 +9,7 @@ mod analysis;
 mod change;
 mod claim;
 mod explained;
+mod forms;
 mod matrix;
 mod measure;
 mod names;

@@ -45,6 +45,7 @@ mod operators;
 mod order;
 mod parameters;
 mod places;
+mod promotion;
 mod recursion;
 mod reporter;
 mod routines;

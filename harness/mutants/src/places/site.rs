@@ -5,7 +5,8 @@ use super::change::SourceChange;
 use super::claim::{
     BitClaim, ClaimBreach, ConversionClaim, Direction, LiteralPair, PairKind, PartForm, Rule,
 };
-use super::standing::{PlaceOfExpression, refused_base};
+use super::forms::refused_base;
+use super::standing::PlaceOfExpression;
 use super::wrong_code::wrong_code;
 use rustc_hash::FxHashMap;
 use stickler_reference::instruction::{Instruction, Label, Part};

@@ -1,11 +1,12 @@
 //! The place of `places.toml` in which each expression of a program stands, as the tree shows it.
 
-use super::names::{DerivedForm, SectionVariable, SourceNames, Variables};
+use super::forms::Forms;
+use super::names::{SourceNames, Variables};
 use stickler_reference::source::{LineIndex, Span};
 use stickler_reference::syntax::tree::{
     Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
     InitializerKind, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeSpecification,
-    TypeSpecificationKind, UnaryOperator, VariableGroup, VariableKind,
+    TypeSpecificationKind, VariableGroup, VariableKind,
 };
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
@@ -42,10 +43,12 @@ impl Standings {
     pub fn new(unit: &SourceUnit<'_>, lines: &LineIndex) -> Standings {
         let names = SourceNames::new(unit);
         let mut walk = Walk {
-            unit,
+            forms: Forms {
+                unit,
+                names: &names,
+                variables: Variables::default(),
+            },
             lines,
-            names: &names,
-            variables: Variables::default(),
             found: vec![PlaceOfExpression::default(); unit.expressions.len()],
             around: Vec::new(),
             body: None,
@@ -64,10 +67,8 @@ impl Standings {
 }
 
 struct Walk<'w, 'u> {
-    unit: &'u SourceUnit<'u>,
+    forms: Forms<'w, 'u>,
     lines: &'w LineIndex,
-    names: &'w SourceNames<'u>,
-    variables: Variables<'u>,
     found: Vec<PlaceOfExpression>,
     /// The statements around, the innermost last.
     around: Vec<&'static str>,
@@ -99,7 +100,7 @@ impl<'u> Walk<'_, 'u> {
     }
 
     fn pou(&mut self, pou: &'u Pou<'u>) {
-        self.variables = Variables::new(pou);
+        self.forms.variables = Variables::new(pou);
         let body = match pou.kind {
             PouKind::Program => "program",
             PouKind::Function => "function",
@@ -116,7 +117,7 @@ impl<'u> Walk<'_, 'u> {
             self.groups(&block.groups, target);
         }
         self.statements(&pou.body);
-        self.variables = Variables::default();
+        self.forms.variables = Variables::default();
         self.body = None;
     }
 
@@ -124,7 +125,11 @@ impl<'u> Walk<'_, 'u> {
         for group in groups {
             self.specification(&group.specification);
             if let Some(initializer) = &group.initializer {
-                self.initializer(initializer, target, self.names.is_block(&group.specification));
+                self.initializer(
+                    initializer,
+                    target,
+                    self.forms.names.is_block(&group.specification),
+                );
             }
         }
     }
@@ -249,12 +254,12 @@ impl<'u> Walk<'_, 'u> {
     }
 
     fn assignment(&mut self, target: ExpressionId, value: ExpressionId, returns: bool) {
-        let place = self.target(target).map(|place| match (place, returns) {
+        let place = self.forms.target(target).map(|place| match (place, returns) {
             ("result", true) => "result-and-return",
             _ => place,
         });
         let written = PlaceOfExpression {
-            source: self.source(value),
+            source: self.forms.source(value),
             target: place,
             written: true,
             ..self.here()
@@ -294,8 +299,8 @@ impl<'u> Walk<'_, 'u> {
         self.waiting.push((id, standing));
         while let Some((id, standing)) = self.waiting.pop() {
             self.found[id.0 as usize] = PlaceOfExpression {
-                source: self.source(id),
-                base: self.base(id),
+                source: self.forms.source(id),
+                base: self.forms.base(id),
                 ..standing
             };
             self.parts(id, standing);
@@ -310,7 +315,7 @@ impl<'u> Walk<'_, 'u> {
             written: false,
             ..standing
         };
-        match &self.unit.expressions[id.0 as usize].kind {
+        match &self.forms.unit.expressions[id.0 as usize].kind {
             ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary { operand: inner, .. } => {
                 self.waiting.push((*inner, standing));
             }
@@ -354,13 +359,13 @@ impl<'u> Walk<'_, 'u> {
         argument: &Argument<'_>,
         standing: PlaceOfExpression,
     ) -> (ExpressionId, PlaceOfExpression) {
-        let name = match &self.unit.expressions[callee.0 as usize].kind {
+        let name = match &self.forms.unit.expressions[callee.0 as usize].kind {
             ExpressionKind::Name(name) => name.text,
             _ => "",
         };
-        let called = self.names.pou(name);
+        let called = self.forms.names.pou(name);
         let function = called == Some(PouKind::Function);
-        let block = self.is_instance(callee);
+        let block = self.forms.is_instance(callee);
         let within = standing
             .target
             .is_some_and(|target| target.starts_with("argument"));
@@ -380,115 +385,6 @@ impl<'u> Walk<'_, 'u> {
             ..standing
         };
         (id, standing)
-    }
-
-    /// Returns whether an expression names an instance of a function block.
-    fn is_instance(&self, id: ExpressionId) -> bool {
-        match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Name(name) => self
-                .names
-                .variable(&self.variables, name.text)
-                .is_some_and(|variable| self.names.is_instance(variable)),
-            _ => false,
-        }
-    }
-
-    /// Returns what a bit is selected of; `None` where an expression selects none.
-    fn selected_of(&self, id: ExpressionId) -> Option<ExpressionId> {
-        match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Bit { base, .. } => Some(*base),
-            // A form that the dialect does not have leaves its base before it.
-            ExpressionKind::Error => refused_base(self.unit, id),
-            _ => None,
-        }
-    }
-
-    fn base(&self, id: ExpressionId) -> Option<&'static str> {
-        self.source(self.selected_of(id)?)
-    }
-
-    /// Returns the source that an expression is.
-    fn source(&self, id: ExpressionId) -> Option<&'static str> {
-        Some(match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Parenthesized(_) => "parentheses",
-            ExpressionKind::Binary { .. } => "sum",
-            ExpressionKind::Unary { operator, .. } => match operator {
-                UnaryOperator::Negate => "negation",
-                UnaryOperator::Not => "complement",
-                UnaryOperator::Plus => "plus",
-            },
-            ExpressionKind::Literal(literal) => match literal.prefix() {
-                Some(_) => "typed-literal",
-                None => "literal",
-            },
-            ExpressionKind::Call { callee, .. } => match &self.unit.expressions[callee.0 as usize].kind {
-                ExpressionKind::Name(name) if self.names.pou(name.text).is_some() => "function-result",
-                _ => "standard-function-result",
-            },
-            ExpressionKind::Bit { .. } => "bit",
-            ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text)?;
-                section(variable.kind).unwrap_or(match variable {
-                    SectionVariable { located: true, .. } => "located",
-                    SectionVariable { constant: true, .. } => "constant",
-                    SectionVariable { retained: true, .. } => "retained",
-                    _ => self.derived(variable).unwrap_or("variable"),
-                })
-            }
-            ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-output",
-            _ => self.part(id)?,
-        })
-    }
-
-    /// Returns the target that an expression is.
-    fn target(&self, id: ExpressionId) -> Option<&'static str> {
-        let id = self.selected_of(id).unwrap_or(id);
-        Some(match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Name(name) if self.variables.is_result(name.text) => "result",
-            ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text)?;
-                section(variable.kind).unwrap_or(match variable.located {
-                    true => "located",
-                    false => self.derived(variable).unwrap_or("assignment"),
-                })
-            }
-            ExpressionKind::Field { base, .. } if self.is_instance(*base) => "block-input-assigned",
-            _ => self.part(id)?,
-        })
-    }
-
-    /// Returns the place of an element of an array or a structure.
-    fn part(&self, id: ExpressionId) -> Option<&'static str> {
-        let (base, place) = match &self.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Field { base, .. } => (*base, "field"),
-            ExpressionKind::Index { base, subscripts } => {
-                let constant = |id: &ExpressionId| {
-                    let kind = &self.unit.expressions[id.0 as usize].kind;
-                    matches!(kind, ExpressionKind::Literal(_) | ExpressionKind::Unary { .. })
-                };
-                match subscripts.iter().all(constant) {
-                    true => (*base, "array-element"),
-                    false => (*base, "array-element-by-variable"),
-                }
-            }
-            _ => return None,
-        };
-        match &self.unit.expressions[base.0 as usize].kind {
-            ExpressionKind::Name(name) => {
-                let variable = self.names.variable(&self.variables, name.text);
-                let derived = variable.is_some_and(|variable| self.names.has_derived_elements(variable));
-                Some(if derived { "alias-element" } else { place })
-            }
-            _ => Some("path"),
-        }
-    }
-
-    /// Returns the place of a variable of a user-defined type, which is both a source and a target; `None` for other variables.
-    fn derived(&self, variable: SectionVariable<'_>) -> Option<&'static str> {
-        self.names.form_of(variable).map(|form| match form {
-            DerivedForm::Alias => "alias",
-            DerivedForm::Subrange => "subrange",
-        })
     }
 }
 
@@ -523,25 +419,4 @@ fn standard_argument(name: &str) -> &'static str {
         .iter()
         .find(|(function, _)| function.eq_ignore_ascii_case(name));
     place.map_or("standard-argument", |(_, place)| place)
-}
-
-/// Returns what a form of partial access was applied to that the dialect does not have.
-pub fn refused_base(unit: &SourceUnit<'_>, id: ExpressionId) -> Option<ExpressionId> {
-    let before = ExpressionId(id.0.checked_sub(1)?);
-    let span = |id: ExpressionId| unit.expressions.get(id.0 as usize).map(|found| found.span);
-    let (base, whole) = (span(before)?, span(id)?);
-    (base.start == whole.start && base.end < whole.end).then_some(before)
-}
-
-/// Returns the place of the variables of a section, which is both a source and a target; `None` for the variables of VAR.
-const fn section(kind: VariableKind) -> Option<&'static str> {
-    match kind {
-        VariableKind::Local => None,
-        VariableKind::Temporary => Some("temporary"),
-        VariableKind::Input => Some("input"),
-        VariableKind::Output => Some("output"),
-        VariableKind::InOut => Some("in-out"),
-        VariableKind::External => Some("external"),
-        VariableKind::Global => Some("global"),
-    }
 }

@@ -3,7 +3,7 @@
 use super::inferred::Inferred;
 use super::lost_values::holds;
 use super::lowering::{LoweredValue, Lowering};
-use super::operators::integer_of;
+use super::promotion::integer_of;
 use super::types::TypeId;
 use crate::conversion::implicit;
 use crate::dialect::ConstantTypes;

@@ -9,7 +9,7 @@ use super::literals::Signed;
 use super::locations::check_range;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::EnumeratedName;
-use super::operators::{is_whole, prefixed, promoted};
+use super::promotion::{is_whole, prefixed, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule, implicit};

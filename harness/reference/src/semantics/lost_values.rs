@@ -5,7 +5,7 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::literals::{real, untyped_integer};
 use super::lowering::{LoweredValue, Lowering};
-use super::operators::{integer_of, is_whole, prefixed};
+use super::promotion::{integer_of, is_whole, prefixed};
 use super::types::TypeId;
 use crate::conversion::{implicit_warning, literal_warning};
 use crate::dialect::OperandTypes;

@@ -8,9 +8,9 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::dialect::{ComparedTypes, Dialect, OperandTypes, ResultSigns};
+use crate::dialect::ComparedTypes;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
-use crate::syntax::tree::{BinaryOperator, UnaryOperator};
+use crate::syntax::tree::BinaryOperator;
 use stickler_types::{ElementaryType, Family};
 
 /// An operator whose operands are known: what each is converted to, what is done, and what comes of it.
@@ -208,58 +208,6 @@ impl TypeRules<'_> {
         })
     }
 
-    /// Returns the types in which a dialect that promotes operands computes with two integers or bit strings, one of which may be an
-    /// untyped literal, which then takes the sign of the other.
-    fn promoted(self, left: Inferred, right: Inferred) -> Option<PromotedOperands> {
-        (self.dialect.operands == OperandTypes::Promoted)
-            .then(|| self.promoted_of(&[left, right]))
-            .flatten()
-    }
-
-    /// Returns the types in which integers and bit strings are computed that a function takes, where it computes them as operators do; `None` where
-    /// one of them is something else, or all are untyped literals.
-    pub(super) fn promoted_arguments(self, arguments: &[Inferred]) -> Option<PromotedOperands> {
-        let promoted = self
-            .dialect
-            .functions_promote
-            .then(|| self.promoted_of(arguments))
-            .flatten()?;
-        // Arguments of one type give that type.
-        let same = arguments
-            .iter()
-            .copied()
-            .reduce(|first, next| match first == next {
-                true => first,
-                false => Inferred::Error,
-            });
-        Some(PromotedOperands {
-            result: same.and_then(Inferred::elementary).unwrap_or(promoted.result),
-            ..promoted
-        })
-    }
-
-    fn promoted_of(self, operands: &[Inferred]) -> Option<PromotedOperands> {
-        let (mut bits, mut literal, mut unsigned, mut is_signed) = (0, 0, 0, false);
-        for operand in operands {
-            match (operand, operand.elementary()) {
-                (Inferred::Integer(magnitude), _) => literal = magnitude.ty().bits().max(literal),
-                (_, Some(ty)) if is_whole(ty) => {
-                    bits = ty.bits().max(bits);
-                    is_signed |= ty.is_signed();
-                    if !ty.is_signed() {
-                        unsigned = ty.bits().max(unsigned);
-                    }
-                }
-                _ => return None,
-            }
-        }
-        (bits > 0).then(|| PromotedOperands {
-            result: integer_of(bits, is_signed),
-            computed: integer_of(bits.max(literal).max(32), is_signed),
-            gives_up_sign: self.dialect.result_signs == ResultSigns::OfOperator && unsigned == bits,
-        })
-    }
-
     /// Returns the type in which two integers or bit strings meet for the checker, where the dialect promotes operands.
     pub(super) fn meeting(
         self,
@@ -409,79 +357,6 @@ impl TypeRules<'_> {
             BinaryOperator::Power => OperatorGroup::Power,
         }
     }
-}
-
-/// The types of an operation on promoted operands.
-#[derive(Clone, Copy)]
-pub(super) struct PromotedOperands {
-    /// The type that the operation has for the checker.
-    pub(super) result: ElementaryType,
-    /// The type in which it is computed.
-    pub(super) computed: ElementaryType,
-    /// Where bits are combined, the result has no sign.
-    gives_up_sign: bool,
-}
-
-impl PromotedOperands {
-    /// Returns the same for an operation on bits.
-    fn bits(self) -> PromotedOperands {
-        let is_signed = self.result.is_signed() && !self.gives_up_sign;
-        PromotedOperands {
-            result: integer_of(self.result.bits(), is_signed),
-            ..self
-        }
-    }
-
-    fn of_numbers(self, action: Action) -> TypedOperation {
-        self.operation(action, TypeId::of(self.computed), TypeId::of(self.result))
-    }
-
-    fn operation(self, action: Action, computed: TypeId, result: TypeId) -> TypedOperation {
-        let operand = TypeId::of(self.computed);
-        TypedOperation {
-            left: operand,
-            right: operand,
-            action,
-            computed,
-            result,
-        }
-    }
-}
-
-/// Returns the integer type with a sign or without.
-pub(super) const fn integer_of(bits: u32, is_signed: bool) -> ElementaryType {
-    use ElementaryType::{Dint, Int, Lint, Sint, Udint, Uint, Ulint, Usint};
-    match (bits, is_signed) {
-        (..=8, true) => Sint,
-        (..=8, false) => Usint,
-        (9..=16, true) => Int,
-        (9..=16, false) => Uint,
-        (17..=32, true) => Dint,
-        (17..=32, false) => Udint,
-        (_, true) => Lint,
-        (_, false) => Ulint,
-    }
-}
-
-/// Returns the type in which a dialect that promotes operands computes with one integer or bit string.
-pub(super) const fn promoted(ty: ElementaryType) -> ElementaryType {
-    let bits = if ty.bits() < 32 { 32 } else { ty.bits() };
-    integer_of(bits, ty.is_signed())
-}
-
-/// Returns the type that the value of a prefix operator has for the checker.
-pub(super) fn prefixed(operator: UnaryOperator, ty: ElementaryType, dialect: &Dialect) -> ElementaryType {
-    let is_changed = dialect.result_signs == ResultSigns::OfOperator && is_whole(ty);
-    match operator {
-        UnaryOperator::Negate if is_changed => integer_of(ty.bits().max(16), true),
-        UnaryOperator::Not if is_changed && ty.is_integer() => integer_of(ty.bits(), false),
-        _ => ty,
-    }
-}
-
-/// Returns whether the values of a type are whole numbers, or bits that count as such.
-pub(super) const fn is_whole(ty: ElementaryType) -> bool {
-    ty.is_integer() || ty.is_bit_string()
 }
 
 fn is_integer(value: Inferred) -> bool {
