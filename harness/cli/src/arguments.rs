@@ -3,6 +3,7 @@
 mod bless;
 mod compare;
 mod completions;
+mod conversions;
 mod engines;
 mod export;
 mod fuzz;
@@ -10,17 +11,20 @@ mod numbers;
 mod record;
 mod reduce;
 mod reproduce;
+mod run;
 mod site;
 
 pub use bless::BlessArguments;
 pub use compare::CompareArguments;
 pub use completions::CompletionsArguments;
+pub use conversions::{ConversionsArguments, MatrixArguments, SweepArguments};
 pub use engines::{EngineArguments, EnginesArguments};
 pub use export::{ExportArguments, ImportArguments};
 pub use fuzz::{FuzzArguments, MergeArguments, PromoteArguments};
 pub use record::RecordArguments;
 pub use reduce::ReduceArguments;
 pub use reproduce::ReproduceArguments;
+pub use run::RunArguments;
 pub use site::SiteArguments;
 
 use crate::exit::ExitCodeListing;
@@ -28,9 +32,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use numbers::whole;
 use std::path::PathBuf;
-use stickler_run::Grade;
 use stickler_types::DialectName;
-use stickler_workers::Shard;
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
 ///
@@ -52,7 +54,7 @@ pub struct Arguments {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Run cases, judge what the engines did, write reports
-    #[command(after_help = RUN_EXAMPLES)]
+    #[command(after_help = run::RUN_EXAMPLES)]
     Run(RunArguments),
     /// Record the results of the last run as expected, in the baselines of its engines
     #[command(after_help = bless::BLESS_EXAMPLES)]
@@ -85,16 +87,16 @@ pub enum Command {
     #[command(after_help = EXPLAIN_EXAMPLES)]
     Explain(ExplainArguments),
     /// Show which types convert implicitly, by the documents and on engines
-    #[command(after_help = MATRIX_EXAMPLES)]
+    #[command(after_help = conversions::MATRIX_EXAMPLES)]
     Matrix(MatrixArguments),
     /// Show what a conversion function gives for boundary values, dialects side by side
-    #[command(after_help = CONVERSIONS_EXAMPLES)]
+    #[command(after_help = conversions::CONVERSIONS_EXAMPLES)]
     Conversions(ConversionsArguments),
     /// Write a file with the conversions of an engine, to be shown where the engine is not at hand
     #[command(after_help = record::RECORD_EXAMPLES)]
     Record(RecordArguments),
     /// Compare every input of a conversion function with exact arithmetic
-    #[command(after_help = SWEEP_EXAMPLES)]
+    #[command(after_help = conversions::SWEEP_EXAMPLES)]
     Sweep(SweepArguments),
     /// Show what a newer run does better or worse than an older one
     #[command(after_help = compare::COMPARE_EXAMPLES)]
@@ -141,72 +143,6 @@ pub struct SelectionArguments {
     /// Only cases of this dialect, which stickler.toml may define; may be repeated [default: those of documented systems]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
-}
-
-/// `stickler run`.
-#[derive(Args, Debug, Default)]
-pub struct RunArguments {
-    /// The selected cases.
-    #[command(flatten)]
-    pub selection: SelectionArguments,
-    /// Run them on this engine: a name that `stickler engines` lists, or `cmd:COMMAND LINE` for a program that speaks the
-    /// wire protocol; may be repeated [default: reference]
-    #[arg(long, value_name = "ENGINE")]
-    pub engine: Vec<String>,
-    /// Demand this exactness of a rejection or a fault: `code` (the right codes on the right lines), `line`, or
-    /// `rejected`; the reference always must meet `code` [default: the best that each engine claims]
-    #[arg(long, value_name = "GRADE", value_parser = grades(), hide_possible_values = true)]
-    pub strict: Option<Grade>,
-    /// Fail a compiler that misses one of Stickler's own rules (`stickler list --sources`); without it, such a case differs
-    #[arg(long)]
-    pub strict_rules: bool,
-    /// Expect what FILE says of its engine; may be repeated, once an engine [default: reports/baselines/ENGINE.toml beside the
-    /// folder of the cases, where there is one]
-    #[arg(long, value_name = "FILE", conflicts_with = "no_baseline")]
-    pub baseline: Vec<PathBuf>,
-    /// Expect every case to pass
-    #[arg(long)]
-    pub no_baseline: bool,
-    /// Run part I of N of the cases
-    #[arg(long, value_name = "I/N")]
-    pub shard: Option<Shard>,
-    /// Run N cases at a time [default: one a processor]
-    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
-    pub jobs: Option<u16>,
-    /// Give every program to a compiler alone, also where that takes much longer
-    #[arg(long)]
-    pub unpacked: bool,
-    /// Show N failing cases whole [default: 40 of an engine whose causes are not known, none otherwise]
-    #[arg(long, value_name = "N", value_parser = whole::<usize>(0, 500), allow_negative_numbers = true)]
-    pub failures: Option<usize>,
-    /// After the run, run the cases of each case file that changes, until Ctrl-C; the reports stay those of the first run
-    #[arg(long)]
-    pub watch: bool,
-    /// Show only the result and the page's path, and no progress
-    #[arg(long, short, conflicts_with = "verbose")]
-    pub quiet: bool,
-    /// Show every source and every dialect in the tables of the summary
-    #[arg(long, short)]
-    pub verbose: bool,
-    /// Write unexpected results as annotations of a CI service [default: github in a job of GitHub, otherwise off]
-    #[arg(long, value_name = "CI", value_parser = annotations())]
-    pub annotate: Option<bool>,
-    /// Do not search for the causes of failing cases, which asks the engines about smaller programs
-    #[arg(long)]
-    pub no_causes: bool,
-    /// Search for causes for N minutes at most [default: 10]
-    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, 100_000), allow_negative_numbers = true, conflicts_with = "no_causes")]
-    pub cause_time: Option<u64>,
-    /// Write the reports to DIR [default: reports/latest beside the folder of the cases]
-    #[arg(long, value_name = "DIR", conflicts_with = "no_report")]
-    pub report: Option<PathBuf>,
-    /// Write no reports, and neither use nor keep results in reports/cache
-    #[arg(long)]
-    pub no_report: bool,
-    /// Ask compilers everything anew, and keep nothing of what they answer [default: reports/cache beside the folder of the
-    /// cases keeps it for later runs]
-    #[arg(long)]
-    pub no_cache: bool,
 }
 
 /// `stickler list`.
@@ -297,88 +233,6 @@ pub struct ExplainArguments {
     pub code: Option<String>,
 }
 
-/// `stickler matrix`.
-#[derive(Args, Debug)]
-pub struct MatrixArguments {
-    /// Ask this engine, as for `stickler run`; may be repeated, and all stand in one table [default: reference]
-    #[arg(long, value_name = "ENGINE")]
-    pub engine: Vec<String>,
-    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
-    #[arg(long, value_name = "DIR")]
-    pub cases: Option<PathBuf>,
-    /// Only this dialect; may be repeated [default: all]
-    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
-    pub dialect: Vec<DialectName>,
-    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
-    #[arg(long)]
-    pub recorded: bool,
-}
-
-/// `stickler conversions`.
-#[derive(Args, Debug)]
-pub struct ConversionsArguments {
-    /// The function, such as REAL_TO_INT; all are listed where none is given
-    #[arg(value_name = "FUNCTION")]
-    pub function: Option<String>,
-    /// A value to convert, as a typed or untyped literal; for CONCAT_DATE_TOD and its like, pairs of them
-    /// [default: the boundaries of its types]
-    #[arg(value_name = "VALUE", allow_negative_numbers = true)]
-    pub values: Vec<String>,
-    /// Only this dialect; may be repeated [default: all that have the function]
-    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
-    pub dialect: Vec<DialectName>,
-    /// Ask this engine: `reference`, or `cmd:COMMAND LINE`; may be repeated [default: reference]
-    #[arg(long, value_name = "ENGINE")]
-    pub engine: Vec<String>,
-    /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or above, or those inside the program]
-    #[arg(long, value_name = "DIR")]
-    pub cases: Option<PathBuf>,
-    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
-    #[arg(long)]
-    pub recorded: bool,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// `stickler sweep`.
-#[derive(Args, Debug)]
-pub struct SweepArguments {
-    /// A conversion function such as DINT_TO_INT; one that takes several types is swept for each
-    #[arg(value_name = "FUNCTION")]
-    pub function: String,
-    /// Only this dialect; may be repeated [default: all that have the function; equal rules are swept once]
-    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
-    pub dialect: Vec<DialectName>,
-    /// Sweep this engine, through programs that it executes [default: reference, through its own conversion]
-    #[arg(
-        long,
-        value_name = "ENGINE",
-        default_value = "reference",
-        hide_default_value = true
-    )]
-    pub engine: String,
-    /// Take N inputs at random, beside the boundaries, instead of every one; sources of more than 32 bits and
-    /// texts are always sampled [default: 1000000, or 10000 of an engine that is not the reference]
-    #[arg(long, value_name = "N", value_parser = whole::<u64>(0, (1 << 48) - 1), allow_negative_numbers = true)]
-    pub sample: Option<u64>,
-    /// Where the random inputs come from: the same N gives the same inputs
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
-    pub seed: u64,
-    /// Use N threads [default: one a processor]
-    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
-    pub jobs: Option<u16>,
-}
-
-/// Reads the service for whose annotations unexpected results are written: `true` for GitHub, `false` for none.
-fn annotations() -> impl TypedValueParser<Value = bool> {
-    PossibleValuesParser::new(["github", "off"]).map(|name| name == "github")
-}
-
-fn grades() -> impl TypedValueParser<Value = Grade> {
-    PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
-}
-
 /// The dialects that there are now: those of stickler.toml once that file was read.
 fn dialects() -> impl TypedValueParser<Value = DialectName> {
     let shown = |dialect: DialectName| {
@@ -410,17 +264,6 @@ Examples:
   stickler explain P4035                            what a diagnostic means
 
 From a clone, `cargo run --release --` stands for `stickler`.";
-
-const RUN_EXAMPLES: &str = "\
-Examples:
-  stickler run
-  stickler run --dialect ironplc-ed2 --dialect ironplc-ed3
-  stickler run --filter widening/                   every case of one folder
-  stickler run --filter '*(SINT,INT,*'              a pattern: only * is special
-  stickler run --shard 1/4 --report reports/part-1  a quarter of the cases
-  stickler run --cases my-cases --no-report         cases of your own
-  stickler run --filter widening/ --watch           and again what changes
-  stickler run --engine 'cmd:my-adapter --quiet'    another compiler";
 
 const LIST_EXAMPLES: &str = "\
 Examples:
@@ -462,31 +305,6 @@ const EXPLAIN_EXAMPLES: &str = "\
 Examples:
   stickler explain P4035
   stickler explain                                  all codes, one a line";
-
-const MATRIX_EXAMPLES: &str = "\
-Examples:
-  stickler matrix
-  stickler matrix --dialect plcnext
-  stickler matrix --engine ironplc --engine reference
-  stickler matrix --engine 'cmd:my-adapter'";
-
-const CONVERSIONS_EXAMPLES: &str = "\
-Examples:
-  stickler conversions REAL_TO_INT
-  stickler conversions REAL_TO_INT 2.5 -0.5 1E10
-  stickler conversions TO_INT REAL#2.5              one type of several
-  stickler conversions CONCAT_DATE_TOD 2024-02-29 12:00:00
-  stickler conversions TRUNC --engine reference --engine 'cmd:my-adapter'";
-
-const SWEEP_EXAMPLES: &str = "\
-Examples:
-  stickler sweep DINT_TO_INT                        all 4 294 967 296 inputs
-  stickler sweep REAL_TO_INT --dialect matiec       all NaNs among them
-  stickler sweep LREAL_TO_LINT --sample 5000000     boundaries and a sample
-  stickler sweep INT_TO_BCD --engine 'cmd:my-adapter'
-
-Where no document says what must come, the reference is held to what IEC 60559 and two's complement suggest;
-what another engine does there is an observation and no mismatch.";
 
 #[cfg(test)]
 mod tests {

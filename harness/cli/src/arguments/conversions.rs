@@ -1,0 +1,105 @@
+//! The command lines of `stickler matrix`, `stickler conversions` and `stickler sweep`.
+
+use super::dialects;
+use super::numbers::whole;
+use clap::Args;
+use std::path::PathBuf;
+use stickler_types::DialectName;
+
+/// `stickler matrix`.
+#[derive(Args, Debug)]
+pub struct MatrixArguments {
+    /// Ask this engine, as for `stickler run`; may be repeated, and all stand in one table [default: reference]
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
+    /// Read the cases from DIR [default: conformance-cases here or above, or those inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Only this dialect; may be repeated [default: all]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
+    #[arg(long)]
+    pub recorded: bool,
+}
+
+/// `stickler conversions`.
+#[derive(Args, Debug)]
+pub struct ConversionsArguments {
+    /// The function, such as REAL_TO_INT; all are listed where none is given
+    #[arg(value_name = "FUNCTION")]
+    pub function: Option<String>,
+    /// A value to convert, as a typed or untyped literal; for CONCAT_DATE_TOD and its like, pairs of them
+    /// [default: the boundaries of its types]
+    #[arg(value_name = "VALUE", allow_negative_numbers = true)]
+    pub values: Vec<String>,
+    /// Only this dialect; may be repeated [default: all that have the function]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Ask this engine: `reference`, or `cmd:COMMAND LINE`; may be repeated [default: reference]
+    #[arg(long, value_name = "ENGINE")]
+    pub engine: Vec<String>,
+    /// Read the cases, which hold single recorded values, from DIR [default: conformance-cases here or above, or those inside the program]
+    #[arg(long, value_name = "DIR")]
+    pub cases: Option<PathBuf>,
+    /// Show the recordings of conformance-cases/recordings too, also where engines are named [default: only where none is]
+    #[arg(long)]
+    pub recorded: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `stickler sweep`.
+#[derive(Args, Debug)]
+pub struct SweepArguments {
+    /// A conversion function such as DINT_TO_INT; one that takes several types is swept for each
+    #[arg(value_name = "FUNCTION")]
+    pub function: String,
+    /// Only this dialect; may be repeated [default: all that have the function; equal rules are swept once]
+    #[arg(long, value_name = "DIALECT", value_parser = dialects())]
+    pub dialect: Vec<DialectName>,
+    /// Sweep this engine, through programs that it executes [default: reference, through its own conversion]
+    #[arg(
+        long,
+        value_name = "ENGINE",
+        default_value = "reference",
+        hide_default_value = true
+    )]
+    pub engine: String,
+    /// Take N inputs at random, beside the boundaries, instead of every one; sources of more than 32 bits and
+    /// texts are always sampled [default: 1000000, or 10000 of an engine that is not the reference]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(0, (1 << 48) - 1), allow_negative_numbers = true)]
+    pub sample: Option<u64>,
+    /// Where the random inputs come from: the same N gives the same inputs
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u64>(0, u64::MAX), allow_negative_numbers = true)]
+    pub seed: u64,
+    /// Use N threads [default: one a processor]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
+    pub jobs: Option<u16>,
+}
+
+pub const MATRIX_EXAMPLES: &str = "\
+Examples:
+  stickler matrix
+  stickler matrix --dialect plcnext
+  stickler matrix --engine ironplc --engine reference
+  stickler matrix --engine 'cmd:my-adapter'";
+
+pub const CONVERSIONS_EXAMPLES: &str = "\
+Examples:
+  stickler conversions REAL_TO_INT
+  stickler conversions REAL_TO_INT 2.5 -0.5 1E10
+  stickler conversions TO_INT REAL#2.5              one type of several
+  stickler conversions CONCAT_DATE_TOD 2024-02-29 12:00:00
+  stickler conversions TRUNC --engine reference --engine 'cmd:my-adapter'";
+
+pub const SWEEP_EXAMPLES: &str = "\
+Examples:
+  stickler sweep DINT_TO_INT                        all 4 294 967 296 inputs
+  stickler sweep REAL_TO_INT --dialect matiec       all NaNs among them
+  stickler sweep LREAL_TO_LINT --sample 5000000     boundaries and a sample
+  stickler sweep INT_TO_BCD --engine 'cmd:my-adapter'
+
+Where no document says what must come, the reference is held to what IEC 60559 and two's complement suggest;
+what another engine does there is an observation and no mismatch.";
