@@ -26,7 +26,7 @@ use crate::table::inputs;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
 use crate::table::probe::{Placeholders, Probe};
-use crate::table::probes::{self, TableProbe};
+use crate::table::probes::{self, ProbePrograms};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, RowInput, TypeInfo};
 use crate::table::word::{CellWord, words};
@@ -110,13 +110,13 @@ struct MatrixExpander<'a, 'h> {
 
 impl MatrixExpander<'_, '_> {
     /// Reports the keys that have no meaning in a matrix.
-    fn check_keys(&mut self, probes: &mut [TableProbe<'_>]) {
+    fn check_keys(&mut self, probes: &mut [ProbePrograms<'_>]) {
         if let Some(expect) = &self.table.file.expect {
             let line = self.table.context.lines.line(expect.span().start);
             let message = "`expect` belongs to a table of rows; a matrix says it by its words";
             self.wrong(Mistake::new(line, message).key("expect"));
         }
-        for TableProbe { probe, .. } in probes {
+        for ProbePrograms { probe, .. } in probes {
             if probe.key.expect.is_some() {
                 let message = "`expect` belongs to a table of rows";
                 self.wrong(Mistake::new(probe.line, message).key("probe.expect"));
@@ -166,7 +166,7 @@ impl MatrixExpander<'_, '_> {
     fn section(
         &mut self,
         section: &Section<'_>,
-        probe: &mut TableProbe<'_>,
+        probe: &mut ProbePrograms<'_>,
         types: &BTreeMap<Arc<str>, TypeInfo>,
     ) -> Result<(), Mistake> {
         let dialects = probe.probe.narrowed(&section.dialects);

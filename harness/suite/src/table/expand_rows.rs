@@ -17,7 +17,7 @@ use crate::table::budget::Budget;
 use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
 use crate::table::keys::TableRow;
 use crate::table::probe::{Placeholders, Probe};
-use crate::table::probes::{self, TableProbe};
+use crate::table::probes::{self, ProbePrograms};
 
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
@@ -103,7 +103,7 @@ struct RowExpander<'a, 'h> {
 
 impl RowExpander<'_, '_> {
     /// Reports columns that cannot be placeholders, and keys that have no meaning in a table of rows.
-    fn check_keys(&mut self, probes: &[TableProbe<'_>]) {
+    fn check_keys(&mut self, probes: &[ProbePrograms<'_>]) {
         for (at, column) in self.table.file.columns.iter().flatten().enumerate() {
             let name = column.get_ref();
             let line = self.table.context.lines.line(column.span().start);
@@ -119,7 +119,7 @@ impl RowExpander<'_, '_> {
         if !self.table.file.types.is_empty() {
             self.wrong(Mistake::new(1, "[types] belongs to a matrix").key("types"));
         }
-        for TableProbe { probe, .. } in probes {
+        for ProbePrograms { probe, .. } in probes {
             if let Some(values) = &probe.key.values {
                 let line = self.table.context.lines.line(values.span().start);
                 self.wrong(
@@ -134,7 +134,7 @@ impl RowExpander<'_, '_> {
         }
     }
 
-    fn probes(&mut self, probes: &mut [TableProbe<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
+    fn probes(&mut self, probes: &mut [ProbePrograms<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
         for probe in probes {
             let before = self.harvest.cases.len();
             let own = probe.probe.narrowed(dialects);
@@ -158,7 +158,7 @@ impl RowExpander<'_, '_> {
 
     fn row(
         &mut self,
-        table_probe: &mut TableProbe<'_>,
+        programs: &mut ProbePrograms<'_>,
         (number, row): (usize, &Spanned<TableRow>),
         line: u32,
         dialects: &[DialectName],
@@ -174,7 +174,7 @@ impl RowExpander<'_, '_> {
             return Ok(());
         }
         let texts: Vec<&str> = cells.iter().map(|cell| &**cell).collect();
-        let probe = &table_probe.probe;
+        let probe = &programs.probe;
         if !probe.only.holds(&texts) {
             return Ok(());
         }
@@ -194,8 +194,8 @@ impl RowExpander<'_, '_> {
             }
         };
         let context = self.table.context;
-        for (index, dialects) in table_probe.chosen(context.places, number, dialects, &texts) {
-            if let Some(probe) = table_probe.at(index, context, self.harvest) {
+        for (index, dialects) in programs.chosen(context.places, number, dialects, &texts) {
+            if let Some(probe) = programs.at(index, context, self.harvest) {
                 self.cases(probe, &texts, line, &expect, &dialects);
             }
         }
@@ -423,7 +423,7 @@ impl RowExpander<'_, '_> {
 fn note_unused_columns(
     table: &TableExpansion<'_>,
     names: &[Box<str>],
-    probes: &[TableProbe<'_>],
+    probes: &[ProbePrograms<'_>],
     harvest: &mut Harvest,
 ) {
     for (slot, column) in table.file.columns.iter().flatten().enumerate() {

@@ -13,17 +13,17 @@ use crate::table::arranged::{self, Arranged};
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::table::probe::{Placeholders, Probe, ProbeReader};
 
-/// A probe of a table.
+/// A probe of a table with its programs: the one that is written out, or one for each combination of places.
 #[derive(Debug)]
-pub(crate) struct TableProbe<'a> {
+pub(crate) struct ProbePrograms<'a> {
     /// The probe with the program that is written out, or with that of the first combination of places.
     pub(crate) probe: Probe<'a>,
     /// The probes of the single combinations of places; `None` if the program is written out.
     arranged: Option<Arranged<'a>>,
 }
 
-impl<'a> TableProbe<'a> {
-    /// Returns the programs that a cell or a row takes, each with its dialects: indices for [`TableProbe::at`]. `number` tells
+impl<'a> ProbePrograms<'a> {
+    /// Returns the programs that a cell or a row takes, each with its dialects: indices for [`ProbePrograms::at`]. `number` tells
     /// the cell from others, and `texts` are those of its placeholders.
     pub(crate) fn chosen(
         &self,
@@ -41,7 +41,7 @@ impl<'a> TableProbe<'a> {
         }
     }
 
-    /// Returns the probe with a program of those that [`TableProbe::chosen`] returns, or nothing if this has a mistake.
+    /// Returns the probe with a program of those that [`ProbePrograms::chosen`] returns, or nothing if this has a mistake.
     pub(crate) fn at(
         &mut self,
         index: usize,
@@ -79,11 +79,11 @@ pub(crate) fn read<'a>(
     placeholders: Placeholders<'a>,
     mistakes: &mut Vec<Mistake>,
     remarks: &mut Remarks,
-) -> Vec<TableProbe<'a>> {
+) -> Vec<ProbePrograms<'a>> {
     if file.probe.is_empty() {
         mistakes.push(Mistake::new(1, "the table has no [[probe]]").key("probe"));
     }
-    let mut probes: Vec<TableProbe<'a>> = Vec::new();
+    let mut probes: Vec<ProbePrograms<'a>> = Vec::new();
     let mut names = FxHashSet::default();
     for key in &file.probe {
         let mut reader = ProbeReader {
@@ -111,11 +111,11 @@ fn one<'a>(
     file: &'a TableFile,
     key: &'a ProbeKey,
     remarks: &mut Remarks,
-) -> Option<TableProbe<'a>> {
+) -> Option<ProbePrograms<'a>> {
     match (&key.source, &key.places) {
         (Some(source), None) => {
             let probe = reader.written_out(file, key, source, remarks)?;
-            Some(TableProbe {
+            Some(ProbePrograms {
                 probe,
                 arranged: None,
             })
@@ -123,7 +123,7 @@ fn one<'a>(
         (None, Some(places)) => {
             let (probe, arranged) = arranged::read(reader, file, key, places, remarks)?;
             let arranged = Some(arranged);
-            Some(TableProbe { probe, arranged })
+            Some(ProbePrograms { probe, arranged })
         }
         _ => {
             let message = "a probe has either `source` or `places`".to_owned();
