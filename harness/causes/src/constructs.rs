@@ -2,7 +2,7 @@
 //! the construct at fault is still there, and nothing came in that the whole program does not have.
 
 use crate::names::DeclaredNames;
-use crate::shape::{in_declarations, is_fixed};
+use crate::shape::{in_declarations, is_fixed, path};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::ElementaryType;
@@ -18,18 +18,12 @@ pub(crate) struct Constructs {
     elementary: BTreeSet<String>,
     /// The operators that stand before an operand and behind none.
     unary: BTreeSet<String>,
-    /// Whether a list of initial values repeats something zero times, or nothing, or a loop counts by zero.
-    repeats_nothing: bool,
-    /// Whether a statement is a semicolon alone, which not every compiler accepts.
-    has_empty_statement: bool,
+    /// What no document promises, or not every one, though the reference takes it.
+    unpromised: BTreeSet<&'static str>,
     /// Whether every section of variables has one and every body has a statement, which some compilers demand.
     is_whole: bool,
     /// The words that begin a unit, a section or a statement more often than its end is there.
     unclosed: BTreeSet<&'static str>,
-    /// Whether a variable alone is assigned of which only one side is a BOOL, as where `o := a < b` becomes `o := a`.
-    becomes_truth_value: bool,
-    /// Whether an initial value is that of a variable, which is no constant.
-    begins_with_variable: bool,
     /// The names that its statements use and nothing declares, in capitals; of a text that cannot be read nobody reports them.
     undeclared: BTreeSet<String>,
 }
@@ -43,12 +37,9 @@ impl Constructs {
             uses: uses(&tokens),
             elementary: elementary(&tokens),
             unary: unary(&tokens),
-            repeats_nothing: repeats_nothing(&tokens),
-            has_empty_statement: has_empty_statement(&tokens),
+            unpromised: unpromised(&tokens),
             is_whole: is_whole(&tokens),
             unclosed: unclosed(&tokens),
-            becomes_truth_value: becomes_truth_value(&tokens),
-            begins_with_variable: begins_with_variable(&tokens),
             undeclared: undeclared(&tokens),
         }
     }
@@ -56,10 +47,7 @@ impl Constructs {
     /// Returns whether a program with these constructs may become one with the constructs `smaller`.
     pub(crate) fn may_become(&self, smaller: &Constructs) -> bool {
         smaller.is_whole
-            && (self.has_empty_statement || !smaller.has_empty_statement)
-            && (self.repeats_nothing || !smaller.repeats_nothing)
-            && (self.becomes_truth_value || !smaller.becomes_truth_value)
-            && (self.begins_with_variable || !smaller.begins_with_variable)
+            && smaller.unpromised.is_subset(&self.unpromised)
             && smaller.unclosed.is_subset(&self.unclosed)
             && smaller.undeclared.is_subset(&self.undeclared)
             && smaller.literals.is_subset(&self.literals)
@@ -255,6 +243,22 @@ fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     found.map(|pair| pair[1].text.to_owned()).collect()
 }
 
+/// Returns what a program has that no document promises, or not every one: where the whole program does without it, a smaller
+/// one shows another mistake than the one under test.
+fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
+    let found = [
+        ("repetition of nothing", repeats_nothing(tokens)),
+        ("empty statement", has_empty_statement(tokens)),
+        ("truth value for another type", becomes_truth_value(tokens)),
+        ("initial value of a variable", begins_with_variable(tokens)),
+        ("empty structure", has_empty_structure(tokens)),
+        ("resource without a program", has_empty_resource(tokens)),
+        ("input that is assigned", assigns_input(tokens)),
+    ];
+    let found = found.into_iter().filter(|(_, is_there)| *is_there);
+    found.map(|(name, _)| name).collect()
+}
+
 /// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.
 fn repeats_nothing(tokens: &[ProgramToken<'_>]) -> bool {
     let is_zero = |token: &ProgramToken<'_>| {
@@ -329,6 +333,66 @@ fn begins_with_variable(tokens: &[ProgramToken<'_>]) -> bool {
             && matches!(pair[0].text, ":=" | "[" | "(")
             && variables.contains(&pair[1].text.to_ascii_uppercase())
     })
+}
+
+/// Returns whether a structure has no field.
+///
+/// Basis: iec-61131-3: Annex A (`Struct_Decl`).
+fn has_empty_structure(tokens: &[ProgramToken<'_>]) -> bool {
+    let mut pairs = tokens.windows(2);
+    pairs.any(|pair| pair[0].is("STRUCT") && pair[1].is("END_STRUCT"))
+}
+
+/// Returns whether a configuration has no resource, or a resource no program.
+///
+/// Basis: iec-61131-3: Annex A (`Config_Decl`, `Single_Resource_Decl`).
+fn has_empty_resource(tokens: &[ProgramToken<'_>]) -> bool {
+    let mut needs_program = false;
+    for token in tokens {
+        if token.is("CONFIGURATION") || token.is("RESOURCE") {
+            needs_program = true;
+        } else if token.is("PROGRAM") {
+            needs_program = false;
+        } else if needs_program && (token.is("END_RESOURCE") || token.is("END_CONFIGURATION")) {
+            return true;
+        }
+    }
+    false
+}
+
+/// Returns whether a function or a function block assigns one of its own inputs.
+///
+/// Basis: iec-61131-3: 6.5.2.2 (VAR_INPUT: not modifiable within the unit).
+fn assigns_input(tokens: &[ProgramToken<'_>]) -> bool {
+    let declared = in_declarations(tokens);
+    let (mut inputs, mut is_input) = (BTreeSet::new(), false);
+    for (at, token) in tokens.iter().enumerate() {
+        let next = tokens.get(at + 1);
+        let upper = token.text.to_ascii_uppercase();
+        match upper.as_str() {
+            "FUNCTION" | "FUNCTION_BLOCK" | "PROGRAM" => inputs.clear(),
+            section if declared[at] && section.starts_with("VAR") => is_input = section == "VAR_INPUT",
+            _ if declared[at] => {
+                if is_input && next.is_some_and(|next| matches!(next.text, ":" | ",")) {
+                    inputs.insert(upper);
+                }
+            }
+            // An argument by name stands behind a bracket or a comma.
+            _ if inputs.contains(&upper) && !matches!(tokens[at - 1].text, "(" | ",") => {
+                let behind = path(tokens, at).and_then(|end| tokens.get(end..));
+                let target = match behind {
+                    Some([point, _, rest @ ..]) if point.text == "." => rest.first(),
+                    Some(rest) => rest.first(),
+                    None => None,
+                };
+                if target.is_some_and(|sign| sign.text == ":=") {
+                    return true;
+                }
+            }
+            _ => {}
+        }
+    }
+    false
 }
 
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without

@@ -39,6 +39,11 @@ impl Essence {
             Symptom::NotRejected(code) => {
                 let mut features = program.of_mistake(normal.is_unchecked);
                 let forms = program.forms_of_literals();
+                // What is assigned to a constant, or to a part of one, does not matter.
+                if code == "S0001" {
+                    features.remove(LITERAL);
+                    features.insert("constant".to_owned());
+                }
                 if code.starts_with("P0") && !forms.is_empty() {
                     features.remove(LITERAL);
                     features.insert(program.place().to_owned());
@@ -60,7 +65,10 @@ impl Essence {
             Symptom::OtherCode { code, reported } => {
                 // The kind of value does not matter for what else is said.
                 let mut features = program.of_mistake(false);
-                if features.remove(LITERAL) {
+                // A literal that is too large to be read is that in every place.
+                if code == "P2026" && reported.starts_with("P0") {
+                    features = BTreeSet::from(["literal".to_owned()]);
+                } else if features.remove(LITERAL) {
                     features.insert(program.place().to_owned());
                 }
                 (format!("{code} as {reported}"), features, false)
@@ -113,6 +121,10 @@ impl Essence {
             }
             _ => None,
         };
+        // Every program has statements.
+        let names_construct =
+            |features: &BTreeSet<String>| features.iter().any(|feature| feature != PLACES[2]);
+        let hidden = hidden.filter(|(_, features)| names_construct(features));
         let by_chance = if smallest.flaky.is_some() {
             "by chance: "
         } else {
@@ -281,14 +293,80 @@ mod tests {
         assert!(underscore.explains(&accepted("INT", "INT#12_")));
         assert!(underscore.explains(&accepted("INT", "1_")));
         for (ty, literal) in [
+            ("REAL", "1.0_"),
+            ("INT", "16#F_"),
+            ("INT", "2#1_"),
+            ("TIME", "T#1_s"),
+        ] {
+            assert!(underscore.explains(&accepted(ty, literal)), "{literal}");
+        }
+        for (ty, literal) in [
             ("INT", "1e5"),
             ("INT", "1__0"),
             ("REAL", "1."),
             ("TIME", "T#1s1m"),
             ("INT", "INT#"),
+            ("TIME", "T#1s_1ms_"),
+            ("DATE", "D#2024-02-3_"),
         ] {
             assert!(!underscore.explains(&accepted(ty, literal)), "{literal}");
         }
+    }
+
+    #[test]
+    fn a_constant_that_may_be_assigned_may_be_assigned_in_part() {
+        let whole = accepted("INT", "0", "S0001");
+        let part = Essence {
+            features: BTreeSet::from(["bit access".to_owned(), "constant".to_owned()]),
+            ..whole.clone()
+        };
+        assert!(whole.explains(&part) && !part.explains(&whole));
+        assert!(!accepted("INT", "0", "P2026").explains(&part));
+    }
+
+    fn diagnostic(code: &str, column: Option<u32>) -> Fact {
+        Fact::Diagnostic(Diagnostic {
+            line: Some(5),
+            column,
+            code: Some(code.to_owned()),
+            ..Diagnostic::default()
+        })
+    }
+
+    /// Returns what matters of a program with a mistake of this code on its fifth line, of which an engine says something else.
+    fn rejected_otherwise(program: &str, code: &str, (said, column): (&str, u32)) -> Essence {
+        let (expected, got) = (vec![diagnostic(code, None)], vec![diagnostic(said, Some(column))]);
+        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Code);
+        let mut smallest = Smallest::rejected(program, 5, said);
+        smallest.deviation = Deviation { sign, expected, got };
+        Essence::of(&smallest, &Normal::unasked(&smallest))
+    }
+
+    #[test]
+    fn a_literal_that_is_too_large_to_be_read_is_one_cause_and_explains_nothing_else() {
+        let assigned = |literal: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : INT;\nEND_VAR\nx := {literal};\nEND_PROGRAM\n");
+            rejected_otherwise(&program, "P2026", ("P0002", 6 + literal.len() as u32))
+        };
+        let large = assigned("99999999999999999999999999999999999999999");
+        assert!(large.explains(&assigned("16#FFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFFF")));
+        assert!(large.explains(&assigned("INT#99999999999999999999999999999999999")));
+        let program =
+            "PROGRAM p\nVAR\nx : INT :=\n\n99999999999999999999999999999999999999; END_VAR\nEND_PROGRAM\n";
+        assert!(large.explains(&rejected_otherwise(program, "P2026", ("P0002", 1))));
+        // A valid statement that is rejected at its semicolon explains no other one.
+        let moment = "PROGRAM p\nVAR\nx : TOD;\nEND_VAR\nx := TOD#00:00:00;\nEND_PROGRAM\n";
+        let (expected, got) = (vec![Fact::Accepted], vec![diagnostic("P0002", Some(18))]);
+        let sign = Sign::of(moment, Verdict::Fail, (&expected, &got), Grade::Code);
+        let mut moment = Smallest::rejected(moment, 5, "P0002");
+        moment.deviation = Deviation { sign, expected, got };
+        let normal = Normal {
+            innocent: vec!["TOD#00:00:00".to_owned()],
+            ..Normal::unasked(&moment)
+        };
+        let moment = Essence::of(&moment, &normal);
+        assert_eq!(moment.construct(), "statement");
+        assert!(!moment.explains(&assigned("INT#99999999999999999999999999999999999")));
     }
 
     #[test]
@@ -348,6 +426,16 @@ mod tests {
         assert!(of_integer.explains(&initial("LREAL", "REAL#2.0")));
         assert!(!of_integer.explains(&initial("LREAL", "LREAL#2.0")));
         assert!(!of_integer.explains(&initial("TIME", "LTIME#2s")));
+        // Another variable of the program is no part of a plain initial value.
+        let field = |other: &str| {
+            let program = format!(
+                "TYPE r :\nSTRUCT f : ULINT := 2; END_STRUCT; END_TYPE\nPROGRAM p\nVAR\nx : r; d : {other};\nEND_VAR\nd := d;\n\
+                 END_PROGRAM\n"
+            );
+            of(&program, "x.f")
+        };
+        assert_eq!(field("LINT").construct(), "STRUCT, initial value");
+        assert!(field("BOOL").explains(&field("LINT")));
         let output = |from: &str, into: &str| {
             let block =
                 format!("FUNCTION_BLOCK b\nVAR_OUTPUT\no : {from};\nEND_VAR\no := o;\nEND_FUNCTION_BLOCK\n");
@@ -390,6 +478,9 @@ mod tests {
         let to_truth = called("BOOL", "REAL_TO_BOOL(0.0)");
         assert!(to_truth.explains(&called("REAL", "BOOL_TO_REAL(FALSE)")));
         assert!(!to_truth.explains(&called("INT", "REAL_TO_INT(0.0)")));
+        let of_texts = called("STRING", "BOOL_TO_STRING(FALSE)");
+        assert!(of_texts.explains(&called("TIME", "STRING_TO_TIME('')")));
+        assert!(!of_texts.explains(&to_truth) && !of_texts.explains(&called("DT", "DATE_TO_DT(d)")));
         let greatest = called("INT", "MAX(0, 0, 0)");
         assert!(greatest.explains(&called("INT", "MIN(0, 0, 0)")));
         assert!(!greatest.explains(&called("INT", "LIMIT(0, 0, 0)")));

@@ -280,6 +280,12 @@ impl<'p> MarkedProgram<'p> {
         pairs.any(|(token, declared)| declared && token.text == ":=")
     }
 
+    fn has_typed_literal(&self) -> bool {
+        self.tokens
+            .iter()
+            .any(|token| token.kind == ProgramTokenKind::Typed)
+    }
+
     /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
     /// the value is one that a variable begins with.
     pub(crate) fn of_value(&self, is_initial: bool) -> (BTreeSet<String>, bool) {
@@ -287,17 +293,18 @@ impl<'p> MarkedProgram<'p> {
         features.remove("call");
         let types = valued_types(&self.tokens);
         let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
-        let numbers = types.len();
         let is_initial = is_initial && self.has_initial_value();
+        // A plain literal has the type of what begins with it.
+        let converts = types.len() > 1 && (!is_initial || self.has_typed_literal());
         // An assignment converts between these types, or it would be the normal form; the place converts nothing.
         let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));
         let converts_nothing = are_numbers && (is_initial || features.contains("output argument"));
-        if numbers > 1 && converts_nothing {
+        if converts && converts_nothing {
             features.extend(is_initial.then(|| "initial value".to_owned()));
             features.insert("conversion".to_owned());
             return (features, true);
         }
-        if numbers > 1 {
+        if converts {
             let kinds: Vec<&str> = kinds.into_iter().collect();
             features.insert(format!("conversion {}", kinds.join(" and ")));
             // Whether a variable or an element of a list is converted is one piece of work.
@@ -322,9 +329,10 @@ impl<'p> MarkedProgram<'p> {
 }
 
 /// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
-/// types.
+/// types, and one that lacks some of those from and to texts lacks them all.
 fn either_way(operation: &str) -> String {
     match operation.split_once("_TO_") {
+        Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
         None => operation.to_owned(),
     }

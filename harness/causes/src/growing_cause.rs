@@ -146,10 +146,8 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         };
         let mut member = member;
         let is_same = cause.essence == member.essence;
-        // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
-        // claim still speaks.
-        let is_claimed = cause.sign.rejects_valid()
-            && cause.cause.shown.is_derived
+        // What contradicts a source that binds the engine is shown by such a source, and by a program of which a claim still speaks.
+        let is_claimed = cause.cause.shown.is_derived
             && !member.cause.shown.is_derived
             && member.cause.reduction == Reduced::Smallest;
         if is_same && member.preference() < cause.preference()

@@ -53,6 +53,16 @@ pub(crate) fn form_of_number(word: &str) -> Option<String> {
             form.push(shown);
         }
     }
+    // Whatever it is a digit of, one with an underscore behind the last is read by mistake in one way.
+    let of_digits = |form: &str| {
+        form.trim_start_matches(['-', '+'])
+            .bytes()
+            .all(|byte| byte.is_ascii_hexdigit() || matches!(byte, b'_' | b'.' | b'#'))
+    };
+    if form.ends_with('_') && of_digits(&form) || form.starts_with("T#0_") && !form[4..].contains(['0', '_'])
+    {
+        return Some("0_".to_owned());
+    }
     let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');
     (!is_name && !matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0") && form.contains(['0', '#']))
         .then_some(form)

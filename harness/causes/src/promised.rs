@@ -23,6 +23,11 @@ const LONG_TYPES: &[&str] = &["strucpp-compliance: Data Types"];
 const ALIASES: &[&str] = &["ironplc-problem-codes: P2012", "iec-61131-3: Table 11"];
 /// IronPLC calls VAR_IN_OUT "Partial" in its list of scope keywords, which promises nothing.
 const IN_OUT: &[&str] = &["iec-61131-3: 6.5.2.2"];
+const COMMENTS: &[&str] = &["iec-61131-3: Table 3"];
+const CONTINUE: &[&str] = &["iec-61131-3: 7.3.3.4.5"];
+const LOCATIONS: &[&str] = &["ironplc-variables: io-qualifiers", "iec-61131-3: 6.5.5"];
+const ENUMERATIONS: &[&str] = &["ironplc-derived-types: enumerated-types"];
+const FIELDS: &[&str] = &["iec-61131-3: 6.4.4.6"];
 /// Types with an initial value of their own.
 const OWN_VALUES: &[&str] = &["iec-61131-3: Table 11"];
 /// Initial values of arrays and of structures.
@@ -150,6 +155,21 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     if has("declaration") && is_long && line.iter().all(|token| token.text != ":=") {
         return Some(LONG_TYPES);
     }
+    if has("declaration") && line.iter().any(|token| token.is_located) {
+        return Some(LOCATIONS);
+    }
+    if has("initial value by name") && has("type of one's own") {
+        return Some(ENUMERATIONS);
+    }
+    if let [word, ..] = &line[..]
+        && word.is("CONTINUE")
+    {
+        return Some(CONTINUE);
+    }
+    // Tokens have no comments, but the ends of those that stand in others.
+    if pair(&line, |star, bracket| star.text == "*" && bracket.text == ")") {
+        return Some(COMMENTS);
+    }
     if has("type") && line.iter().any(|token| token.text == ":=") {
         return Some(OWN_VALUES);
     }
@@ -205,6 +225,9 @@ fn of_value(essence: &Essence) -> Option<&'static [&'static str]> {
     if has("FUNCTION_BLOCK") && has("initial value") && essence.features.len() == 2 {
         return Some(INITIAL_VALUES);
     }
+    if has("STRUCT") && has("initial value") && essence.features.len() == 2 {
+        return Some(FIELDS);
+    }
     let (kinds, others): (Vec<&str>, Vec<&str>) = essence
         .features
         .iter()
@@ -241,7 +264,7 @@ fn of_literal(essence: &Essence) -> Option<&'static [&'static str]> {
         "TIME#" | "LTIME#" => Some(DURATIONS),
         "date or time#" => Some(MOMENTS),
         text if text.ends_with("-with-escape") => Some(ESCAPES),
-        "\"text\"" | "STRING#" | "WSTRING#" => Some(TEXTS),
+        "\"text\"" | "STRING#" | "WSTRING#" | "CHAR#" | "WCHAR#" => Some(TEXTS),
         based if based.ends_with("#digits") => Some(NUMBERS),
         _ => None,
     };
@@ -306,6 +329,13 @@ mod tests {
             of("x : INT := INT#-5;", &["typed literal with a sign"]),
             Some(NUMBERS)
         );
+        assert_eq!(of("x := CHAR#'a';", &["CHAR#"]), Some(TEXTS));
+        assert_eq!(of("CONTINUE;", &["statement"]), Some(CONTINUE));
+        assert_eq!(of("(* (* *) *)", &["statement"]), Some(COMMENTS));
+        assert_eq!(of("x AT %MW10 : INT;", &["declaration"]), Some(LOCATIONS));
+        let by_name = ["declaration", "initial value by name", "type of one's own"];
+        assert_eq!(of("x : OWN := a;", &by_name), Some(ENUMERATIONS));
+        assert_eq!(of("x : OWN := a;", &by_name[..2]), None);
         assert_eq!(of("x : LTOD;", &["declaration"]), Some(LONG_TYPES));
         assert_eq!(of("x : INT;", &["declaration", "VAR_IN_OUT"]), Some(IN_OUT));
         assert_eq!(of("x : INT;", &["declaration"]), None);
@@ -326,6 +356,11 @@ mod tests {
             MOMENTS,
             RANGES,
             REALS,
+            COMMENTS,
+            CONTINUE,
+            LOCATIONS,
+            ENUMERATIONS,
+            FIELDS,
             GRAMMAR,
             LISTS,
             OWN_VALUES,
@@ -358,6 +393,7 @@ mod tests {
             of_value(&essence(&["FUNCTION_BLOCK", "initial value"])),
             Some(INITIAL_VALUES)
         );
+        assert_eq!(of_value(&essence(&["STRUCT", "initial value"])), Some(FIELDS));
         assert_eq!(
             of_value(&essence(&["TIME#", "assigned value", "duration"])),
             Some(DURATIONS)

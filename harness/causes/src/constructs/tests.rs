@@ -153,3 +153,36 @@ fn a_program_without_variables_or_statements_is_none_to_ask_about() {
     ));
     assert!(may_become("n := 1; ;", ";"));
 }
+
+#[test]
+fn what_no_document_promises_does_not_come_into_a_program() {
+    let is_kept = |whole: &str, smaller: &str| Constructs::of(whole).may_become(&Constructs::of(smaller));
+    let program = "PROGRAM p VAR x : INT; END_VAR x := x; END_PROGRAM";
+    let with_type = |fields: &str| format!("TYPE r : STRUCT {fields} END_STRUCT; END_TYPE {program}");
+    assert!(is_kept(&with_type("a, b : INT;"), &with_type("a : INT;")));
+    assert!(!is_kept(&with_type("a, b : INT;"), &with_type("")));
+    assert!(is_kept(&with_type(""), &with_type("")));
+    let with_resource = |inside: &str| format!("{program} CONFIGURATION c {inside} END_CONFIGURATION");
+    let resource = |inside: &str| with_resource(&format!("RESOURCE r ON PLC {inside} END_RESOURCE"));
+    let whole = resource("TASK t(INTERVAL := T#1s, PRIORITY := 0); PROGRAM i WITH t : p;");
+    assert!(is_kept(&whole, &resource("PROGRAM i : p;")));
+    assert!(is_kept(&whole, program));
+    for smaller in [
+        resource("TASK t(INTERVAL := T#1s, PRIORITY := 0);"),
+        resource(""),
+        with_resource(""),
+    ] {
+        assert!(!is_kept(&whole, &smaller), "{smaller}");
+    }
+    let block = |inputs: &str, body: &str| {
+        format!(
+            "FUNCTION_BLOCK b VAR_INPUT {inputs} END_VAR VAR o : WORD; f : c; END_VAR {body} END_FUNCTION_BLOCK {program}"
+        )
+    };
+    let whole = block("i : WORD;", "o := i; o.3 := i.2; f(i := i);");
+    assert!(is_kept(&whole, &block("i : WORD;", "o := i; f(i := i);")));
+    for body in ["o := i;", "o.3 := i.2;"] {
+        assert!(is_kept(&whole, &block("i : WORD;", body)), "{body}");
+        assert!(!is_kept(&whole, &block("i, o : WORD;", body)), "{body}");
+    }
+}
