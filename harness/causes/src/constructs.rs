@@ -22,6 +22,8 @@ pub(crate) struct Constructs {
     unpromised: BTreeSet<&'static str>,
     /// Whether every section of variables has one and every body has a statement, which some compilers demand.
     is_whole: bool,
+    /// The locations of its directly represented variables.
+    locations: BTreeSet<String>,
     /// The words that begin a unit, a section or a statement more often than its end is there.
     unclosed: BTreeSet<&'static str>,
     /// The names that its statements use and nothing declares, in capitals; of a text that cannot be read nobody reports them.
@@ -39,6 +41,7 @@ impl Constructs {
             unary: unary(&tokens),
             unpromised: unpromised(&tokens),
             is_whole: is_whole(&tokens),
+            locations: locations(program),
             unclosed: unclosed(&tokens),
             undeclared: undeclared(&tokens),
         }
@@ -48,6 +51,7 @@ impl Constructs {
     pub(crate) fn may_become(&self, smaller: &Constructs) -> bool {
         smaller.is_whole
             && smaller.unpromised.is_subset(&self.unpromised)
+            && smaller.locations.is_subset(&self.locations)
             && smaller.unclosed.is_subset(&self.unclosed)
             && smaller.undeclared.is_subset(&self.undeclared)
             && smaller.literals.is_subset(&self.literals)
@@ -133,6 +137,15 @@ fn literal(token: &ProgramToken<'_>) -> Option<String> {
             .then(|| "truth value".to_owned()),
         ProgramTokenKind::Partial | ProgramTokenKind::Sign => None,
     }
+}
+
+/// Returns the locations of a program, which tokens leave out: `%QX0.0` is another one than `%QX00`.
+fn locations(program: &str) -> BTreeSet<String> {
+    let ends = |character: char| !character.is_ascii_alphanumeric() && character != '.';
+    let parts = program.split('%').skip(1);
+    let words = parts.filter_map(|part| part.split(ends).next());
+    let words = words.map(str::to_ascii_uppercase);
+    words.filter(|word| word.starts_with(['I', 'Q', 'M'])).collect()
 }
 
 /// Returns the ways in which the statements use each name, such as ` [] .bit` for a bit of an element.
@@ -249,6 +262,7 @@ fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
     let found = [
         ("repetition of nothing", repeats_nothing(tokens)),
         ("empty statement", has_empty_statement(tokens)),
+        ("literal as a statement", has_literal_as_statement(tokens)),
         ("truth value for another type", becomes_truth_value(tokens)),
         ("initial value of a variable", begins_with_variable(tokens)),
         ("empty structure", has_empty_structure(tokens)),
@@ -278,6 +292,17 @@ fn has_empty_statement(tokens: &[ProgramToken<'_>]) -> bool {
     let before = [";", ":", "END_VAR", "OF", "DO", "THEN", "ELSE", "REPEAT"];
     let mut pairs = tokens.windows(2);
     pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
+}
+
+/// Returns whether a literal stands where a statement must, as where `d := D#2024-01-1.5;` becomes `D#2024-01-1;`.
+fn has_literal_as_statement(tokens: &[ProgramToken<'_>]) -> bool {
+    let before = [";", "END_VAR", "DO", "THEN", "ELSE", "REPEAT"];
+    let is_literal =
+        |token: &ProgramToken<'_>| !matches!(token.kind, ProgramTokenKind::Word | ProgramTokenKind::Sign);
+    let mut triples = tokens.windows(3);
+    triples.any(|three| {
+        before.iter().any(|word| three[0].is(word)) && is_literal(&three[1]) && three[2].text == ";"
+    })
 }
 
 /// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`.

@@ -15,6 +15,8 @@ use stickler_run::Fact;
 pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
+/// The feature of a truth value or a text with its type.
+pub(crate) const TYPED_LITERAL: &str = "typed truth value or text";
 /// The feature of a place where a value of every type is accepted.
 pub(crate) const UNCHECKED: &str = "unchecked";
 

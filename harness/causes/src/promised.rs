@@ -1,6 +1,7 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its case speaks of.
 
 use crate::essence::Essence;
+use crate::features::TYPED_LITERAL;
 use crate::literals::valued_types;
 use crate::reduction::Smallest;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
@@ -125,6 +126,11 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     };
     if let Some(promises) = of_literal(essence) {
         return Some(promises);
+    }
+    if has(TYPED_LITERAL) {
+        let typed = line.iter().find(|token| token.kind == ProgramTokenKind::Typed)?;
+        let is_text = typed.text.contains(['\'', '"']);
+        return Some(if is_text { TEXTS } else { NUMBERS });
     }
     if pair(&all, |word, next| {
         (word.is("STRING") || word.is("WSTRING")) && next.text == "["
@@ -314,6 +320,8 @@ mod tests {
         assert_eq!(of("x : OWN := [INT#1];", &["declaration"]), Some(LISTS));
         assert_eq!(of("x : OWN := (f := 0);", &["declaration"]), Some(LISTS));
         assert_eq!(of("x := STRING#'';", &["STRING#"]), Some(TEXTS));
+        assert_eq!(of("x : BOOL := BOOL#TRUE;", &[TYPED_LITERAL]), Some(NUMBERS));
+        assert_eq!(of("x : CHAR := CHAR#'a';", &[TYPED_LITERAL]), Some(TEXTS));
         assert_eq!(of("x : BOOL := BOOL#FALSE;", &["BOOL#"]), Some(NUMBERS));
         let promises = |name: &str| {
             FUNCTIONS

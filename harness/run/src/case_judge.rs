@@ -6,6 +6,7 @@ use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, pro
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::{Acceptance, Case, Sources};
+use stickler_types::Fault;
 
 /// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
 const RENDERING: &str = "rule: rendering";
@@ -65,14 +66,19 @@ impl CaseJudge<'_> {
     }
 
     /// Returns the judgement of a case without the baseline. A miss of an expectation that does not bind the engine is no
-    /// failure, nor is a program that comes to nothing where no source that binds the engine says that it must be accepted; a
-    /// construct that is not implemented is one where a document promises it.
+    /// failure, nor is a program that comes to nothing where no source that binds the engine says that it must be accepted, nor an
+    /// endless loop that does not end; a construct that is not implemented is one where a document promises it.
     #[must_use]
     pub fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
         let mut judgement = judge(case, answers, self.plan.needed(self.engine, case));
         let is_unusable = matches!(judgement.got[..], [Fact::Unusable { .. }]);
+        let is_endless = case
+            .expectation
+            .fault
+            .is_some_and(|fault| fault.fault == Fault::StepLimit)
+            && matches!(judgement.got[..], [Fact::TimedOut { .. }]);
         let may_be_rejected = case.expectation.accepted == Acceptance::Observed;
-        if (judgement.verdict == Verdict::Fail || is_unusable) && !self.binds(case, &judgement)
+        if (judgement.verdict == Verdict::Fail || is_unusable || is_endless) && !self.binds(case, &judgement)
             || is_unusable && may_be_rejected
         {
             judgement.verdict = Verdict::Differs;

@@ -179,6 +179,15 @@ fn what_no_document_promises_does_not_come_into_a_program() {
             "FUNCTION_BLOCK b VAR_INPUT {inputs} END_VAR VAR o : WORD; f : c; END_VAR {body} END_FUNCTION_BLOCK {program}"
         )
     };
+    let located =
+        |place: &str| format!("PROGRAM p VAR x AT {place} : BOOL; y : BOOL; END_VAR x := y; END_PROGRAM");
+    assert!(!is_kept(&located("%QX0.0"), &located("%QX00")));
+    assert!(is_kept(&located("%QX0.0"), &located("%qx0.0")));
+    assert!(!may_become("n := INT#5;", "INT#5;"));
+    assert!(may_become(
+        "CASE n OF 5: n := w; END_CASE;",
+        "CASE n OF 5: n := n; END_CASE;"
+    ));
     let whole = block("i : WORD;", "o := i; o.3 := i.2; f(i := i);");
     assert!(is_kept(&whole, &block("i : WORD;", "o := i; f(i := i);")));
     for body in ["o := i;", "o.3 := i.2;"] {

@@ -8,8 +8,8 @@ use stickler_run::{
     Answers, Baseline, Blessing, CaseEvent, CaseJudge, ChangeKind, EngineRun, Event, Fact, Grade, Plan,
     Rendering, Verdict, bless,
 };
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedText, Sources, Suite};
-use stickler_types::DialectName;
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedFault, ExpectedText, Sources, Suite};
+use stickler_types::{DialectName, Fault};
 
 const RULE: &str = "rule: not-stated";
 const STANDARD: &str = "iec-61131-3: 6.3.4";
@@ -223,6 +223,24 @@ fn a_crash_is_a_crash_whatever_the_source_and_a_met_rule_is_a_pass() {
     assert_eq!(verdict(&Plan::default(), RULE, &dead), Verdict::Crash);
     let right = Puppet::new("strucpp", |_| executed(&["q = INT#1"]));
     assert_eq!(verdict(&Plan::default(), RULE, &right), Verdict::Pass);
+}
+
+#[test]
+fn an_endless_loop_may_take_endless_time_where_no_binding_source_limits_its_steps() {
+    let endless = |engine: &str| Puppet::new(engine, |_| Outcome::TimedOut { after_ms: 10 });
+    let judged = |engine: &str, fault| {
+        let mut suite = citing(RULE);
+        let fault = ExpectedFault { fault, line: 1 };
+        suite.cases[0].expectation = Expectation {
+            fault: Some(fault),
+            ..Expectation::default()
+        }
+        .into();
+        judged(&Plan::default(), &suite, &endless(engine)).verdict
+    };
+    assert_eq!(judged("rusty", Fault::StepLimit), Verdict::Differs);
+    assert_eq!(judged("reference", Fault::StepLimit), Verdict::Timeout);
+    assert_eq!(judged("rusty", Fault::DivisionByZero), Verdict::Timeout);
 }
 
 #[test]
