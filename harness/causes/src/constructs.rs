@@ -397,11 +397,10 @@ fn assigns_input(tokens: &[ProgramToken<'_>]) -> bool {
         match upper.as_str() {
             "FUNCTION" | "FUNCTION_BLOCK" | "PROGRAM" => inputs.clear(),
             section if declared[at] && section.starts_with("VAR") => is_input = section == "VAR_INPUT",
-            _ if declared[at] => {
-                if is_input && next.is_some_and(|next| matches!(next.text, ":" | ",")) {
-                    inputs.insert(upper);
-                }
+            _ if declared[at] && is_input && next.is_some_and(|next| matches!(next.text, ":" | ",")) => {
+                inputs.insert(upper);
             }
+            _ if declared[at] => {}
             // An argument by name stands behind a bracket or a comma.
             _ if inputs.contains(&upper) && !matches!(tokens[at - 1].text, "(" | ",") => {
                 let behind = path(tokens, at).and_then(|end| tokens.get(end..));

@@ -4,12 +4,13 @@
 //! the engine: for an operand alone, for plainer literals, for other types. Only the reference says what must happen with it, so
 //! it decides which cases belong together, and what the title names, and no case is failed by it.
 
+use crate::features::is_unread;
 use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
 use crate::range::leaves_range;
 use crate::reduction::Smallest;
 use crate::statements::{in_two_steps, with_one_statement};
-use crate::tokens::tokens;
+use crate::tokens::{ProgramTokenKind, tokens};
 use crate::twins::{
     plainer_literals, plainer_types, value_features, with_first_parts, with_other_operand, with_same_types,
 };
@@ -163,9 +164,15 @@ impl NormalSearch<'_, '_> {
         self.asked.deviation(&asked)
     }
 
-    /// Asks for each operand alone, and takes the first with which the engine fails.
+    /// Asks for each operand alone, and takes the first with which the engine fails. Of a program that it cannot read, an operand with a
+    /// literal that the program does not have says nothing: it may not read that either.
     fn operands(&mut self) -> Result<(), EngineError> {
-        for Alone { program, ty, literal } in alone(&self.normal.program.clone()) {
+        let whole = self.normal.program.clone();
+        let is_unread = is_unread(&self.normal.deviation.got);
+        for Alone { program, ty, literal } in alone(&whole) {
+            if is_unread && !literals(&program).is_subset(&literals(&whole)) {
+                continue;
+            }
             let before = self.left;
             if self.takes(&program, &[Observation::last("into", ty.name())])? {
                 self.normal.is_operand = true;
@@ -326,6 +333,14 @@ impl NormalSearch<'_, '_> {
         }
         Ok(())
     }
+}
+
+/// Returns the literals of a program, as they are written.
+fn literals(program: &str) -> BTreeSet<&str> {
+    use ProgramTokenKind::{Number, Text, Typed};
+    let literals = tokens(program).into_iter();
+    let literals = literals.filter(|token| matches!(token.kind, Number | Text | Typed));
+    literals.map(|token| token.text).collect()
 }
 
 /// Returns whether an engine fails in the same way with another program, which may have the place or the types of another.

@@ -116,7 +116,11 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
         return String::new();
     };
     if let (Some(line), Some(column)) = (reported.line, reported.column) {
-        return token_at(program, line, column);
+        let token = token_at(program, line, column);
+        return match token.as_str() {
+            "=" | "<>" | "<" | ">" | "<=" | ">=" => "comparison".to_owned(),
+            _ => token,
+        };
     }
     let words = reported.message.split_whitespace();
     let plain = words.filter(|word| word.bytes().all(|byte| byte.is_ascii_lowercase()));
@@ -174,6 +178,9 @@ mod tests {
         let of = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P0002"));
         assert_eq!(of("x := 5;"), of("y := 7;"));
         assert_ne!(of("x := 5;"), of("x := y;"));
+        let compared = |program: &str| sign(program, Fact::Accepted, reported(1, 12, "P0002"));
+        assert_eq!(compared("x := 5 < 5 = 5;"), compared("x := 5 = 5 < 5;"));
+        assert_ne!(compared("x := 5 < 5 = 5;"), compared("x := 5 = 5 + 5;"));
         let typed = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P4035"));
         assert_eq!(typed("x := 5;"), typed("x := y;"));
     }

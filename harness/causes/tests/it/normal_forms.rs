@@ -114,6 +114,45 @@ fn without_signs(request: &RunRequest<'_>) -> Outcome {
     })
 }
 
+/// Reads neither typed literals with a sign nor lists of initial values.
+fn reads_little(request: &RunRequest<'_>) -> Outcome {
+    let line = request
+        .source
+        .lines()
+        .position(|line| line.contains("#-") || line.contains(":= ("));
+    let Some(line) = line else {
+        return as_the_reference(request);
+    };
+    let unread = Diagnostic {
+        line: Some(line as u32 + 1),
+        code: Some("P0002".to_owned()),
+        ..Diagnostic::default()
+    };
+    Outcome::Rejected {
+        diagnostics: vec![unread],
+    }
+}
+
+#[test]
+fn an_operand_with_a_literal_of_its_own_is_not_what_cannot_be_read() {
+    let block = "FUNCTION_BLOCK b\nVAR_INPUT\n    in : INT;\n    on : BOOL;\nEND_VAR\nVAR_OUTPUT\n    out : INT;\nEND_VAR\n    out := in;\nEND_FUNCTION_BLOCK\n";
+    let listed = format!(
+        "{block}PROGRAM main\nVAR\n    into : INT;\n    taking : b := (on := TRUE);\nEND_VAR\n    taking();\n    into := taking.out;\n\
+         END_PROGRAM\n"
+    );
+    let cases = vec![
+        case(
+            "t::signed",
+            "    into : INT := INT#-2;",
+            "    into := into;",
+            "into = INT#-2",
+        ),
+        fixtures::case("t::listed", &listed, "into = INT#0"),
+    ];
+    let found = causes(&Compiler::new(reads_little), cases);
+    assert_eq!(found.len(), 2, "{:?}", titles(&found));
+}
+
 #[test]
 fn an_initial_value_that_fails_alone_is_the_cause_and_not_the_operation_around_it() {
     let declarations = "m : LREAL := -3.0; n : LREAL := 8.0; into : LREAL;";
