@@ -219,9 +219,11 @@ fn of_missing(essence: &Essence) -> Option<&'static [&'static str]> {
         ("array", ARRAYS),
         ("instance of a function block", BLOCKS),
     ];
+    // What is done with a bit there is another claim.
+    let has_bit = essence.features.contains("bit access");
     let found = known
         .into_iter()
-        .find(|(feature, _)| essence.features.contains(*feature));
+        .find(|(feature, _)| essence.features.contains(*feature) && !has_bit);
     found.map(|(_, promises)| promises)
 }
 
@@ -393,6 +395,7 @@ mod tests {
             Some(ARRAYS)
         );
         assert_eq!(of_missing(&essence(&["statement"])), None);
+        assert_eq!(of_missing(&essence(&["array", "bit access"])), None);
         assert_eq!(
             of_missing(&essence(&["VAR_IN_OUT", "instance of a function block"])),
             Some(IN_OUT)

@@ -6,7 +6,8 @@ use crate::tokens::{ProgramToken, tokens};
 use std::ops::Range;
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
-/// block that the body uses, and the assignment of each field and element that it uses to itself.
+/// block that the body uses, the assignment of each field and element that it uses to itself, and each of its own statements where
+/// none stands in another.
 pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
@@ -28,7 +29,17 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
             Some(format!("{path} := {path};"))
         });
         let own: Vec<&str> = used.iter().map(|token| token.text).collect();
-        for statement in calls.chain(parts) {
+        let begins = |word: &str| ["IF", "CASE", "FOR", "WHILE", "REPEAT"].contains(&word);
+        let is_flat = !used.iter().any(|token| begins(&token.text.to_ascii_uppercase()));
+        let statements = used.split(|token| token.text == ";").filter(|_| is_flat);
+        let statements = statements.filter_map(|statement| {
+            let (first, last) = (statement.first()?, statement.last()?);
+            Some(format!(
+                "{};",
+                &program[offset(first)..offset(last) + last.text.len()]
+            ))
+        });
+        for statement in calls.chain(parts).chain(statements) {
             let is_own = tokens(&statement)
                 .iter()
                 .map(|token| token.text)
@@ -139,6 +150,10 @@ mod tests {
             [main("fb();"), main("a[i].f := a[i].f;"), main("fb.v := fb.v;")]
         );
         assert!(with_one_statement(&main("fb();")).is_empty());
+        assert_eq!(
+            with_one_statement(&main("i := 0 + 0; fb(v => i.4);")),
+            [main("fb();"), main("i := 0 + 0;"), main("fb(v => i.4);")]
+        );
     }
 
     #[test]
