@@ -325,6 +325,15 @@ mod tests {
     }
 
     #[test]
+    fn an_operator_before_its_operand_is_one_like_others() {
+        let sum = accepted("WORD", "x + x", "P4049");
+        assert!(sum.explains(&accepted("STRING", "-x", "P4049")));
+        assert!(sum.explains(&accepted("STRING", "-(x)", "P4049")));
+        assert!(!sum.explains(&accepted("STRING", "-1", "P4049")));
+        assert!(!sum.explains(&accepted("STRING", "-INT#1", "P4049")));
+    }
+
+    #[test]
     fn a_constant_that_may_be_assigned_may_be_assigned_in_part() {
         let whole = accepted("INT", "0", "S0001");
         let part = Essence {

@@ -1,6 +1,6 @@
 //! The operations of a program: its operators, functions and statements, by the kind of work that they are in a compiler.
 
-use crate::shape::{function, own_functions};
+use crate::shape::{function, is_fixed, own_functions};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 
@@ -52,8 +52,11 @@ fn sign(
 ) -> Option<&'static str> {
     let is_operand =
         |token: &ProgramToken<'_>| token.kind != ProgramTokenKind::Sign || matches!(token.text, ")" | "]");
+    let is_name = |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Word && !is_fixed(token.text);
     match token.text {
         "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
+        // The sign of a literal is a part of it.
+        "+" | "-" if next.is_some_and(|next| next.text == "(" || is_name(next)) => Some("arithmetic"),
         "*" | "/" => Some("arithmetic"),
         "**" => Some("power"),
         "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),
