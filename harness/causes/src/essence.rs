@@ -5,7 +5,7 @@
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
 use crate::assignments::shows_initial_value;
-use crate::features::{LITERAL, MarkedProgram, PLACES, TYPED_LITERAL, UNCHECKED};
+use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
 use crate::normal::Normal;
 use crate::range;
 use crate::reduction::Smallest;
@@ -55,15 +55,7 @@ impl Essence {
             }
             // What the engine says of a literal depends on the place where it stands.
             Symptom::Rejected(_) if program.has_special_literal() => {
-                let features = program
-                    .of_rejection()
-                    .into_iter()
-                    .map(|feature| match feature.as_str() {
-                        // A compiler that takes typed numbers lacks these by one piece of work.
-                        "BOOL#" | "STRING#" | "WSTRING#" | "CHAR#" | "WCHAR#" => TYPED_LITERAL.to_owned(),
-                        _ => feature,
-                    });
-                ("rejected literal".to_owned(), features.collect(), true)
+                ("rejected literal".to_owned(), program.of_rejection(), true)
             }
             Symptom::Rejected(reason) => (rejected(reason, &sign.at), program.of_rejection(), true),
             Symptom::NotImplemented(words) => {
@@ -292,6 +284,16 @@ mod tests {
         assert!(!said(&assigned.replace("E308", ""), 5, "types do not fit").explains(&of_initial));
         let typed = |literal: &str| said(&initial.replace("1.0E308", literal), 3, "no constant");
         assert!(typed("BOOL#TRUE").explains(&typed("WSTRING#\"\"")));
+        assert!(
+            !typed("BOOL#TRUE").explains(&typed("BOOL#0")) && !typed("BOOL#0").explains(&typed("BOOL#TRUE"))
+        );
+        let unread = |literal: &str| {
+            let program = initial.replace("1.0E308", literal);
+            let smallest = Smallest::rejected(&program, 3, "P0002");
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        assert!(unread("STRING#''").explains(&unread("CHAR#'a'")));
+        assert!(!unread("BOOL#0").explains(&unread("CHAR#'a'")));
         assert!(!typed("BOOL#TRUE").explains(&of_initial) && !typed("BOOL#TRUE").explains(&typed("T#5s")));
         let called = assigned.replace("1.0E308", "REAL_TO_LREAL(1.0E308)");
         assert!(!said(assigned, 5, "types do not fit").explains(&said(&called, 5, "no such function")));

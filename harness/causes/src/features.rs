@@ -223,7 +223,11 @@ impl<'p> MarkedProgram<'p> {
         if literals.is_empty() && !(self.is_unread && self.calls_library(&line)) {
             features.insert(self.place().to_owned());
         }
-        features.extend(literals);
+        features.extend(literals.into_iter().map(|form| match form.as_str() {
+            // A compiler that takes typed numbers lacks these by one piece of work.
+            "BOOL#" | "STRING#" | "WSTRING#" | "CHAR#" | "WCHAR#" => TYPED_LITERAL.to_owned(),
+            _ => form,
+        }));
         let by_name = line
             .windows(2)
             .any(|pair| pair[0].text == ":=" && pair[1].kind == ProgramTokenKind::Word);

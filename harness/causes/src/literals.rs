@@ -85,6 +85,10 @@ pub(crate) fn special_literal(token: &ProgramToken<'_>) -> Option<String> {
                 true => Some(form).filter(|form| form == "real-beyond-REAL"),
                 // Dates and times of day are read by one piece of work.
                 false => match type_of_token(token) {
+                    // The numbers 0 and 1 are another form than the names of the truth values.
+                    Some(ElementaryType::Bool) if form == "integer" && value.starts_with(['0', '1']) => {
+                        Some("BOOL#digits".to_owned())
+                    }
                     Some(ty) if kind(ty) == Some("date or time") => Some("date or time#".to_owned()),
                     Some(ty) => Some(format!("{}#", ty.name())),
                     None => Some(format!("{prefix}#")),
