@@ -262,7 +262,7 @@ fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
     let found = [
         ("repetition of nothing", repeats_nothing(tokens)),
         ("empty statement", has_empty_statement(tokens)),
-        ("literal as a statement", has_literal_as_statement(tokens)),
+        ("expression as a statement", has_expression_as_statement(tokens)),
         ("truth value for another type", becomes_truth_value(tokens)),
         ("initial value of a variable", begins_with_variable(tokens)),
         ("empty structure", has_empty_structure(tokens)),
@@ -294,14 +294,17 @@ fn has_empty_statement(tokens: &[ProgramToken<'_>]) -> bool {
     pairs.any(|pair| pair[1].text == ";" && before.iter().any(|word| pair[0].is(word)))
 }
 
-/// Returns whether a literal stands where a statement must, as where `d := D#2024-01-1.5;` becomes `D#2024-01-1;`.
-fn has_literal_as_statement(tokens: &[ProgramToken<'_>]) -> bool {
+/// Returns whether a literal or a comparison stands where a statement must, as where `d := D#2024-01-1.5;` becomes `D#2024-01-1;`
+/// or `d = D#2024-01-1;`.
+fn has_expression_as_statement(tokens: &[ProgramToken<'_>]) -> bool {
     let before = [";", "END_VAR", "DO", "THEN", "ELSE", "REPEAT"];
     let is_literal =
         |token: &ProgramToken<'_>| !matches!(token.kind, ProgramTokenKind::Word | ProgramTokenKind::Sign);
-    let mut triples = tokens.windows(3);
-    triples.any(|three| {
-        before.iter().any(|word| three[0].is(word)) && is_literal(&three[1]) && three[2].text == ";"
+    (1..tokens.len()).any(|at| {
+        let begins = before.iter().any(|word| tokens[at - 1].is(word));
+        let behind = |place: usize| tokens.get(place).map(|token| token.text);
+        let is_compared = || path(tokens, at).is_some_and(|end| behind(end) == Some("="));
+        begins && (is_literal(&tokens[at]) && behind(at + 1) == Some(";") || is_compared())
     })
 }
 

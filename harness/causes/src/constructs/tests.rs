@@ -184,6 +184,9 @@ fn what_no_document_promises_does_not_come_into_a_program() {
     assert!(!is_kept(&located("%QX0.0"), &located("%QX00")));
     assert!(is_kept(&located("%QX0.0"), &located("%qx0.0")));
     assert!(!may_become("n := INT#5;", "INT#5;"));
+    assert!(!may_become("n := INT#5;", "n = INT#5;"));
+    assert!(!may_become("a[1] := INT#5;", "a[1] = INT#5;"));
+    assert!(may_become("n = INT#5;", "n = INT#0;"));
     assert!(may_become(
         "CASE n OF 5: n := w; END_CASE;",
         "CASE n OF 5: n := n; END_CASE;"
