@@ -267,6 +267,11 @@ fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
         ("initial value of a variable", begins_with_variable(tokens)),
         ("empty structure", has_empty_structure(tokens)),
         ("resource without a program", has_empty_resource(tokens)),
+        ("task without a priority", has_task_without_priority(tokens)),
+        (
+            "global variable that is not external",
+            uses_global_directly(tokens),
+        ),
         ("input that is assigned", assigns_input(tokens)),
     ];
     let found = found.into_iter().filter(|(_, is_there)| *is_there);
@@ -386,6 +391,36 @@ fn has_empty_resource(tokens: &[ProgramToken<'_>]) -> bool {
         }
     }
     false
+}
+
+/// Returns whether a task has no priority.
+///
+/// Basis: iec-61131-3: Annex A (`Task_Init`).
+fn has_task_without_priority(tokens: &[ProgramToken<'_>]) -> bool {
+    let number = |word: &str| tokens.iter().filter(|token| token.is(word)).count();
+    number("TASK") > number("PRIORITY")
+}
+
+/// Returns whether a body uses a global variable, and no unit declares an external one.
+///
+/// Basis: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL).
+fn uses_global_directly(tokens: &[ProgramToken<'_>]) -> bool {
+    let declared = in_declarations(tokens);
+    let (mut globals, mut is_global) = (BTreeSet::new(), false);
+    for (pair, _) in tokens
+        .windows(2)
+        .zip(&declared)
+        .filter(|(_, declared)| **declared)
+    {
+        if pair[0].text.to_ascii_uppercase().starts_with("VAR") {
+            is_global = pair[0].is("VAR_GLOBAL");
+        } else if is_global && matches!(pair[1].text, ":" | ",") {
+            globals.insert(pair[0].text.to_ascii_uppercase());
+        }
+    }
+    let mut bodies = tokens.iter().zip(&declared).filter(|(_, declared)| !**declared);
+    let has_external = tokens.iter().any(|token| token.is("VAR_EXTERNAL"));
+    !has_external && bodies.any(|(token, _)| globals.contains(&token.text.to_ascii_uppercase()))
 }
 
 /// Returns whether a function or a function block assigns one of its own inputs.

@@ -80,7 +80,7 @@ impl<'p> MarkedProgram<'p> {
     pub(crate) fn of_mistake(&self, is_unchecked: bool) -> BTreeSet<String> {
         let line = self.of_line();
         let as_one = |operation: String| match operation.as_str() {
-            "arithmetic" | "power" | "comparison" | "bitwise operator" => "operator".to_owned(),
+            "arithmetic" | "power" | "comparison" | "bitwise operator" | "sign" => "operator".to_owned(),
             "call" if self.calls_block(&line) => "call of a block".to_owned(),
             conversion if conversion.contains("_TO_") => "conversion function".to_owned(),
             _ => operation,
@@ -297,6 +297,8 @@ impl<'p> MarkedProgram<'p> {
     pub(crate) fn of_value(&self, is_initial: bool) -> (BTreeSet<String>, bool) {
         let mut features = operations(&self.tokens, &self.own);
         features.remove("call");
+        // What is converted may have a sign before it.
+        features.remove("sign");
         let types = valued_types(&self.tokens);
         let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
         let is_initial = is_initial && self.has_initial_value();

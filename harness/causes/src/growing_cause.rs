@@ -52,7 +52,12 @@ impl GrowingCause {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
         };
-        let is_derived = is_derived || !keeps_claim(&group.shown, smallest);
+        // Of a construct that is not implemented the claim may speak in the plainer program too.
+        let is_missing_alone = is_other && matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_));
+        let is_derived = match is_missing_alone {
+            true => !keeps_claim(&group.shown, &shown),
+            false => is_derived || !keeps_claim(&group.shown, smallest),
+        };
         if is_derived {
             shown.deviation.forget_promise();
         }
@@ -146,8 +151,10 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         };
         let mut member = member;
         let is_same = cause.essence == member.essence;
-        // What contradicts a source that binds the engine is shown by such a source, and by a program of which a claim still speaks.
-        let is_claimed = cause.cause.shown.is_derived
+        // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
+        // claim still speaks.
+        let is_claimed = cause.sign.rejects_valid()
+            && cause.cause.shown.is_derived
             && !member.cause.shown.is_derived
             && member.cause.reduction == Reduced::Smallest;
         if is_same && member.preference() < cause.preference()

@@ -56,7 +56,7 @@ fn sign(
     match token.text {
         "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
         // The sign of a literal is a part of it.
-        "+" | "-" if next.is_some_and(|next| next.text == "(" || is_name(next)) => Some("arithmetic"),
+        "+" | "-" if next.is_some_and(|next| next.text == "(" || is_name(next)) => Some("sign"),
         "*" | "/" => Some("arithmetic"),
         "**" => Some("power"),
         "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),

@@ -167,6 +167,23 @@ fn what_no_document_promises_does_not_come_into_a_program() {
     let whole = resource("TASK t(INTERVAL := T#1s, PRIORITY := 0); PROGRAM i WITH t : p;");
     assert!(is_kept(&whole, &resource("PROGRAM i : p;")));
     assert!(is_kept(&whole, program));
+    assert!(!is_kept(
+        &whole,
+        &resource("TASK t(INTERVAL := T#1s); PROGRAM i WITH t : p;")
+    ));
+    // Without a use it needs no external variable.
+    let unused = |body: &str| {
+        format!(
+            "PROGRAM p VAR x : INT; END_VAR {body} END_PROGRAM CONFIGURATION c VAR_GLOBAL g : INT; END_VAR RESOURCE r ON PLC PROGRAM i : p; END_RESOURCE END_CONFIGURATION"
+        )
+    };
+    assert!(is_kept(&unused("x := x; x := x;"), &unused("x := x;")));
+    let with_global = |section: &str| {
+        format!(
+            "PROGRAM p VAR_{section} g : INT; END_VAR g := g; END_PROGRAM CONFIGURATION c VAR_GLOBAL g : INT; END_VAR RESOURCE r ON PLC PROGRAM i : p; END_RESOURCE END_CONFIGURATION"
+        )
+    };
+    assert!(!is_kept(&with_global("EXTERNAL"), &with_global("TEMP")));
     for smaller in [
         resource("TASK t(INTERVAL := T#1s, PRIORITY := 0);"),
         resource(""),
