@@ -2,6 +2,7 @@
 //! the construct at fault is still there, and nothing came in that the whole program does not have.
 
 use crate::names::DeclaredNames;
+use crate::operations::is_comparison;
 use crate::shape::{in_declarations, is_fixed, path};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +19,7 @@ pub(crate) struct Constructs {
     elementary: BTreeSet<String>,
     /// The operators that stand before an operand and behind none.
     unary: BTreeSet<String>,
-    /// What no document promises, or not every one, though the reference takes it.
+    /// The names of its constructs that the reference takes and that no document promises, or not every one.
     unpromised: BTreeSet<&'static str>,
     /// Whether every section of variables has one and every body has a statement, which some compilers demand.
     is_whole: bool,
@@ -106,11 +107,7 @@ fn literals(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
 
 /// Returns whether a token is an operator whose operands are numbers, or that compares.
 fn takes_numbers(token: &ProgramToken<'_>) -> bool {
-    token.is("MOD")
-        || matches!(
-            token.text,
-            "+" | "-" | "*" | "/" | "**" | "=" | "<>" | "<" | ">" | "<=" | ">="
-        )
+    token.is("MOD") || matches!(token.text, "+" | "-" | "*" | "/" | "**") || is_comparison(token.text)
 }
 
 /// Returns the form of a literal.
@@ -256,8 +253,8 @@ fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
     found.map(|pair| pair[1].text.to_owned()).collect()
 }
 
-/// Returns what a program has that no document promises, or not every one: where the whole program does without it, a smaller
-/// one shows another mistake than the one under test.
+/// Returns the names of the constructs of a program that no document promises, or not every one: where the whole program does
+/// without one, a smaller program with it shows another mistake than the one under test.
 fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
     let found = [
         ("repetition of nothing", repeats_nothing(tokens)),
@@ -405,56 +402,40 @@ fn has_task_without_priority(tokens: &[ProgramToken<'_>]) -> bool {
 ///
 /// Basis: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL).
 fn uses_global_directly(tokens: &[ProgramToken<'_>]) -> bool {
-    let declared = in_declarations(tokens);
-    let (mut globals, mut is_global) = (BTreeSet::new(), false);
-    for (pair, _) in tokens
-        .windows(2)
-        .zip(&declared)
-        .filter(|(_, declared)| **declared)
-    {
-        if pair[0].text.to_ascii_uppercase().starts_with("VAR") {
-            is_global = pair[0].is("VAR_GLOBAL");
-        } else if is_global && matches!(pair[1].text, ":" | ",") {
-            globals.insert(pair[0].text.to_ascii_uppercase());
-        }
-    }
-    let mut bodies = tokens.iter().zip(&declared).filter(|(_, declared)| !**declared);
+    let names = DeclaredNames::new(tokens);
+    let is_global = |at: usize| names.globals.contains(&tokens[at].text.to_ascii_uppercase());
     let has_external = tokens.iter().any(|token| token.is("VAR_EXTERNAL"));
-    !has_external && bodies.any(|(token, _)| globals.contains(&token.text.to_ascii_uppercase()))
+    !has_external && (0..tokens.len()).any(|at| !names.is_declared_at(at) && is_global(at))
 }
 
 /// Returns whether a function or a function block assigns one of its own inputs.
 ///
 /// Basis: iec-61131-3: 6.5.2.2 (VAR_INPUT: not modifiable within the unit).
 fn assigns_input(tokens: &[ProgramToken<'_>]) -> bool {
-    let declared = in_declarations(tokens);
-    let (mut inputs, mut is_input) = (BTreeSet::new(), false);
-    for (at, token) in tokens.iter().enumerate() {
-        let next = tokens.get(at + 1);
-        let upper = token.text.to_ascii_uppercase();
-        match upper.as_str() {
-            "FUNCTION" | "FUNCTION_BLOCK" | "PROGRAM" => inputs.clear(),
-            section if declared[at] && section.starts_with("VAR") => is_input = section == "VAR_INPUT",
-            _ if declared[at] && is_input && next.is_some_and(|next| matches!(next.text, ":" | ",")) => {
-                inputs.insert(upper);
-            }
-            _ if declared[at] => {}
-            // An argument by name stands behind a bracket or a comma.
-            _ if inputs.contains(&upper) && !matches!(tokens[at - 1].text, "(" | ",") => {
-                let behind = path(tokens, at).and_then(|end| tokens.get(end..));
-                let target = match behind {
-                    Some([point, _, rest @ ..]) if point.text == "." => rest.first(),
-                    Some(rest) => rest.first(),
-                    None => None,
-                };
-                if target.is_some_and(|sign| sign.text == ":=") {
-                    return true;
-                }
-            }
-            _ => {}
+    let names = DeclaredNames::new(tokens);
+    let mut inputs = None;
+    (1..tokens.len()).any(|at| {
+        let (before, upper) = (&tokens[at - 1], tokens[at].text.to_ascii_uppercase());
+        if ["FUNCTION", "FUNCTION_BLOCK", "PROGRAM"]
+            .iter()
+            .any(|head| before.is(head))
+        {
+            inputs = names.inputs.get(&upper);
         }
-    }
-    false
+        let is_input = inputs.is_some_and(|inputs| inputs.contains(&upper)) && !names.is_declared_at(at);
+        // An argument by name stands behind a bracket or a comma.
+        is_input && !matches!(before.text, "(" | ",") && is_assigned(tokens, at)
+    })
+}
+
+/// Returns whether the variable at a place is assigned, or an element, a field or a bit of it.
+fn is_assigned(tokens: &[ProgramToken<'_>], at: usize) -> bool {
+    let Some(end) = path(tokens, at) else {
+        return false;
+    };
+    let text = |place: usize| tokens.get(place).map(|token| token.text);
+    let sign = if text(end) == Some(".") { end + 2 } else { end };
+    text(sign) == Some(":=")
 }
 
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without

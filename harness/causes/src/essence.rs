@@ -310,6 +310,7 @@ mod tests {
             ("INT", "16#F_"),
             ("INT", "2#1_"),
             ("TIME", "T#1_s"),
+            ("LTIME", "LTIME#10_ms"),
         ] {
             assert!(underscore.explains(&accepted(ty, literal)), "{literal}");
         }

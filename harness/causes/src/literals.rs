@@ -59,8 +59,10 @@ pub(crate) fn form_of_number(word: &str) -> Option<String> {
             .bytes()
             .all(|byte| byte.is_ascii_hexdigit() || matches!(byte, b'_' | b'.' | b'#'))
     };
-    if form.ends_with('_') && of_digits(&form) || form.starts_with("T#0_") && !form[4..].contains(['0', '_'])
-    {
+    // The unit of a duration may stand behind it.
+    let value = form.rsplit('#').next().unwrap_or_default();
+    let is_before_unit = |rest: &str| rest.bytes().all(|byte| byte.is_ascii_alphabetic());
+    if form.ends_with('_') && of_digits(&form) || value.strip_prefix("0_").is_some_and(is_before_unit) {
         return Some("0_".to_owned());
     }
     let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');

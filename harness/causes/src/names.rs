@@ -15,9 +15,11 @@ pub(crate) struct DeclaredNames {
     /// The literal with which a variable begins.
     pub(crate) initial: BTreeMap<String, String>,
     /// The inputs of each function and function block.
-    inputs: BTreeMap<String, Vec<String>>,
+    pub(crate) inputs: BTreeMap<String, Vec<String>>,
     /// The variables of VAR_IN_OUT.
     pub(crate) in_outs: BTreeSet<String>,
+    /// The variables of VAR_GLOBAL.
+    pub(crate) globals: BTreeSet<String>,
     /// The type of each variable, field and parameter as it is written.
     pub(crate) words: BTreeMap<String, String>,
     pub(crate) own: BTreeSet<String>,
@@ -31,6 +33,7 @@ impl DeclaredNames {
             initial: BTreeMap::new(),
             inputs: BTreeMap::new(),
             in_outs: BTreeSet::new(),
+            globals: BTreeSet::new(),
             words: BTreeMap::new(),
             own: own_functions(tokens),
             declared: in_declarations(tokens),
@@ -64,6 +67,8 @@ impl DeclaredNames {
                 names.inputs.entry(unit.clone()).or_default().push(upper.clone());
             } else if section == "VAR_IN_OUT" {
                 names.in_outs.insert(upper.clone());
+            } else if section == "VAR_GLOBAL" {
+                names.globals.insert(upper.clone());
             }
             let ends = |token: &&ProgramToken<'_>| !is_head && token.text != ";" && token.text != ":=";
             let ty: Vec<&ProgramToken<'_>> = match is_head {

@@ -168,9 +168,9 @@ impl NormalSearch<'_, '_> {
     /// literal that the program does not have says nothing: it may not read that either.
     fn operands(&mut self) -> Result<(), EngineError> {
         let whole = self.normal.program.clone();
-        let is_unread = is_unread(&self.normal.deviation.got);
+        let own = is_unread(&self.normal.deviation.got).then(|| literals(&whole));
         for Alone { program, ty, literal } in alone(&whole) {
-            if is_unread && !literals(&program).is_subset(&literals(&whole)) {
+            if own.as_ref().is_some_and(|own| !literals(&program).is_subset(own)) {
                 continue;
             }
             let before = self.left;

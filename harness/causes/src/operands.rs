@@ -2,6 +2,7 @@
 //! asked before the operation around it is blamed.
 
 use crate::names::{DeclaredNames, converted, literal, prefix_type};
+use crate::operations::is_comparison;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_types::ElementaryType;
 
@@ -199,8 +200,9 @@ fn conversion(tokens: &[ProgramToken<'_>], at: usize, names: &DeclaredNames) -> 
 
 /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
 fn mixed(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<Alone> {
-    let operators = ["+", "-", "*", "/", "**", "=", "<>", "<", ">", "<=", ">="];
-    let is_operator = operators.contains(&tokens[at].text) || tokens[at].is("MOD");
+    let is_operator = matches!(tokens[at].text, "+" | "-" | "*" | "/" | "**")
+        || tokens[at].is("MOD")
+        || is_comparison(tokens[at].text);
     let operand = |place: Option<usize>| {
         let token = tokens.get(place?)?;
         match prefix_type(token) {

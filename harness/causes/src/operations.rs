@@ -44,6 +44,11 @@ pub(crate) fn operations(tokens: &[ProgramToken<'_>], own: &BTreeSet<String>) ->
     found
 }
 
+/// Returns whether a sign compares.
+pub(crate) fn is_comparison(sign: &str) -> bool {
+    matches!(sign, "=" | "<>" | "<" | ">" | "<=" | ">=")
+}
+
 /// Returns the operation of a sign, by the tokens around it.
 fn sign(
     token: &ProgramToken<'_>,
@@ -59,7 +64,7 @@ fn sign(
         "+" | "-" if next.is_some_and(|next| next.text == "(" || is_name(next)) => Some("sign"),
         "*" | "/" => Some("arithmetic"),
         "**" => Some("power"),
-        "=" | "<>" | "<" | ">" | "<=" | ">=" => Some("comparison"),
+        text if is_comparison(text) => Some("comparison"),
         "&" => Some("bitwise operator"),
         "=>" => Some("output argument"),
         "[" => Some("subscript or list"),

@@ -1,6 +1,6 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
-use crate::operations::operations_of;
+use crate::operations::{is_comparison, operations_of};
 use crate::shape::{KeptTypes, shape, token_at};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 
@@ -117,9 +117,9 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     };
     if let (Some(line), Some(column)) = (reported.line, reported.column) {
         let token = token_at(program, line, column);
-        return match token.as_str() {
-            "=" | "<>" | "<" | ">" | "<=" | ">=" => "comparison".to_owned(),
-            _ => token,
+        return match is_comparison(&token) {
+            true => "comparison".to_owned(),
+            false => token,
         };
     }
     let words = reported.message.split_whitespace();
