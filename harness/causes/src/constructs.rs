@@ -261,6 +261,7 @@ fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
         ("empty statement", has_empty_statement(tokens)),
         ("expression as a statement", has_expression_as_statement(tokens)),
         ("truth value for another type", becomes_truth_value(tokens)),
+        ("real number for an integer", becomes_real(tokens)),
         ("initial value of a variable", begins_with_variable(tokens)),
         ("empty structure", has_empty_structure(tokens)),
         ("resource without a program", has_empty_resource(tokens)),
@@ -329,16 +330,28 @@ fn unclosed(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
     open.map(|(head, _)| head).collect()
 }
 
-/// Returns whether a statement or a call assigns a variable alone, and one side is a BOOL and the other is not.
+/// Returns whether a statement or a call assigns a variable or a truth value alone, and one side is a BOOL and the other is not.
 fn becomes_truth_value(tokens: &[ProgramToken<'_>]) -> bool {
     let names = DeclaredNames::new(tokens);
-    let is_truth_value = |token: &ProgramToken<'_>| Some(names.type_of(token)? == ElementaryType::Bool);
+    let is_truth_value = |token: &ProgramToken<'_>| match token.is("TRUE") || token.is("FALSE") {
+        true => Some(true),
+        false => Some(names.type_of(token)? == ElementaryType::Bool),
+    };
     let mut assignments = tokens.windows(4);
     assignments.any(|four| {
         let is_alone = four[1].text == ":=" && matches!(four[3].text, ";" | "," | ")");
         let sides = (is_truth_value(&four[0]), is_truth_value(&four[2]));
         is_alone && matches!(sides, (Some(target), Some(value)) if target != value)
     })
+}
+
+/// Returns whether a real number is given to an integer, as where `x := -5` becomes `x := 0.0`.
+fn becomes_real(tokens: &[ProgramToken<'_>]) -> bool {
+    let names = DeclaredNames::new(tokens);
+    let is_real =
+        |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Number && token.text.contains('.');
+    let is_integer = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    (0..tokens.len()).any(|at| is_real(&tokens[at]) && names.target(tokens, at).is_some_and(is_integer))
 }
 
 /// Returns whether a declaration begins with the value of a variable of a section that is not `CONSTANT`.

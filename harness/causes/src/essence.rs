@@ -6,10 +6,13 @@
 
 use crate::assignments::shows_initial_value;
 use crate::features::{LITERAL, MarkedProgram, PLACES, UNCHECKED};
+use crate::literals::valued_types;
 use crate::normal::Normal;
 use crate::range;
 use crate::reduction::Smallest;
 use crate::sign::Sign;
+use crate::tokens::tokens;
+use crate::twins::value_features;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 
@@ -34,7 +37,10 @@ impl Essence {
     pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
         let sign = &normal.deviation.sign;
         let program = MarkedProgram::new(normal);
-        let counts_seconds = range::counts_seconds(&normal.program, &normal.deviation);
+        let told = normal
+            .way
+            .or_else(|| range::told_by_number(&normal.program, &normal.deviation));
+        let is_value = sign.symptom == Symptom::Value;
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => {
                 let mut features = program.of_mistake(normal.is_unchecked);
@@ -51,7 +57,12 @@ impl Essence {
                 }
                 // A place alone is in every program.
                 let names_construct = !features.iter().any(|feature| PLACES.contains(&feature.as_str()));
-                (format!("accepted {code}"), features, names_construct)
+                // Where nothing is checked, it does not matter what is not checked.
+                let class = match normal.is_unchecked {
+                    true => "accepted".to_owned(),
+                    false => format!("accepted {code}"),
+                };
+                (class, features, names_construct)
             }
             // What the engine says of a literal depends on the place where it stands.
             Symptom::Rejected(_) if program.has_special_literal() => {
@@ -77,19 +88,22 @@ impl Essence {
                 let features = ["FUNCTION_BLOCK", "initial value"].map(str::to_owned);
                 (sign.symptom.word(), BTreeSet::from(features), false)
             }
-            Symptom::Value if normal.is_widened => {
-                let features = BTreeSet::from(["operation in the type of its target".to_owned()]);
-                (sign.symptom.word(), features, false)
-            }
-            Symptom::Value if counts_seconds => {
-                let features = BTreeSet::from(["seconds in the place of milliseconds".to_owned()]);
+            Symptom::Value if told.is_some() => {
+                let features = told.map(str::to_owned).into_iter().collect();
                 (sign.symptom.word(), features, false)
             }
             Symptom::Value | Symptom::Missing => {
                 let is_initial = shows_initial_value(smallest);
                 let (features, converts) = program.of_value(is_initial);
-                (sign.symptom.word(), features, !converts)
+                // Whatever is computed beside it, a conversion by name is wrong by itself.
+                let is_by_name = features.iter().any(|feature| feature.contains("_TO_"));
+                (sign.symptom.word(), features, !converts || is_by_name)
             }
+            // An operation that takes a value of one kind for one of another gives a wrong value, or a fault where that is zero.
+            Symptom::Fault(_) if program.mixes_kinds() => {
+                (Symptom::Value.word(), program.of_value(false).0, false)
+            }
+            Symptom::Hang => (sign.word(), program.loops(), false),
             Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
                 (format!("crash {words}"), BTreeSet::new(), false)
             }
@@ -133,10 +147,9 @@ impl Essence {
         Essence {
             class: format!("{by_chance}{}", class.trim_end()),
             features,
-            // The types and sizes of numbers do not matter for their unit.
-            labels: match counts_seconds {
+            labels: match is_value && told.is_some() {
                 true => BTreeSet::new(),
-                false => normal.labels.clone(),
+                false => labels(normal),
             },
             is_contained,
             hidden: hidden.map(|(class, features)| (format!("{by_chance}{}", class.trim_end()), features)),
@@ -169,6 +182,21 @@ impl Essence {
         is_same || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
     }
 }
+
+/// Returns the properties of the values and types that a defect needs. Of unsigned numbers with the first bit of their type, which some compilers take for a
+/// sign, the size does not matter where they are not converted.
+fn labels(normal: &Normal) -> BTreeSet<String> {
+    let mut labels = normal.labels.clone();
+    if matches!(normal.deviation.sign.symptom, Symptom::Fault(_)) {
+        return value_features(&normal.program);
+    }
+    let types = valued_types(&tokens(&normal.program)).len();
+    if !labels.is_empty() && types == 1 && range::has_first_bit(&normal.program) {
+        labels = BTreeSet::from(["first bit of an unsigned number".to_owned()]);
+    }
+    labels
+}
+
 fn rejected(reason: &str, at: &str) -> String {
     format!("rejected {reason} {at}")
 }
@@ -479,6 +507,92 @@ mod tests {
         );
         assert!(assigned("INT").explains(&to_element));
         assert!(!assigned("INT").explains(&of_integer));
+    }
+
+    /// Returns what matters of a program that must give `r := TRUE` and gives what is got.
+    fn computed(declarations: &str, statement: &str, got: Fact, labels: &[&str]) -> Essence {
+        let program = format!("PROGRAM p\nVAR\n{declarations}\nEND_VAR\n{statement}\nEND_PROGRAM\n");
+        let truth = |raw| Fact::Value {
+            name: "r".to_owned(),
+            value: Value::plain(ElementaryType::Bool, raw),
+        };
+        let (expected, got) = (vec![truth(1)], vec![got, truth(0)]);
+        let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
+        let mut smallest = Smallest::rejected(&program, 3, "");
+        smallest.deviation = Deviation { sign, expected, got };
+        let normal = Normal {
+            labels: labels.iter().map(|label| (*label).to_owned()).collect(),
+            ..Normal::unasked(&smallest)
+        };
+        Essence::of(&smallest, &normal)
+    }
+
+    #[test]
+    fn an_operation_of_two_kinds_is_one_cause_whether_it_stops_or_not() {
+        let wrong = Fact::OtherValue { name: "r".to_owned() };
+        let stops = Fact::Fault {
+            fault: stickler_types::Fault::DivisionByZero,
+            line: None,
+        };
+        let spans = "r, t : TIME := T#1s; f : REAL := 2.5;";
+        let value = computed(spans, "r := t / f;", wrong, &["fraction"]);
+        let fault = computed(spans, "r := t / f;", stops.clone(), &[]);
+        assert!(value.explains(&fault));
+        let plain = computed("r, a, b : INT;", "r := a / b;", stops, &[]);
+        assert!(!plain.explains(&fault) && !fault.explains(&plain));
+    }
+
+    #[test]
+    fn the_size_of_unsigned_numbers_with_the_first_bit_does_not_matter_where_they_are_not_converted() {
+        let wrong = || Fact::OtherValue { name: "r".to_owned() };
+        let compared = |declarations: &str, label: &str| {
+            computed(
+                &format!("r : BOOL; {declarations}"),
+                "r := a < b;",
+                wrong(),
+                &[label],
+            )
+        };
+        let bytes = compared("a : BYTE := 128; b : BYTE;", "BYTE");
+        assert!(bytes.explains(&compared(
+            "a : ULINT := 18446744073709551610; b : ULINT;",
+            "ULINT"
+        )));
+        assert!(!bytes.explains(&compared("a : ULINT := 5; b : ULINT;", "ULINT")));
+    }
+
+    #[test]
+    fn an_operator_whose_types_are_refused_is_refused_in_a_declaration_too() {
+        let refused = |program: &str, line: u32| {
+            let mut smallest = Smallest::rejected(program, line, "");
+            let reported = Diagnostic {
+                line: Some(line),
+                message: "Cannot assign".to_owned(),
+                ..Diagnostic::default()
+            };
+            let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
+            let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
+            smallest.deviation = Deviation { sign, expected, got };
+            Essence::of(&smallest, &Normal::unasked(&smallest))
+        };
+        let declared = refused(
+            "PROGRAM p\nVAR\nx : UDINT := 0 + 0;\nEND_VAR\nx := x;\nEND_PROGRAM\n",
+            3,
+        );
+        let assigned = "PROGRAM p\nVAR\nx : UDINT;\nEND_VAR\nx := 0 + 0;\nEND_PROGRAM\n";
+        assert!(declared.explains(&refused(assigned, 5)));
+        assert!(!declared.explains(&refused(&assigned.replace("0 + 0", "0"), 5)));
+    }
+
+    #[test]
+    fn times_of_day_and_durations_are_malformed_in_one_way_whatever_their_units() {
+        let accepted = |ty: &str, literal: &str| accepted(ty, literal, "P0002");
+        let short = accepted("TOD", "TOD#2:0");
+        assert!(short.explains(&accepted("DT", "DT#2024-2-9-2:0")));
+        assert!(!short.explains(&accepted("DT", "DT#2024-2-9")));
+        let empty = accepted("TIME", "T#_d");
+        assert!(empty.explains(&accepted("LTIME", "LTIME#_ms")));
+        assert!(!empty.explains(&accepted("TIME", "T#1d1d")));
     }
 
     #[test]

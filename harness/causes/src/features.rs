@@ -1,9 +1,9 @@
 //! The features of a small program: the constructs by which the defects of programs are told apart.
 
-use crate::literals::{form_of_number, kind, special_literal, valued_types};
+use crate::literals::{form_of_number, kind, line_with_number, special_literal, valued_types};
 use crate::names::DeclaredNames;
 use crate::normal::Normal;
-use crate::operations::operations;
+use crate::operations::{LOOPS, operations};
 use crate::shape::{in_declarations, own_functions, path};
 use crate::statements::is_block;
 use crate::title::unimplemented;
@@ -54,10 +54,13 @@ impl<'p> MarkedProgram<'p> {
             placed.line.filter(|line| *line > 1 || has_column)
         };
         let tokens = tokens(&normal.program);
+        let reported = deviation.got.iter().find_map(Fact::diagnostic);
         MarkedProgram {
             own: own_functions(&tokens),
             tokens,
-            line: line(&deviation.got).or_else(|| line(&deviation.expected)),
+            line: line(&deviation.got)
+                .or_else(|| line(&deviation.expected))
+                .or_else(|| line_with_number(&normal.program, reported.map_or("", |one| &one.message))),
             is_unread: is_unread(&deviation.got),
             innocent: &normal.innocent,
         }
@@ -200,6 +203,19 @@ impl<'p> MarkedProgram<'p> {
         features
     }
 
+    /// Returns whether a program converts between values of different kinds.
+    pub(crate) fn mixes_kinds(&self) -> bool {
+        let kinds = valued_types(&self.tokens);
+        let kinds: BTreeSet<&str> = kinds.into_iter().filter_map(kind).collect();
+        kinds.len() > 1
+    }
+
+    /// Returns the kinds of loops of a program.
+    pub(crate) fn loops(&self) -> BTreeSet<String> {
+        let begins = |word: &&str| self.tokens.iter().any(|token| token.is(word));
+        LOOPS.into_iter().filter(begins).map(str::to_owned).collect()
+    }
+
     /// Returns the features of a program that stops, or does not stop, with a fault.
     pub(crate) fn of_fault(&self) -> BTreeSet<String> {
         let mut features = operations(&self.tokens, &self.own);
@@ -219,8 +235,14 @@ impl<'p> MarkedProgram<'p> {
         }
         let mut literals: Vec<String> = self.special_literals(&line);
         literals.extend(self.signed_literal(&line));
-        // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
-        if literals.is_empty() && !(self.is_unread && self.calls_library(&line)) {
+        // A literal that the engine does not know is not known anywhere, a function is not known to a parser anywhere, and an operator whose types
+        // are refused is refused anywhere.
+        let operators = ["arithmetic", "comparison", "bitwise operator", "power", "sign"];
+        let is_known_anywhere = match self.is_unread {
+            true => self.calls_library(&line),
+            false => operators.iter().any(|operator| features.contains(*operator)),
+        };
+        if literals.is_empty() && !is_known_anywhere {
             features.insert(self.place().to_owned());
         }
         features.extend(literals.into_iter().map(|form| match form.as_str() {
@@ -319,9 +341,12 @@ impl<'p> MarkedProgram<'p> {
             features.remove("subscript or list");
             return (features, true);
         }
-        features.extend(self.special_literals(&self.tokens));
+        let literals = self.special_literals(&self.tokens);
+        // A text with an escape is read in one way wherever it stands.
+        let is_escaped = literals.iter().any(|form| form.ends_with("-with-escape"));
+        features.extend(literals);
         features.extend(declarations(&self.tokens));
-        if operations(&self.tokens, &self.own).is_empty() {
+        if operations(&self.tokens, &self.own).is_empty() && !is_escaped {
             let place = if self.has_initial_value() {
                 "initial value"
             } else {

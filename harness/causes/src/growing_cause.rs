@@ -4,6 +4,7 @@ use crate::assignments::shows_initial_value;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
+use crate::features::is_unread;
 use crate::literals::valued_types;
 use crate::normal::Normal;
 use crate::operations::operations_of;
@@ -61,9 +62,9 @@ impl GrowingCause {
         if is_derived {
             shown.deviation.forget_promise();
         }
-        // What the claim of the case does not speak of, another one may promise.
+        // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what cannot be read.
         let promised = case
-            .filter(|_| is_derived || is_missing(&shown, &essence))
+            .filter(|_| is_derived || is_missing(&shown, &essence) || is_unread(&shown.deviation.got))
             .filter(|_| group.shown.verdict != Verdict::Differs)
             .and_then(|case| promise(&shown, &essence, case, (engine, sources)));
         if let Some(basis) = promised {

@@ -1,7 +1,7 @@
 //! The forms of literals, and the types that tokens name.
 
 use crate::shape::{number, text};
-use crate::tokens::{ProgramToken, ProgramTokenKind};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_types::{ElementaryType, Family};
 
@@ -66,8 +66,44 @@ pub(crate) fn form_of_number(word: &str) -> Option<String> {
         return Some("0_".to_owned());
     }
     let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && !upper.contains('#');
+    let form = upper
+        .split_once('#')
+        .and_then(|(prefix, _)| form_of_moment(ElementaryType::from_literal_prefix(prefix)?, &form))
+        .unwrap_or(form);
     (!is_name && !matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0") && form.contains(['0', '#']))
         .then_some(form)
+}
+
+/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is written, and the
+/// date before the time of day; `None` for other types.
+fn form_of_moment(ty: ElementaryType, form: &str) -> Option<String> {
+    let (_, value) = form.split_once('#')?;
+    match ty.family() {
+        Family::Duration => {
+            let mut units = String::from("T#");
+            for character in value.chars() {
+                match character.is_ascii_alphabetic() {
+                    true if units.ends_with('u') => {}
+                    true => units.push('u'),
+                    false => units.push(character),
+                }
+            }
+            Some(units)
+        }
+        Family::DateAndTime => Some(format!("TOD#{}", value.strip_prefix("0-0-0-")?)),
+        Family::TimeOfDay => Some(format!("TOD#{value}")),
+        _ => None,
+    }
+}
+
+/// Returns the number of the line of a program with a number that a message names; one of one digit stands in too many messages.
+pub(crate) fn line_with_number(program: &str, message: &str) -> Option<u32> {
+    let all = tokens(program);
+    let mut words = message.split(|character: char| !character.is_ascii_digit());
+    words.find_map(|number| {
+        let is_number = |token: &&ProgramToken<'_>| number.len() > 1 && token.text == number;
+        Some(all.iter().find(is_number)?.line)
+    })
 }
 
 /// Returns the form of a literal that a compiler may not know; plain numbers and truth values are none.

@@ -9,7 +9,7 @@ use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
 use crate::range::leaves_range;
 use crate::reduction::Smallest;
-use crate::statements::{in_two_steps, with_one_statement};
+use crate::statements::{in_two_steps, turned_round, with_one_statement, with_whole_outputs};
 use crate::tokens::{ProgramTokenKind, tokens};
 use crate::twins::{
     plainer_literals, plainer_types, value_features, with_first_parts, with_other_operand, with_same_types,
@@ -19,6 +19,11 @@ use stickler_engines::EngineError;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::Observation;
+
+/// The way of an engine that uses what an operation gives before it brings it into the range of its type.
+const NOT_NARROWED: &str = "result that is not in the range of its type before it is assigned";
+/// The way of an engine that compares in the type of the first operand, and not in one that has the values of both.
+const OF_FIRST_OPERAND: &str = "comparison in the type of its first operand";
 
 /// The plainest program with a variable of a function block that begins with a value.
 const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
@@ -36,8 +41,8 @@ pub(crate) struct Normal {
     /// Whether variables of function blocks do not begin with their values, so that what the small program does with them does not
     /// matter.
     pub(crate) is_beginning: bool,
-    /// Whether the engine does an operation in the type of its target, and not in that of its operands.
-    pub(crate) is_widened: bool,
+    /// The way in which the engine does an operation, where another form of the program shows it.
+    pub(crate) way: Option<&'static str>,
     /// The properties of values and types without which the engine does not fail.
     pub(crate) labels: BTreeSet<String>,
     /// The literals of the small program with which the engine does not fail alone.
@@ -55,7 +60,7 @@ impl Normal {
             is_operand: false,
             is_unchecked: false,
             is_beginning: false,
-            is_widened: false,
+            way: None,
             labels: BTreeSet::new(),
             innocent: Vec::new(),
             questions: 0,
@@ -104,7 +109,7 @@ pub(crate) fn normal_form(
         }
         Symptom::NotRejected(code) => {
             search.operands()?;
-            if matches!(code.as_str(), "P4022" | "P4026" | "P4027" | "P4035") {
+            if matches!(code.as_str(), "P2026" | "P4022" | "P4026" | "P4027" | "P4035") {
                 search.unchecked()?;
             }
         }
@@ -215,8 +220,12 @@ impl NormalSearch<'_, '_> {
         for program in with_one_statement(&self.normal.program) {
             if self.takes(&program, &[])? {
                 self.normal.is_operand = true;
-                return Ok(());
+                break;
             }
+        }
+        // The bit that takes an output may not be what is missing.
+        if let Some(program) = with_whole_outputs(&self.normal.program) {
+            self.normal.is_operand |= self.takes(&program, &[])?;
         }
         Ok(())
     }
@@ -240,9 +249,9 @@ impl NormalSearch<'_, '_> {
         }
         self.plain_literals()?;
         self.operands()?;
-        self.steps()?;
+        self.other_forms()?;
         // The types and values of such an operation do not matter.
-        if self.normal.is_widened {
+        if self.normal.way.is_some() {
             return Ok(());
         }
         self.plain_types()?;
@@ -252,15 +261,23 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
-    /// Asks for the program with its operation and the conversion of what it gives in two statements: where that is right, the
-    /// operation is done in the type of its target.
-    fn steps(&mut self) -> Result<(), EngineError> {
-        let Some(program) = in_two_steps(&self.normal.program) else {
-            return Ok(());
-        };
-        let (before, observe) = (self.left, self.observe.clone());
-        let seen = self.fails(&program, &observe)?;
-        self.normal.is_widened = seen.is_none() && self.left < before;
+    /// Asks for other forms of the program: where one is right, it says how the engine does the operation. What an operation gives is
+    /// brought into the range of its type by a statement of its own, and the second operand of a comparison may be converted to the
+    /// type of the first.
+    fn other_forms(&mut self) -> Result<(), EngineError> {
+        let forms = [
+            (in_two_steps(&self.normal.program), NOT_NARROWED),
+            (turned_round(&self.normal.program), OF_FIRST_OPERAND),
+        ];
+        for (program, way) in forms {
+            let Some(program) = program else { continue };
+            let (before, observe) = (self.left, self.observe.clone());
+            let seen = self.fails(&program, &observe)?;
+            if seen.is_none() && self.left < before {
+                self.normal.way = Some(way);
+                break;
+            }
+        }
         Ok(())
     }
 

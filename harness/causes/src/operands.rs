@@ -1,6 +1,7 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is then
 //! asked before the operation around it is blamed.
 
+use crate::literals::special_literal;
 use crate::names::{DeclaredNames, converted, literal, prefix_type};
 use crate::operations::is_comparison;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
@@ -115,6 +116,9 @@ pub(crate) fn alone(program: &str) -> Vec<Alone> {
         }
         let target = names.target(&tokens, at);
         if let Some(literal) = literal(&tokens, at) {
+            let is_special = special_literal(token).is_some();
+            let in_calculation = || calculated(&tokens, at, &names).filter(|_| is_special);
+            let target = target.or_else(in_calculation);
             let Some(ty) = target.or_else(|| prefix_type(token)) else {
                 continue;
             };
@@ -182,6 +186,17 @@ impl Alone {
             literal: None,
         }
     }
+}
+
+/// Returns the type of the number that a calculation is assigned to in which the operand at a place stands.
+fn calculated(tokens: &[ProgramToken<'_>], at: usize, names: &DeclaredNames) -> Option<ElementaryType> {
+    let sign = tokens[..at].iter().rposition(|token| token.text == ":=")?;
+    let is_part =
+        |token: &ProgramToken<'_>| !matches!(token.text, ";" | "(" | "[" | ",") && !is_comparison(token.text);
+    let is_within = tokens[sign..at].iter().all(is_part);
+    names
+        .assigned(tokens, sign)
+        .filter(|ty| is_within && is_number(*ty))
 }
 
 /// Returns a call of a conversion function with a variable, for the name of such a function before a bracket.
@@ -334,6 +349,10 @@ mod tests {
             (
                 "PROGRAM p VAR x : DINT; t : TIME; END_VAR t := T#1s + T#2s; x := x - 1; END_PROGRAM",
                 "into : TIME; END_VAR into := T#1s;",
+            ),
+            (
+                "PROGRAM p VAR x : UDINT; END_VAR x := 2#0 * 8#0; END_PROGRAM",
+                "into : UDINT; END_VAR into := 8#0;",
             ),
         ] {
             let found = bodies(program);

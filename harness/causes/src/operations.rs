@@ -28,10 +28,12 @@ pub(crate) fn operations(tokens: &[ProgramToken<'_>], own: &BTreeSet<String>) ->
                 "IF" | "ELSIF" | "CASE" | "FOR" | "WHILE" | "UNTIL" => Some("condition"),
                 _ if next.is_some_and(|next| next.text == "(") => {
                     let is_own = own.contains(&upper);
-                    found.insert(if is_own {
-                        "call".to_owned()
-                    } else {
-                        function(&upper)
+                    found.insert(match upper.as_str() {
+                        _ if is_own => "call".to_owned(),
+                        // The two directions are one piece of work.
+                        "SHL" | "SHR" => "shift".to_owned(),
+                        "ROL" | "ROR" => "rotation".to_owned(),
+                        _ => function(&upper),
                     });
                     None
                 }
@@ -43,6 +45,9 @@ pub(crate) fn operations(tokens: &[ProgramToken<'_>], own: &BTreeSet<String>) ->
     }
     found
 }
+
+/// The words that begin a loop.
+pub(crate) const LOOPS: [&str; 3] = ["FOR", "WHILE", "REPEAT"];
 
 /// Returns whether a sign compares.
 pub(crate) fn is_comparison(sign: &str) -> bool {

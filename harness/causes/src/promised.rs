@@ -37,6 +37,12 @@ const INITIAL_VALUES: &[&str] = &["ironplc-variables: initial-values"];
 const ARRAYS: &[&str] = &["ironplc-derived-types: array-types"];
 const STRUCTURES: &[&str] = &["ironplc-derived-types: structure-types"];
 const BLOCKS: &[&str] = &["ironplc-pous: function-block"];
+const OUTPUTS: &[&str] = &["iec-61131-3: 6.6.1.4.2"];
+/// The implicit conversion of REAL to LREAL.
+const REAL_WIDENING: &[&str] = &[
+    "ironplc-type-conversions: Real widening",
+    "iec-61131-3: 6.6.1.2.2",
+];
 
 /// Standard functions, each with who promises it, as the tables of the folder `language` cite them.
 const FUNCTIONS: [(&str, &[&str]); 7] = [
@@ -218,6 +224,7 @@ fn of_missing(essence: &Essence) -> Option<&'static [&'static str]> {
         ("structure", STRUCTURES),
         ("array", ARRAYS),
         ("instance of a function block", BLOCKS),
+        ("output argument", OUTPUTS),
     ];
     // What is done with a bit there is another claim.
     let has_bit = essence.features.contains("bit access");
@@ -235,6 +242,16 @@ fn of_value(essence: &Essence) -> Option<&'static [&'static str]> {
     }
     if has("STRUCT") && has("initial value") && essence.features.len() == 2 {
         return Some(FIELDS);
+    }
+    if has("conversion real") && essence.features.len() == 1 {
+        return Some(REAL_WIDENING);
+    }
+    if essence
+        .features
+        .iter()
+        .any(|feature| feature.ends_with("-with-escape"))
+    {
+        return of_literal(essence);
     }
     let (kinds, others): (Vec<&str>, Vec<&str>) = essence
         .features
@@ -381,6 +398,8 @@ mod tests {
             ARRAYS,
             STRUCTURES,
             BLOCKS,
+            OUTPUTS,
+            REAL_WIDENING,
         ];
         let of_functions = FUNCTIONS.iter().flat_map(|(_, promises)| *promises);
         for basis in all.concat().iter().chain(of_functions) {

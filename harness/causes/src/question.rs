@@ -251,6 +251,7 @@ pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
 /// Returns what must happen with a smaller program, by what the reference does and by what was expected of the whole one.
 fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Option<Expectation> {
     let must_be_rejected = whole.accepted == Acceptance::Rejected;
+    let is_open = whole.accepted == Acceptance::Observed;
     match outcome {
         Outcome::Rejected { diagnostics } if must_be_rejected => {
             let expected = |reported: &stickler_types::Diagnostic| {
@@ -271,6 +272,11 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
                 ..Expectation::default()
             })
         }
+        // No program may make a compiler crash.
+        Outcome::Rejected { .. } if is_open && matches!(symptom, Symptom::Crash(_)) => Some(Expectation {
+            accepted: Acceptance::Observed,
+            ..Expectation::default()
+        }),
         // What is wrong with the program is gone, and the engine may still reject it.
         Outcome::Executed { .. } if must_be_rejected => {
             // A mistake that is told twice is not the reason for which a program without it is rejected.

@@ -1,10 +1,13 @@
-//! Wrong values beside the numbers of their programs: whether a number left the range of a type, and whether a unit is the wrong one.
+//! Wrong values beside the numbers of their programs: whether a number left the range of a type, lost digits or kept too many, and
+//! whether a unit is the wrong one.
 
 use crate::literals::{kind, type_of_token};
+use crate::names::{DeclaredNames, converted, prefix_type};
+use crate::operations::operations_of;
 use crate::question::Deviation;
-use crate::tokens::{ProgramTokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_run::Fact;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Family, Value};
 
 /// The milliseconds of a second.
 const MILLISECONDS: f64 = 1000.0;
@@ -21,9 +24,79 @@ pub(crate) fn leaves_range(program: &str, deviation: &Deviation) -> bool {
     !numbers.is_empty() && !numbers.iter().any(is_near)
 }
 
+/// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
+/// says nothing.
+pub(crate) fn told_by_number(program: &str, deviation: &Deviation) -> Option<&'static str> {
+    let known: [(&str, fn(&str, &Deviation) -> bool); 4] = [
+        ("seconds in the place of milliseconds", counts_seconds),
+        (
+            "conversion of a real number outside the range of its target",
+            converts_out_of_range,
+        ),
+        ("integer literal with the bits of an LREAL", rounds_to_lreal),
+        ("REAL literal with the bits of an LREAL", keeps_lreal),
+    ];
+    let found = known.into_iter().find(|(_, is)| is(program, deviation));
+    found.map(|(feature, _)| feature)
+}
+
+/// Returns whether a program does nothing but convert a real number to an integer by name, and the number is outside the range of that.
+fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
+    let is_conversion = |token: &ProgramToken<'_>| {
+        converted(token).is_some_and(|(from, into)| from.is_real() && kind(into) == Some("integer"))
+    };
+    let converts = tokens(program).iter().any(is_conversion);
+    converts && operations_of(program).len() == 1 && leaves_range(program, deviation)
+}
+
+/// Returns whether an integer literal of 64 bits is off by no more than an LREAL, which has 53 bits, can be off at its size.
+fn rounds_to_lreal(program: &str, deviation: &Deviation) -> bool {
+    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = wrong_values(deviation) else {
+        return false;
+    };
+    let magnitude = match ty.family() {
+        Family::Signed => raw.cast_signed().unsigned_abs(),
+        _ => *raw,
+    };
+    let error = raw.wrapping_sub(*got).cast_signed().unsigned_abs();
+    operations_of(program).is_empty()
+        && kind(*ty) == Some("integer")
+        && magnitude > 1 << f64::MANTISSA_DIGITS
+        && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS)
+}
+
+/// Returns whether a literal of the type REAL is not rounded to one.
+fn keeps_lreal(program: &str, deviation: &Deviation) -> bool {
+    let is_real = |token: &ProgramToken<'_>| prefix_type(token) == Some(ElementaryType::Real);
+    let is_rounded = |(expected, got): (f64, f64)| f64::from(got as f32) == expected;
+    operations_of(program).is_empty()
+        && tokens(program).iter().any(is_real)
+        && wrong_numbers(deviation).is_some_and(is_rounded)
+}
+
+/// Returns whether a program has a number with the first bit of an unsigned type, which is the sign of a signed type of the same size.
+pub(crate) fn has_first_bit(program: &str) -> bool {
+    let all = tokens(program);
+    let names = DeclaredNames::new(&all);
+    let has_first_bit = |ty: ElementaryType, text: &str| {
+        let is_unsigned = kind(ty) == Some("integer") && ty.family() != Family::Signed;
+        let digits = match text.split_once('#') {
+            Some((prefix, digits)) if prefix.parse::<u32>().is_err() => digits,
+            _ => text,
+        };
+        is_unsigned && parsed(digits).is_some_and(|number| number >= 2_f64.powi(ty.bits() as i32 - 1))
+    };
+    let mut numbers = all.iter().enumerate().filter_map(|(at, token)| {
+        let is_number = matches!(token.kind, ProgramTokenKind::Number | ProgramTokenKind::Typed);
+        let ty = prefix_type(token).or_else(|| names.target(&all, at))?;
+        is_number.then_some((ty, token.text))
+    });
+    numbers.any(|(ty, text)| has_first_bit(ty, text))
+}
+
 /// Returns whether a program converts between durations and numbers, and the engine counts them in seconds where milliseconds are
 /// expected.
-pub(crate) fn counts_seconds(program: &str, deviation: &Deviation) -> bool {
+fn counts_seconds(program: &str, deviation: &Deviation) -> bool {
     let Some((expected, got)) = wrong_numbers(deviation) else {
         return false;
     };
@@ -54,10 +127,16 @@ fn kinds(program: &str) -> Vec<&'static str> {
 
 /// Returns the first number that a program has wrong: what it must be, and what it is.
 fn wrong_numbers(deviation: &Deviation) -> Option<(f64, f64)> {
+    let (value, other) = wrong_values(deviation)?;
+    Some((number(value)?, number(other)?))
+}
+
+/// Returns the first value that a program has wrong: what it must be, and what it is.
+fn wrong_values(deviation: &Deviation) -> Option<(&Value, &Value)> {
     let mut pairs = deviation.expected.iter().zip(&deviation.got);
     pairs.find_map(|pair| match pair {
         (Fact::Value { value, .. }, Fact::Value { value: other, .. }) if value != other => {
-            Some((number(value)?, number(other)?))
+            Some((value, other))
         }
         _ => None,
     })
@@ -133,6 +212,94 @@ mod tests {
         assert!(leaves_range("into := TIME_TO_INT(TIME#100000ms);", &duration));
         let bits = deviation("WORD#16#00FF", "WORD#16#0000");
         assert!(!leaves_range("into := 16#FF;", &bits));
+    }
+
+    #[test]
+    fn a_number_alone_tells_how_it_came_about() {
+        let of =
+            |program: &str, expected: &str, got: &str| told_by_number(program, &deviation(expected, got));
+        for (program, expected, got, is_told) in [
+            (
+                "into := REAL_TO_UINT(data); data : REAL := -8.0;",
+                "UINT#65528",
+                "UINT#0",
+                true,
+            ),
+            ("into := REAL_TO_UINT(REAL#1.5);", "UINT#1", "UINT#2", false),
+            ("into := INT_TO_REAL(INT#8);", "REAL#65528.0", "REAL#0.0", false),
+            ("into := REAL_TO_UINT(data * 2.0);", "UINT#65528", "UINT#0", false),
+            (
+                "into := 9223372036854775807;",
+                "LINT#9223372036854775807",
+                "LINT#-9223372036854775616",
+                true,
+            ),
+            (
+                "into := 18446744073709551615;",
+                "ULINT#18446744073709551615",
+                "ULINT#384",
+                true,
+            ),
+            (
+                "into := 18446744073709551615;",
+                "ULINT#18446744073709551615",
+                "ULINT#0",
+                true,
+            ),
+            (
+                "into := 18446744073709551615;",
+                "ULINT#18446744073709551615",
+                "ULINT#5000",
+                false,
+            ),
+            ("into := 70000;", "LINT#70000", "LINT#69999", false),
+            (
+                "into := a + b;",
+                "LINT#9223372036854775807",
+                "LINT#9223372036854775806",
+                false,
+            ),
+            (
+                "into : LREAL := REAL#0.1;",
+                "LREAL#0.10000000149011612",
+                "LREAL#0.1",
+                true,
+            ),
+            (
+                "into : LREAL := REAL#1.0E-45;",
+                "LREAL#1.401298464324817E-45",
+                "LREAL#1.0E-45",
+                true,
+            ),
+            (
+                "into : LREAL := LREAL#0.1;",
+                "LREAL#0.10000000149011612",
+                "LREAL#0.1",
+                false,
+            ),
+            (
+                "into : LREAL := REAL#0.1;",
+                "LREAL#0.10000000149011612",
+                "LREAL#0.0",
+                false,
+            ),
+        ] {
+            assert_eq!(of(program, expected, got).is_some(), is_told, "{program} {got}");
+        }
+    }
+
+    #[test]
+    fn the_first_bit_of_an_unsigned_type_is_half_of_its_range() {
+        for (program, is_there) in [
+            ("a : BYTE := 16#80; END_VAR", true),
+            ("a : BYTE := 16#7F; END_VAR", false),
+            ("a : ULINT := 18446744073709551610; END_VAR", true),
+            ("a : INT := -1; END_VAR", false),
+            ("r := a < UINT#40000;", true),
+            ("r := a < UINT#16#4000;", false),
+        ] {
+            assert_eq!(has_first_bit(&format!("VAR {program}")), is_there, "{program}");
+        }
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
 use crate::assignments::{computation, declaration, declares, last_statement};
+use crate::literals::line_with_number;
+use crate::operations::{LOOPS, operations_of};
 use crate::reduction::Smallest;
 use crate::shape::{in_declarations, is_fixed};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
@@ -43,15 +45,10 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             format!("{} is accepted, not rejected{code}", line(wanted.line))
         }
         Symptom::Rejected(_) => {
-            let line = match reported
+            let place = reported
                 .line
-                .is_none()
-                .then(|| with_number_of(program, &reported.message))
-            {
-                Some(Some(line)) => described(program, line),
-                _ => line(reported.line),
-            };
-            format!("{line} is rejected: {}", said(&reported))
+                .or_else(|| line_with_number(program, &reported.message));
+            format!("{} is rejected: {}", line(place), said(&reported))
         }
         Symptom::NotImplemented(_) => {
             let line = described(program, unimplemented(program, got));
@@ -117,7 +114,15 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         }
         Symptom::Crash(words) => format!("{} makes it crash: {}", line(None), clipped(words)),
         Symptom::Unusable(words) => format!("{} is accepted, but {}", line(None), clipped(words)),
-        Symptom::Hang => format!("{}: no answer in time", line(None)),
+        Symptom::Hang => {
+            let is_loop = |line: &&str| {
+                LOOPS
+                    .iter()
+                    .any(|word| tokens(line).iter().any(|token| token.is(word)))
+            };
+            let line = program.lines().find(is_loop).unwrap_or_else(|| culprit(program));
+            format!("{}: no answer in time", described(program, line))
+        }
         Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
         Symptom::Fault(fault) => format!("{} stops with the fault {fault}", line(None)),
         Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
@@ -149,9 +154,13 @@ fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
         }
         let value = clipped(&value.to_string());
         return match (reported, computation(program, name)) {
-            (Fact::Value { value: other, .. }, Some(line)) => {
-                format!("{} gives {other}, not {value}", described(program, line))
-            }
+            (Fact::Value { value: other, .. }, Some(line)) => match condition(program, line) {
+                Some(condition) => format!(
+                    "{}: {name} is {other}, not {value}",
+                    described(program, condition)
+                ),
+                None => format!("{} gives {other}, not {value}", described(program, line)),
+            },
             (Fact::Value { value: other, .. }, None) => {
                 format!(
                     "{}: {name} is {other}, not {value}",
@@ -165,6 +174,21 @@ fn wrong_value(program: &str, expected: &[Fact], got: &[Fact]) -> String {
         };
     }
     described(program, last_statement(program)) + " computes another value"
+}
+
+/// Returns the line of the condition that decides whether a line assigns a literal, where it does more than name a variable.
+fn condition<'p>(program: &'p str, line: &str) -> Option<&'p str> {
+    let assigned = tokens(line);
+    let is_literal = matches!(&assigned[..], [_, sign, value, _] if sign.text == ":="
+        && (!matches!(value.kind, ProgramTokenKind::Word | ProgramTokenKind::Sign) || value.is("TRUE") || value.is("FALSE")));
+    let before = program.lines().take_while(|one| one.as_ptr() < line.as_ptr());
+    let decides = |one: &&str| {
+        let first = tokens(one)
+            .first()
+            .is_some_and(|first| ["IF", "ELSIF", "CASE", "WHILE"].iter().any(|word| first.is(word)));
+        first && operations_of(one).len() > 1
+    };
+    before.filter(|_| is_literal).filter(decides).last()
 }
 
 fn rendered(expected: &[Fact], got: &[Fact]) -> String {
@@ -297,15 +321,6 @@ fn is_declared(tokens: &[ProgramToken<'_>], at: usize) -> bool {
         pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != ProgramTokenKind::Word)
     });
     !is_head && end.is_some_and(|end| end[0].text == ":")
-}
-
-/// Returns the line of a program with a number that a message names; a number of one digit stands in too many messages.
-fn with_number_of<'p>(program: &'p str, message: &str) -> Option<&'p str> {
-    let mut words = message.split(|character: char| !character.is_ascii_digit());
-    words.find_map(|number| {
-        let has_number = |line: &&str| tokens(line).iter().any(|token| token.text == number);
-        program.lines().find(|line| number.len() > 1 && has_number(line))
-    })
 }
 
 /// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
@@ -457,6 +472,16 @@ mod tests {
     }
 
     #[test]
+    fn a_literal_that_is_assigned_under_a_condition_is_told_by_the_condition() {
+        let program = "x := 1;\nIF NOT (x < 2) THEN\n    x := 0;\nEND_IF;\n";
+        let line = |number: usize| program.lines().nth(number).unwrap_or_default();
+        assert_eq!(condition(program, line(2)), Some(line(1)));
+        assert_eq!(condition(program, line(0)), None);
+        let plain = program.replace("NOT (x < 2)", "b");
+        assert_eq!(condition(&plain, plain.lines().nth(2).unwrap_or_default()), None);
+    }
+
+    #[test]
     fn a_declaration_of_a_special_section_is_at_fault_before_a_plain_assignment() {
         let program = "FUNCTION f : BOOL\nVAR_IN_OUT\nt : DATE;\nEND_VAR\nf := TRUE;\nEND_FUNCTION\n";
         assert_eq!(culprit(program), "t : DATE;");
@@ -467,8 +492,7 @@ mod tests {
     #[test]
     fn a_line_with_a_number_of_the_message_is_the_one_that_it_is_about() {
         let program = "VAR\n    row : ARRAY[-127..7] OF SINT;\nEND_VAR\n    f();\n";
-        let of = |message: &str| with_number_of(program, message).map(str::trim);
-        assert_eq!(of("minimum=-127"), Some("row : ARRAY[-127..7] OF SINT;"));
-        assert_eq!(of("P2002 and 7"), None);
+        assert_eq!(line_with_number(program, "minimum=-127"), Some(2));
+        assert_eq!(line_with_number(program, "P2002 and 7"), None);
     }
 }

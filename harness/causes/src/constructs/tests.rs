@@ -62,6 +62,10 @@ fn no_form_of_literal_takes_the_place_of_another() {
     }
     assert!(may_become("r := -1.5E-3; n := 7;", "n := 0; r := 1.0;"));
     assert!(may_become("n := INT#-5;", "n := INT#0;"));
+    // The program has such literals, and gives none to a number or to an integer.
+    assert!(!may_become("IF TRUE THEN n := 5; END_IF;", "n := FALSE;"));
+    assert!(!may_become("r := 0.5; n := 5;", "n := 0.5;"));
+    assert!(may_become("n := 0.5; r := 0.5;", "n := 0.5;"));
     assert!(may_become(
         "WHILE n < w DO n := w; END_WHILE;",
         "WHILE TRUE DO n := w; END_WHILE;"

@@ -267,7 +267,7 @@ fn a_program_that_must_be_rejected_and_dies_when_it_runs_was_accepted() {
         "5 P4035",
     )];
     let found = causes(&Compiler::new(dying), cases);
-    assert_eq!(found[0].symptom, "accepted P4035");
+    assert_eq!(found[0].symptom, "accepted");
     assert_eq!(found[0].shown.got, [Fact::Accepted]);
 }
 

@@ -22,7 +22,8 @@ pub(super) fn normalize_message(message: &str) -> String {
 /// words.
 fn is_of_the_program(word: &str) -> bool {
     let name = word.trim_matches(|end: char| !end.is_ascii_alphanumeric());
-    let is_type = ElementaryType::from_name(name).is_some_and(|ty| ty.name() == name);
+    let is_type =
+        ElementaryType::from_name(name).is_some() && name.bytes().all(|byte| !byte.is_ascii_lowercase());
     is_type || word.contains(|character: char| character.is_ascii_digit())
 }
 
@@ -69,6 +70,7 @@ mod tests {
     fn what_differs_from_program_to_program_is_left_out() {
         for (message, left) in [
             ("Cannot assign USINT to INT", "Cannot assign to"),
+            ("Cannot assign DATE_AND_TIME to TIME", "Cannot assign to"),
             ("no such date", "no such date"),
             (
                 "POUS.c:22:1: error: no matching function",

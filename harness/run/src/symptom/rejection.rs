@@ -18,6 +18,13 @@ pub(super) fn rejection(expected: &[&Diagnostic], got: &[&Diagnostic], strict: G
         Grade::Code => match extra.iter().find(|reported| reported.code == first.code) {
             Some(same) if has_no_place(same) => Symptom::NoPlace(code),
             Some(_) => Symptom::OtherLine(code),
+            // What is told is another of the mistakes, on another line.
+            None if extra
+                .iter()
+                .all(|reported| missing.iter().any(|one| one.code == reported.code)) =>
+            {
+                Symptom::Incomplete(code)
+            }
             None if nothing_met || extra.iter().any(|reported| reported.line == first.line) => {
                 Symptom::OtherCode { code, reported }
             }

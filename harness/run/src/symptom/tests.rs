@@ -70,11 +70,23 @@ fn what_must_be_rejected_is_accepted_or_rejected_wrongly() {
         [
             (&[reported(6, "P0002", "m"), error(7, "P4033")], "not-P4033"),
             (&[error(6, "P4033")], "incomplete-P4033"),
+            (&[reported(9, "P4033", "m")], "line-of-P4033"),
             (
                 &[error(6, "P4033"), reported(9, "P0002", "m")],
                 "incomplete-P4033",
             ),
             (&[Fact::RejectedSilently], "incomplete-P4033"),
+        ],
+    );
+}
+
+#[test]
+fn a_mistake_that_is_told_without_its_place_hides_no_other() {
+    are(
+        &[error(5, "P0003"), error(6, "P4025")],
+        [
+            (&[reported(0, "P4025", "m")], "incomplete-P0003"),
+            (&[reported(0, "P4026", "m")], "not-P0003"),
         ],
     );
 }
