@@ -581,7 +581,10 @@ mod tests {
         );
         let assigned = "PROGRAM p\nVAR\nx : UDINT;\nEND_VAR\nx := 0 + 0;\nEND_PROGRAM\n";
         assert!(declared.explains(&refused(assigned, 5)));
+        assert!(declared.explains(&refused(&assigned.replace("0 + 0", "+0"), 5)));
         assert!(!declared.explains(&refused(&assigned.replace("0 + 0", "0"), 5)));
+        let of_dates = assigned.replace("0 + 0", "D#2024-03-01 - D#2024-02-28");
+        assert!(!declared.explains(&refused(&of_dates, 5)));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The features of a small program: the constructs by which the defects of programs are told apart.
 
-use crate::literals::{form_of_number, kind, line_with_number, special_literal, valued_types};
+use crate::literals::{form_of_number, kind, line_with_number, special_literal, type_of_token, valued_types};
 use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::{LOOPS, operations};
@@ -235,15 +235,20 @@ impl<'p> MarkedProgram<'p> {
         }
         let mut literals: Vec<String> = self.special_literals(&line);
         literals.extend(self.signed_literal(&line));
-        // A literal that the engine does not know is not known anywhere, a function is not known to a parser anywhere, and an operator whose types
-        // are refused is refused anywhere.
-        let operators = ["arithmetic", "comparison", "bitwise operator", "power", "sign"];
-        let is_known_anywhere = match self.is_unread {
-            true => self.calls_library(&line),
-            false => operators.iter().any(|operator| features.contains(*operator)),
+        // An operator whose types are refused is refused anywhere, and so is one of the sign of a number.
+        let operators = match self.is_unread {
+            true => BTreeSet::new(),
+            false => operators(&line),
         };
-        if literals.is_empty() && !is_known_anywhere {
+        features.remove("sign");
+        // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
+        let is_unknown_anywhere = self.is_unread && self.calls_library(&line);
+        if literals.is_empty() && operators.is_empty() && !is_unknown_anywhere {
             features.insert(self.place().to_owned());
+        }
+        if !operators.is_empty() {
+            features.extend(operators);
+            features.extend(self.operand_kinds(&line));
         }
         features.extend(literals.into_iter().map(|form| match form.as_str() {
             // A compiler that takes typed numbers lacks these by one piece of work.
@@ -260,6 +265,19 @@ impl<'p> MarkedProgram<'p> {
             features.extend(declarations(&self.tokens));
         }
         features
+    }
+
+    /// Returns the kinds of the operands on a line; numbers are of one kind.
+    fn operand_kinds(&self, line: &[ProgramToken<'_>]) -> BTreeSet<String> {
+        let names = DeclaredNames::new(&self.tokens);
+        let kinds = line.iter().filter_map(|token| match token.kind {
+            ProgramTokenKind::Number => Some("number"),
+            _ => match kind(type_of_token(token).or_else(|| names.type_of(token))?)? {
+                "integer" | "real" => Some("number"),
+                other => Some(other),
+            },
+        });
+        kinds.map(str::to_owned).collect()
     }
 
     /// Returns whether a function is called that the program does not declare.
@@ -378,6 +396,22 @@ fn passes_in_out(line: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
             && three[2].text == ":="
             && names.in_outs.contains(&three[1].text.to_ascii_uppercase())
     })
+}
+
+/// Returns the operators of a line; the sign of a number is one that calculates.
+fn operators(line: &[ProgramToken<'_>]) -> BTreeSet<String> {
+    let all = operations(line, &BTreeSet::new()).into_iter();
+    let is_operator = |one: &String| {
+        matches!(
+            one.as_str(),
+            "arithmetic" | "comparison" | "bitwise operator" | "power"
+        )
+    };
+    let mut found: BTreeSet<String> = all.filter(is_operator).collect();
+    if line.iter().any(|token| matches!(token.text, "+" | "-")) {
+        found.insert("arithmetic".to_owned());
+    }
+    found
 }
 
 /// Returns where a line stands.

@@ -101,11 +101,12 @@ impl GrowingCause {
         }
     }
 
-    /// Returns the order of members with one essence, of which the first is shown: programs of which the claim of their case
-    /// still speaks, then claims by their rank, then the smaller program.
-    pub(crate) fn preference(&self) -> (u8, bool, u8, usize, &str) {
+    /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs of which
+    /// the claim of their case still speaks, then claims by their rank, then the smaller program.
+    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, usize, &str) {
         let program = &self.cause.shown.program;
         (
+            self.differs,
             match self.cause.reduction {
                 Reduced::Smallest => 0,
                 Reduced::Partly => 1,

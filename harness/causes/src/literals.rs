@@ -5,6 +5,9 @@ use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_types::{ElementaryType, Family};
 
+/// The form of a literal of the durations, dates and times of day that the third edition brought.
+pub(crate) const LONG: &str = "long duration, date or time#";
+
 /// Returns the type that a token names, as a word or as the prefix of a literal.
 pub(crate) fn type_of_token(token: &ProgramToken<'_>) -> Option<ElementaryType> {
     let upper = token.text.to_ascii_uppercase();
@@ -127,6 +130,7 @@ pub(crate) fn special_literal(token: &ProgramToken<'_>) -> Option<String> {
                     Some(ElementaryType::Bool) if form == "integer" && value.starts_with(['0', '1']) => {
                         Some("BOOL#digits".to_owned())
                     }
+                    Some(ty) if ty.is_third_edition() && kind(ty) != Some("text") => Some(LONG.to_owned()),
                     Some(ty) if kind(ty) == Some("date or time") => Some("date or time#".to_owned()),
                     Some(ty) => Some(format!("{}#", ty.name())),
                     None => Some(format!("{prefix}#")),

@@ -2,7 +2,7 @@
 
 use crate::essence::Essence;
 use crate::features::TYPED_LITERAL;
-use crate::literals::valued_types;
+use crate::literals::{LONG, type_of_token, valued_types};
 use crate::reduction::Smallest;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_engines::Identity;
@@ -25,6 +25,7 @@ const ALIASES: &[&str] = &["ironplc-problem-codes: P2012", "iec-61131-3: Table 1
 /// IronPLC calls VAR_IN_OUT "Partial" in its list of scope keywords, which promises nothing.
 const IN_OUT: &[&str] = &["iec-61131-3: 6.5.2.2"];
 const COMMENTS: &[&str] = &["iec-61131-3: Table 3"];
+const PRAGMAS: &[&str] = &["iec-61131-3: Table 4"];
 const CONTINUE: &[&str] = &["iec-61131-3: 7.3.3.4.5"];
 const LOCATIONS: &[&str] = &["ironplc-variables: io-qualifiers", "iec-61131-3: 6.5.5"];
 const ENUMERATIONS: &[&str] = &["ironplc-derived-types: enumerated-types"];
@@ -132,6 +133,17 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     };
     if let Some(promises) = of_literal(essence) {
         return Some(promises);
+    }
+    if has(LONG) {
+        let is_duration = |token: &ProgramToken<'_>| type_of_token(token) == Some(ElementaryType::Ltime);
+        return Some(if line.iter().any(is_duration) {
+            DURATIONS
+        } else {
+            MOMENTS
+        });
+    }
+    if line.iter().any(|token| token.text == "{") {
+        return Some(PRAGMAS);
     }
     if has(TYPED_LITERAL) {
         let typed = line.iter().find(|token| token.kind == ProgramTokenKind::Typed)?;
@@ -286,7 +298,7 @@ fn of_literal(essence: &Essence) -> Option<&'static [&'static str]> {
     let promises = |feature: &String| match feature.as_str() {
         "typed literal with a sign" | "real-with-exponent" | "BOOL#" => Some(NUMBERS),
         "real-beyond-REAL" => Some(REALS),
-        "TIME#" | "LTIME#" => Some(DURATIONS),
+        "TIME#" => Some(DURATIONS),
         "date or time#" => Some(MOMENTS),
         text if text.ends_with("-with-escape") => Some(ESCAPES),
         "\"text\"" | "STRING#" | "WSTRING#" | "CHAR#" | "WCHAR#" => Some(TEXTS),
@@ -359,6 +371,9 @@ mod tests {
         assert_eq!(of("x := CHAR#'a';", &["CHAR#"]), Some(TEXTS));
         assert_eq!(of("CONTINUE;", &["statement"]), Some(CONTINUE));
         assert_eq!(of("(* (* *) *)", &["statement"]), Some(COMMENTS));
+        assert_eq!(of("{ } x := x;", &["statement"]), Some(PRAGMAS));
+        assert_eq!(of("x : LTIME := LT#0s;", &[LONG]), Some(DURATIONS));
+        assert_eq!(of("x : LDATE := LD#2024-01-01;", &[LONG]), Some(MOMENTS));
         assert_eq!(of("x AT %MW10 : INT;", &["declaration"]), Some(LOCATIONS));
         let by_name = ["declaration", "initial value by name", "type of one's own"];
         assert_eq!(of("x : OWN := a;", &by_name), Some(ENUMERATIONS));
@@ -384,6 +399,7 @@ mod tests {
             RANGES,
             REALS,
             COMMENTS,
+            PRAGMAS,
             CONTINUE,
             LOCATIONS,
             ENUMERATIONS,
