@@ -62,7 +62,8 @@ impl GrowingCause {
         if is_derived {
             shown.deviation.forget_promise();
         }
-        // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what cannot be read.
+        // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
+        // cannot be read.
         let promised = case
             .filter(|_| is_derived || is_missing(&shown, &essence) || is_unread(&shown.deviation.got))
             .filter(|_| group.shown.verdict != Verdict::Differs)
@@ -101,8 +102,8 @@ impl GrowingCause {
         }
     }
 
-    /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs of which
-    /// the claim of their case still speaks, then claims by their rank, then the smaller program.
+    /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
+    /// of which the claim of their case still speaks, then claims by their rank, then the smaller program.
     pub(crate) fn preference(&self) -> (bool, u8, bool, u8, usize, &str) {
         let program = &self.cause.shown.program;
         (

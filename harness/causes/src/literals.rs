@@ -77,8 +77,8 @@ pub(crate) fn form_of_number(word: &str) -> Option<String> {
         .then_some(form)
 }
 
-/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is written, and the
-/// date before the time of day; `None` for other types.
+/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is
+/// written, and the date before the time of day; `None` for other types.
 fn form_of_moment(ty: ElementaryType, form: &str) -> Option<String> {
     let (_, value) = form.split_once('#')?;
     match ty.family() {

@@ -5,9 +5,9 @@
 //! it decides which cases belong together, and what the title names, and no case is failed by it.
 
 use crate::features::is_unread;
+use crate::numbers::leaves_range;
 use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
-use crate::range::leaves_range;
 use crate::reduction::Smallest;
 use crate::statements::{in_two_steps, turned_round, with_one_statement, with_whole_outputs};
 use crate::tokens::{ProgramTokenKind, tokens};
@@ -20,8 +20,8 @@ use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::Observation;
 
-/// The way of an engine that uses what an operation gives before it brings it into the range of its type.
-const NOT_NARROWED: &str = "result that is not in the range of its type before it is assigned";
+/// The way of an engine that does an operation in the type of its target, and not in that of its operands.
+const OF_TARGET: &str = "operation in the type of its target";
 /// The way of an engine that compares in the type of the first operand, and not in one that has the values of both.
 const OF_FIRST_OPERAND: &str = "comparison in the type of its first operand";
 
@@ -261,12 +261,10 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
-    /// Asks for other forms of the program: where one is right, it says how the engine does the operation. What an operation gives is
-    /// brought into the range of its type by a statement of its own, and the second operand of a comparison may be converted to the
-    /// type of the first.
+    /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
         let forms = [
-            (in_two_steps(&self.normal.program), NOT_NARROWED),
+            (in_two_steps(&self.normal.program), OF_TARGET),
             (turned_round(&self.normal.program), OF_FIRST_OPERAND),
         ];
         for (program, way) in forms {

@@ -84,7 +84,7 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
 }
 
 /// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
-fn without_unused(program: &str) -> String {
+pub(crate) fn without_unused(program: &str) -> String {
     let all = tokens(program);
     let start = program.rfind("PROGRAM ").unwrap_or_default();
     // Types may stand behind the program.

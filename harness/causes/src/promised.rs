@@ -2,7 +2,7 @@
 
 use crate::essence::Essence;
 use crate::features::TYPED_LITERAL;
-use crate::literals::{LONG, type_of_token, valued_types};
+use crate::literals::{LONG, kind, type_of_token, valued_types};
 use crate::reduction::Smallest;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_engines::Identity;
@@ -205,7 +205,11 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
         |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Typed && !token.text.contains(['\'', '"']);
     let assigns_only = line.len() == 4 && line[1].text == ":=";
     if assigns_only && is_typed(&line[2]) {
-        return Some(NUMBERS);
+        return Some(match type_of_token(&line[2]).and_then(kind) {
+            Some("duration") => DURATIONS,
+            Some("date or time") => MOMENTS,
+            _ => NUMBERS,
+        });
     }
     let calls = pair(&line, |word, next| {
         word.kind == ProgramTokenKind::Word && next.text == "("
@@ -384,6 +388,7 @@ mod tests {
         assert_eq!(of("x : INT := 0;", &["type"]), Some(OWN_VALUES));
         assert_eq!(of("x : INT;", &["type"]), Some(ALIASES));
         assert_eq!(of("x := BOOL#0;", &["statement"]), Some(NUMBERS));
+        assert_eq!(of("x := TOD#00:00:00;", &["statement"]), Some(MOMENTS));
     }
 
     #[test]

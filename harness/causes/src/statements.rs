@@ -1,11 +1,11 @@
 //! Programs with other statements in a body: one that only names a variable, or two in the place of one.
 
-use crate::names::{DeclaredNames, converted, prefix_type};
+use crate::names::{DeclaredNames, prefix_type};
+use crate::operands::without_unused;
 use crate::operations::is_comparison;
 use crate::shape::path;
-use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
+use crate::tokens::{ProgramToken, tokens};
 use std::ops::Range;
-use stickler_types::ElementaryType;
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
 /// block that the body uses, the assignment of each field and element that it uses to itself, and each of its own statements where
@@ -59,19 +59,29 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
     found
 }
 
-/// Returns a program with an operation in a statement of its own, before what it gives is used: an operation on two values of one type whose
-/// target has another type, or a conversion by name that is an operand or is given to another type; `None` where it has none.
+/// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
+/// the type of the target; `None` where it has no statement that does both.
 pub(crate) fn in_two_steps(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
     let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
+    let ty = |token: &ProgramToken<'_>| prefix_type(token).or_else(|| names.type_of(token));
     for body in bodies(&all) {
         for at in body.clone() {
-            let Some((from, end, own)) = partial(&all, at, &names).filter(|(_, end, _)| *end < body.end)
-            else {
+            let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
+                break;
+            };
+            let is_operator = matches!(operator.text, "+" | "-" | "*" | "/" | "**") || operator.is("MOD");
+            if all[at].text != ":=" || !is_operator || end.text != ";" {
+                continue;
+            }
+            let (Some(own), Some(target)) = (ty(left), names.assigned(&all, at)) else {
                 continue;
             };
-            let (first, from, until) = (offset(&all[body.start]), offset(&all[from]), offset(&all[end]));
+            if ty(right) != Some(own) || target == own {
+                continue;
+            }
+            let (first, from, until) = (offset(&all[body.start]), offset(left), offset(end));
             let start = statement(&all, at);
             let start = offset(&all[start.max(body.start)]);
             return Some(format!(
@@ -86,35 +96,6 @@ pub(crate) fn in_two_steps(program: &str) -> Option<String> {
         }
     }
     None
-}
-
-/// Returns where an operation begins and ends whose result has another type than what it is used for, and the type of the result: the right side of the
-/// assignment sign at a place, or the call of a conversion function that begins there.
-fn partial(
-    all: &[ProgramToken<'_>],
-    at: usize,
-    names: &DeclaredNames,
-) -> Option<(usize, usize, ElementaryType)> {
-    let ty = |token: &ProgramToken<'_>| prefix_type(token).or_else(|| names.type_of(token));
-    if let Some((_, own)) = converted(&all[at]) {
-        let [open, operand, close, behind] = all.get(at + 1..at + 5)? else {
-            return None;
-        };
-        let is_call = open.text == "(" && operand.kind != ProgramTokenKind::Sign && close.text == ")";
-        let sign = at.checked_sub(1)?;
-        let is_whole = all[sign].text == ":=" && behind.text == ";";
-        let is_used_as_it_is = is_whole && names.assigned(all, sign) == Some(own);
-        return (is_call && !is_used_as_it_is).then_some((at, at + 4, own));
-    }
-    let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
-        return None;
-    };
-    let is_operator = matches!(operator.text, "+" | "-" | "*" | "/" | "**") || operator.is("MOD");
-    if all[at].text != ":=" || !is_operator || end.text != ";" {
-        return None;
-    }
-    let (own, target) = (ty(left)?, names.assigned(all, at)?);
-    (ty(right) == Some(own) && target != own).then_some((at + 1, at + 4, own))
 }
 
 /// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.
@@ -156,14 +137,14 @@ pub(crate) fn with_whole_outputs(program: &str) -> Option<String> {
     if point.text != "." {
         return None;
     }
-    let body = bodies(&all).into_iter().find(|body| body.contains(&arrow))?;
-    let first = offset(&all[body.start]);
-    Some(format!(
-        "{}VAR\n    received : BOOL;\nEND_VAR\n    {}received{}",
-        &program[..first],
-        &program[first..offset(&all[arrow + 1])],
+    let section = all[..arrow].iter().rfind(|token| token.is("END_VAR"))?;
+    let end = offset(section);
+    Some(without_unused(&format!(
+        "{}    received : BOOL;\n{}received{}",
+        &program[..end],
+        &program[end..offset(&all[arrow + 1])],
         &program[offset(bit) + bit.text.len()..],
-    ))
+    )))
 }
 
 /// Returns the place of the first token of the statement that a token stands in.
@@ -243,19 +224,6 @@ mod tests {
         assert_eq!(of("same := a + a;"), None);
         assert_eq!(of("into := a;"), None);
         assert_eq!(of("into := a + into;"), None);
-        assert_eq!(of("same := DINT_TO_INT(into);"), None);
-        let steps = "VAR\n    partial : INT;\nEND_VAR\n    partial := DINT_TO_INT(into);\n    ";
-        for (body, last) in [
-            ("into := DINT_TO_INT(into);", "into := partial;"),
-            ("into := into + DINT_TO_INT(into);", "into := into + partial;"),
-            (
-                "same := DINT_TO_INT(DINT_TO_INT(into));",
-                "same := DINT_TO_INT(partial);",
-            ),
-        ] {
-            let found = of(body).expect("two steps");
-            assert!(found.ends_with(&format!("{steps}{last} END_PROGRAM")), "{found}");
-        }
     }
 
     #[test]
@@ -272,13 +240,13 @@ mod tests {
 
     #[test]
     fn an_output_is_given_to_a_variable_in_the_place_of_a_bit() {
-        let of = |argument: &str| {
-            with_whole_outputs(&format!(
-                "PROGRAM p VAR w : WORD; END_VAR f(q => {argument}); END_PROGRAM"
-            ))
+        let program = |declared: &str, argument: &str| {
+            format!("PROGRAM p\nVAR\n{declared}END_VAR\nf(in := x, q => {argument});\nEND_PROGRAM\n")
         };
-        let expected = "PROGRAM p VAR w : WORD; END_VAR VAR\n    received : BOOL;\nEND_VAR\n    f(q => received); END_PROGRAM";
-        assert_eq!(of("w.3").as_deref(), Some(expected));
-        assert_eq!(of("w"), None);
+        let (word, other) = ("    w : WORD;\n", "    x : INT;\n");
+        let found = with_whole_outputs(&program(&format!("{word}{other}"), "w.3"));
+        let received = format!("{other}    received : BOOL;\n");
+        assert_eq!(found, Some(program(&received, "received")));
+        assert_eq!(with_whole_outputs(&program(word, "w")), None);
     }
 }

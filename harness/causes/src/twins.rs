@@ -265,7 +265,7 @@ pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String
             found.push(format!("{}{other}{}", &program[..from], &program[until..]));
         }
     };
-    if let Some((from, until)) = assigned(&all, line) {
+    for (from, until) in assigned(&all, line).into_iter().chain(arguments(&all, line)) {
         replace(from, until);
     }
     for (at, token) in all.iter().enumerate() {
@@ -299,6 +299,34 @@ fn assigned(all: &[ProgramToken<'_>], line: Option<u32>) -> Option<(usize, usize
         }
     }
     None
+}
+
+/// Returns where each argument begins and ends that is given by its name to a call on this line.
+fn arguments(all: &[ProgramToken<'_>], line: Option<u32>) -> Vec<(usize, usize)> {
+    let mut found = Vec::new();
+    let mut depth = 0_i32;
+    // The depth and the beginning of the argument that is open.
+    let mut open = None;
+    for (at, token) in all
+        .iter()
+        .enumerate()
+        .filter(|(_, token)| Some(token.line) == line)
+    {
+        match (token.text, open) {
+            ("," | ")", Some((of, from))) if of == depth => {
+                found.extend((from < at).then_some((from, at)));
+                open = None;
+            }
+            (":=", None) if depth > 0 => open = Some((depth, at + 1)),
+            _ => {}
+        }
+        depth += match token.text {
+            "(" | "[" => 1,
+            ")" | "]" => -1,
+            _ => 0,
+        };
+    }
+    found
 }
 
 /// Returns a program in which each partial access selects the first bit or byte, which are there in every type; `None` where it
@@ -400,6 +428,11 @@ mod tests {
             with_other_operand("a : R := (f := 5);", Some(1))[0],
             "a : R := (f := 'a');"
         );
+        assert_eq!(
+            with_other_operand("fb(n := 1, in := NOT f(r.7));", Some(1))[2],
+            "fb(n := 1, in := 'a');"
+        );
+        assert!(with_other_operand("fb(in := );", Some(1)).is_empty());
         assert_eq!(with_other_operand("x := y + 5;", Some(1))[0], "x := 'a';");
         assert!(with_other_operand("g(x + y);", Some(1)).is_empty());
     }

@@ -26,18 +26,20 @@ pub(crate) fn leaves_range(program: &str, deviation: &Deviation) -> bool {
 
 /// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
 /// says nothing.
-pub(crate) fn told_by_number(program: &str, deviation: &Deviation) -> Option<&'static str> {
-    let known: [(&str, fn(&str, &Deviation) -> bool); 4] = [
-        ("seconds in the place of milliseconds", counts_seconds),
-        (
-            "conversion of a real number outside the range of its target",
-            converts_out_of_range,
-        ),
-        ("integer literal with the bits of an LREAL", rounds_to_lreal),
-        ("REAL literal with the bits of an LREAL", keeps_lreal),
-    ];
-    let found = known.into_iter().find(|(_, is)| is(program, deviation));
-    found.map(|(feature, _)| feature)
+pub(crate) fn number_pattern(program: &str, deviation: &Deviation) -> Option<&'static str> {
+    if counts_seconds(program, deviation) {
+        Some("seconds in the place of milliseconds")
+    } else if converts_out_of_range(program, deviation) {
+        Some("conversion of a real number outside the range of its target")
+    } else if keeps_range(program, deviation) {
+        Some("conversion to an integer that does not bring it into its range")
+    } else if rounds_to_lreal(program, deviation) {
+        Some("integer literal with the bits of an LREAL")
+    } else if keeps_lreal(program, deviation) {
+        Some("REAL literal with the bits of an LREAL")
+    } else {
+        None
+    }
 }
 
 /// Returns whether a program does nothing but convert a real number to an integer by name, and the number is outside the range of that.
@@ -47,6 +49,21 @@ fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
     };
     let converts = tokens(program).iter().any(is_conversion);
     converts && operations_of(program).len() == 1 && leaves_range(program, deviation)
+}
+
+/// Returns whether a program converts to an integer by name, and the wrong value has the bits that the result has, with others before them.
+fn keeps_range(program: &str, deviation: &Deviation) -> bool {
+    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = wrong_values(deviation) else {
+        return false;
+    };
+    let has_bits_of = |token: &ProgramToken<'_>| {
+        let narrow = converted(token).map(|(_, into)| into);
+        narrow.is_some_and(|narrow| {
+            let is_narrow = kind(narrow) == Some("integer") && narrow.bits() < ty.bits();
+            is_narrow && (raw ^ got) & ((1 << narrow.bits()) - 1) == 0
+        })
+    };
+    kind(*ty) == Some("integer") && tokens(program).iter().any(has_bits_of)
 }
 
 /// Returns whether an integer literal of 64 bits is off by no more than an LREAL, which has 53 bits, can be off at its size.
@@ -215,10 +232,10 @@ mod tests {
     }
 
     #[test]
-    fn a_number_alone_tells_how_it_came_about() {
+    fn a_number_alone_says_how_it_came_about() {
         let of =
-            |program: &str, expected: &str, got: &str| told_by_number(program, &deviation(expected, got));
-        for (program, expected, got, is_told) in [
+            |program: &str, expected: &str, got: &str| number_pattern(program, &deviation(expected, got));
+        for (program, expected, got, is_known) in [
             (
                 "into := REAL_TO_UINT(data); data : REAL := -8.0;",
                 "UINT#65528",
@@ -284,7 +301,7 @@ mod tests {
                 false,
             ),
         ] {
-            assert_eq!(of(program, expected, got).is_some(), is_told, "{program} {got}");
+            assert_eq!(of(program, expected, got).is_some(), is_known, "{program} {got}");
         }
     }
 
