@@ -248,6 +248,44 @@ fn values_with_a_fraction_and_with_a_sign_are_two_causes_whatever_the_types() {
     assert_eq!(numbers, [3, 1], "{:?}", titles(&found));
 }
 
+#[test]
+fn a_conversion_by_name_is_the_cause_also_behind_an_operation() {
+    let of = |id: &str, operand: &str| {
+        let statement = format!("into := REAL_TO_INT({operand});");
+        case(id, "into : INT; nought : REAL;", &statement, "into = INT#2")
+    };
+    let cases = vec![of("t::a", "2.75"), of("t::b", "nought + 2.75")];
+    let found = causes(&Compiler::new(rounding), cases);
+    assert_eq!(titles(&found).len(), 1, "{:?}", titles(&found));
+}
+
+/// Compares with a wider operand as if that were of the type of the first one.
+fn compares_as_the_first(request: &RunRequest<'_>) -> Outcome {
+    let source = request
+        .source
+        .replace("SINT#0 < wide", "NOT (SINT#0 < wide)")
+        .replace("DINT#0 < wide", "NOT (DINT#0 < wide)");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn a_comparison_that_is_right_when_it_is_turned_round_is_done_in_the_type_of_its_first_operand() {
+    let of = |id: &str, declaration: &str, operand: &str, must: &str| {
+        let declarations = format!("wide : {declaration}; less : BOOL;");
+        case(id, &declarations, &format!("less := {operand} < wide;"), must)
+    };
+    let cases = vec![
+        of("t::a", "INT := -300", "SINT#0", "less = BOOL#FALSE"),
+        of("t::b", "LINT := 4294967290", "DINT#0", "less = BOOL#TRUE"),
+    ];
+    let found = causes(&Compiler::new(compares_as_the_first), cases);
+    assert_eq!(found.len(), 1, "{:?}", titles(&found));
+    assert_eq!(found[0].construct, "comparison in the type of its first operand");
+}
+
 /// Accepts a value of every type for every other, and dies when it runs such a program.
 fn dying(request: &RunRequest<'_>) -> Outcome {
     match as_the_reference(request) {
