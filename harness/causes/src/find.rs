@@ -166,12 +166,28 @@ impl ReducedGroup {
         if is_reducible(&sign.symptom) {
             smallest.reduction = Reduced::Partly;
         }
-        let mut normal = Normal::unasked(&smallest);
-        // Nobody knows which of them the defect does not need.
-        if matches!(sign.symptom, Symptom::Value | Symptom::Missing) {
-            normal.labels = value_features(&smallest.program);
+        let normal = Normal::unasked(&smallest);
+        let mut found = ReducedGroup { smallest, normal };
+        found.keep_labels();
+        found
+    }
+
+    /// Notes that no question was left for the rest of the search.
+    fn end_partly(&mut self) {
+        if self.smallest.reduction == Reduced::Smallest {
+            self.smallest.reduction = Reduced::Partly;
         }
-        ReducedGroup { smallest, normal }
+        self.keep_labels();
+    }
+
+    /// Keeps all properties of the values: nobody knows which of them the defect does not need.
+    fn keep_labels(&mut self) {
+        if matches!(
+            self.smallest.deviation.sign.symptom,
+            Symptom::Value | Symptom::Missing
+        ) {
+            self.normal.labels = value_features(&self.normal.program);
+        }
     }
 
     /// Removes the codes from the expected diagnostics where the engine is not asked for them.
@@ -231,7 +247,10 @@ impl Asking<'_> {
                     let smallest = reduce(asked, (case, event), &sign, tries, self.stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, self.stop)?;
-                    let found = ReducedGroup { smallest, normal };
+                    let mut found = ReducedGroup { smallest, normal };
+                    if (self.stop)() {
+                        found.end_partly();
+                    }
                     Ok(found.without_codes(asked))
                 }
                 _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(asked)),

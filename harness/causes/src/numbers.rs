@@ -31,6 +31,8 @@ pub(crate) fn number_pattern(program: &str, deviation: &Deviation) -> Option<&'s
         Some("seconds in the place of milliseconds")
     } else if converts_out_of_range(program, deviation) {
         Some("conversion of a real number outside the range of its target")
+    } else if counts_to_limit(program) {
+        Some("FOR loop to the last value of its type")
     } else if keeps_range(program, deviation) {
         Some("conversion to an integer that does not bring it into its range")
     } else if rounds_to_lreal(program, deviation) {
@@ -47,8 +49,39 @@ fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
     let is_conversion = |token: &ProgramToken<'_>| {
         converted(token).is_some_and(|(from, into)| from.is_real() && kind(into) == Some("integer"))
     };
-    let converts = tokens(program).iter().any(is_conversion);
-    converts && operations_of(program).len() == 1 && leaves_range(program, deviation)
+    let all = tokens(program);
+    let into_unsigned =
+        |token: &ProgramToken<'_>| converted(token).is_some_and(|(_, into)| into.family() != Family::Signed);
+    // Calls, elements and the sign of an operand compute nothing.
+    let beside = [
+        "sign",
+        "call",
+        "output argument",
+        "subscript or list",
+        "condition",
+    ];
+    let operations = operations_of(program);
+    let computes = operations
+        .iter()
+        .filter(|one| !beside.contains(&one.as_str()))
+        .count();
+    let is_negative = all
+        .iter()
+        .any(|token| token.text == "-" || token.text.contains("#-"));
+    let leaves = leaves_range(program, deviation) || is_negative && all.iter().any(into_unsigned);
+    all.iter().any(is_conversion) && computes == 1 && leaves
+}
+
+/// Returns whether a program has a FOR loop with a control variable of an integer type, and the greatest amount of that type.
+fn counts_to_limit(program: &str) -> bool {
+    let all = tokens(program);
+    let names = DeclaredNames::new(&all);
+    let mut heads = all.windows(2).filter(|pair| pair[0].is("FOR"));
+    heads.any(|pair| {
+        let range = names.type_of(&pair[1]).and_then(ElementaryType::integer_range);
+        let most = range.map(|(_, most)| most.to_string());
+        all.iter().any(|token| Some(token.text) == most.as_deref())
+    })
 }
 
 /// Returns whether a program converts to an integer by name, and the wrong value has the bits that the result has, with others before them.
@@ -243,6 +276,30 @@ mod tests {
                 true,
             ),
             ("into := REAL_TO_UINT(REAL#1.5);", "UINT#1", "UINT#2", false),
+            (
+                "into := REAL_TO_ULINT(data); data : REAL := -9.223372E18;",
+                "ULINT#9223372036854775808",
+                "ULINT#0",
+                true,
+            ),
+            (
+                "into[0] := REAL_TO_UINT(-data); data : REAL := 2.0;",
+                "UINT#65534",
+                "UINT#0",
+                true,
+            ),
+            (
+                "VAR n : SINT; END_VAR FOR n := -127 TO -127 DO into := n; END_FOR;",
+                "SINT#-127",
+                "SINT#0",
+                true,
+            ),
+            (
+                "VAR n : INT; END_VAR FOR n := -127 TO -127 DO into := n; END_FOR;",
+                "INT#-127",
+                "INT#0",
+                false,
+            ),
             ("into := INT_TO_REAL(INT#8);", "REAL#65528.0", "REAL#0.0", false),
             ("into := REAL_TO_UINT(data * 2.0);", "UINT#65528", "UINT#0", false),
             (

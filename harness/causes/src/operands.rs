@@ -209,6 +209,7 @@ fn conversion(tokens: &[ProgramToken<'_>], at: usize, names: &DeclaredNames) -> 
         let name = tokens.get(at + 2)?.text.to_ascii_uppercase();
         names.initial.get(&name).cloned()
     });
+    let operand = operand.or_else(|| names.some_value(from));
     let call = format!("{}(data)", tokens[at].text);
     Some(Alone::new(Some((from, operand.as_deref())), ty, &call))
 }

@@ -83,6 +83,11 @@ impl Questioner<'_> {
         Ok(self.judged(case, answers)?.1)
     }
 
+    /// Returns whether the engine answered a case in this search.
+    pub(crate) fn has_answered(&self, case: &Case) -> bool {
+        self.answered.get(&question(case)).is_some()
+    }
+
     /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.
     ///
     /// # Errors

@@ -1,12 +1,14 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::constructs::Constructs;
-use crate::question::{Deviation, Questioner, with_program};
+use crate::operands::{Alone, alone};
+use crate::question::{Deviation, Questioner, as_the_reference, with_program};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::Case;
+use stickler_types::{Observation, Value};
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
 const REPEATS: u32 = 4;
@@ -57,6 +59,9 @@ pub(crate) fn reduce(
     let unreduced = Smallest::unreduced(event, sign);
     if !is_reducible(&sign.symptom) {
         return Ok(unreduced);
+    }
+    if let Some(found) = operand_alone(asked, (case, event), &unreduced, stop)? {
+        return Ok(found);
     }
     let mut error = None;
     let mut questions = 0;
@@ -113,6 +118,68 @@ pub(crate) fn reduce(
             })
         }
     }
+}
+
+/// Returns the operand of a program that gives alone the wrong value which the program gives; `None` where there is none. Most programs of
+/// a table show what one conversion or literal shows alone, so that one question takes the place of all that make a program small.
+///
+/// # Errors
+/// [`EngineError`] where the engine crashed and cannot be started again.
+fn operand_alone(
+    asked: &mut Questioner<'_>,
+    (case, event): (&Case, &CaseEvent),
+    unreduced: &Smallest,
+    stop: &dyn Fn() -> bool,
+) -> Result<Option<Smallest>, EngineError> {
+    let mut questions = 0;
+    if unreduced.deviation.sign.symptom != Symptom::Value {
+        return Ok(None);
+    }
+    for Alone { program, ty, .. } in alone(&unreduced.program) {
+        if stop() {
+            return Ok(None);
+        }
+        let observe = [Observation::last("into", ty.name())];
+        let Some(operand) = as_the_reference(case, &program, &observe) else {
+            continue;
+        };
+        let is_known = asked.has_answered(&operand);
+        questions += u64::from(!is_known);
+        let seen = asked.deviation(&operand)?;
+        let Some(deviation) = seen.filter(|seen| has_same_values(event, seen)) else {
+            continue;
+        };
+        let found = Smallest {
+            program,
+            deviation,
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions,
+        };
+        // What another group has shown is no chance.
+        return match is_known {
+            true => Ok(Some(found)),
+            false => repeated(asked, &operand, &unreduced.deviation.sign, found).map(Some),
+        };
+    }
+    Ok(None)
+}
+
+/// Returns whether the first value that a program has wrong is one that the case has wrong, whatever their variables are called.
+fn has_same_values(event: &CaseEvent, seen: &Deviation) -> bool {
+    let wrong = |expected: &[Fact], got: &[Fact]| -> Vec<(Value, Value)> {
+        let pairs = expected.iter().zip(got);
+        let values = pairs.filter_map(|pair| match pair {
+            (Fact::Value { value, .. }, Fact::Value { value: other, .. }) => {
+                Some((value.clone(), other.clone()))
+            }
+            _ => None,
+        });
+        values.filter(|(wanted, reported)| wanted != reported).collect()
+    };
+    let whole = wrong(&event.expected, &event.got);
+    let now = wrong(&seen.expected, &seen.got);
+    now.first().is_some_and(|pair| whole.contains(pair))
 }
 
 /// Returns whether a program stopped with a fault, as one does that is accepted and divides by a variable which lost its value.

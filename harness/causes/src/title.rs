@@ -24,7 +24,11 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     let line = |number: Option<u32>| {
         let line = number.and_then(|number| program.lines().nth(number.checked_sub(1)? as usize));
         let is_told = |line: &&str| !line.trim_matches([' ', '\t', ';']).is_empty();
-        described(program, line.filter(is_told).unwrap_or_else(|| culprit(program)))
+        let is_empty = || !program.lines().any(|one| weight(one) > 0 && !one.contains(':'));
+        match line.filter(|line| is_told(line) || line.trim() == ";" && is_empty()) {
+            Some(line) => described(program, line),
+            None => described(program, culprit(program)),
+        }
     };
     let first = |facts: &[Fact]| {
         let first = facts.iter().find_map(Fact::diagnostic);
