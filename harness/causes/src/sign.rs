@@ -1,7 +1,8 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
-use crate::operations::{is_comparison, operations_of};
-use crate::shape::{KeptTypes, shape, token_at};
+use crate::operations::{is_comparison, operations};
+use crate::shape::{KeptTypes, in_declarations, own_functions, shape, token_at};
+use crate::tokens::{ProgramToken, tokens};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 
 /// The number of words that are kept of a message.
@@ -28,12 +29,7 @@ impl Sign {
             {
                 token_of(program, reason, facts.1)
             }
-            // The document speaks of all these together. A condition may stand around anything; where one is missing, the message says so.
-            Symptom::NotImplemented(_) => {
-                let operations = operations_of(program).into_iter();
-                let operations: Vec<String> = operations.filter(|one| one != "condition").collect();
-                operations.join(", ")
-            }
+            Symptom::NotImplemented(_) => work_of(program),
             Symptom::Text => difference(facts),
             _ => String::new(),
         };
@@ -106,6 +102,21 @@ impl Sign {
             _ => false,
         }
     }
+}
+
+/// Returns the operations of the statements of a program of which something is not implemented: the document speaks of all these
+/// together. A condition may stand around anything; where one is missing, the message says so.
+fn work_of(program: &str) -> String {
+    let all = tokens(program);
+    let statements: Vec<ProgramToken<'_>> = all
+        .iter()
+        .zip(in_declarations(&all))
+        .filter(|(_, is_declared)| !is_declared)
+        .map(|(token, _)| *token)
+        .collect();
+    let operations = operations(&statements, &own_functions(&all)).into_iter();
+    let operations: Vec<String> = operations.filter(|one| one != "condition").collect();
+    operations.join(", ")
 }
 
 /// Returns the kind of token at the place of the diagnostic with this code; the first words of its message where it has no
@@ -196,6 +207,11 @@ mod tests {
         };
         assert_eq!(of("IF a THEN b(x := c); END_IF;"), of("b(x := c);"));
         assert_ne!(of("b(x := INT_TO_REAL(c));"), of("b(x := c);"));
+        assert_eq!(
+            of("VAR a : ARRAY[0..1] OF INT; END_VAR b(x := c);"),
+            of("b(x := c);")
+        );
+        assert_ne!(of("b(x := a[0]);"), of("b(x := c);"));
     }
 
     #[test]
