@@ -104,6 +104,11 @@ impl Essence {
                 (Symptom::Value.word(), program.of_value(false).0, false)
             }
             Symptom::Hang => (sign.word(), program.loops(), false),
+            // A header that the compiler wrote is read before anything else, and what is said of it depends on what follows.
+            Symptom::Unusable(_) if unusable_header(&normal.deviation.got).is_some() => {
+                let header = unusable_header(&normal.deviation.got).unwrap_or_default();
+                (format!("unusable {header}"), BTreeSet::new(), false)
+            }
             Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
                 (format!("crash {words}"), BTreeSet::new(), false)
             }
@@ -181,6 +186,16 @@ impl Essence {
         let is_same = needs_no_more(&other.class, &other.features) && self.labels.is_subset(&other.labels);
         is_same || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
     }
+}
+
+/// Returns the name of the header that the engine wrote and a C compiler cannot read; `None` where it cannot read another file.
+fn unusable_header(got: &[Fact]) -> Option<&str> {
+    got.iter()
+        .find_map(|fact| match fact {
+            Fact::Unusable { reason } => reason.split_once(':').map(|(file, _)| file),
+            _ => None,
+        })
+        .filter(|file| file.ends_with(".h"))
 }
 
 /// Returns the properties of the values and types that a defect needs. Of unsigned numbers with the first bit of their type, which

@@ -335,7 +335,8 @@ impl<'p> MarkedProgram<'p> {
     /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
     /// the value is one that a variable begins with.
     pub(crate) fn of_value(&self, is_initial: bool) -> (BTreeSet<String>, bool) {
-        let mut features = operations(&self.tokens, &self.own);
+        let features = operations(&self.tokens, &self.own).into_iter();
+        let mut features: BTreeSet<String> = features.map(|one| of_numbers(&one)).collect();
         features.remove("call");
         // What is converted may have a sign before it.
         features.remove("sign");
@@ -376,6 +377,19 @@ impl<'p> MarkedProgram<'p> {
             }
         }
         (features, false)
+    }
+}
+
+/// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
+/// work, and numbers that one family does not have are properties of the value.
+fn of_numbers(operation: &str) -> String {
+    let side = |side: &str| match side {
+        "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
+        other => other.to_owned(),
+    };
+    match operation.split_once("_TO_") {
+        Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
+        _ => operation.to_owned(),
     }
 }
 

@@ -68,7 +68,13 @@ fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
     let is_negative = all
         .iter()
         .any(|token| token.text == "-" || token.text.contains("#-"));
-    let leaves = leaves_range(program, deviation) || is_negative && all.iter().any(into_unsigned);
+    let is_greater = |token: &ProgramToken<'_>| {
+        let range = converted(token).and_then(|(_, into)| into.integer_range());
+        range.is_some_and(|(_, most)| numbers(program).iter().any(|number| *number > most as f64))
+    };
+    let leaves = leaves_range(program, deviation)
+        || is_negative && all.iter().any(into_unsigned)
+        || all.iter().any(is_greater);
     all.iter().any(is_conversion) && computes == 1 && leaves
 }
 
@@ -280,6 +286,12 @@ mod tests {
                 "into := REAL_TO_ULINT(data); data : REAL := -9.223372E18;",
                 "ULINT#9223372036854775808",
                 "ULINT#0",
+                true,
+            ),
+            (
+                "into := REAL_TO_LINT(data); data : REAL := -9.223373E18;",
+                "LINT#9223370937343148032",
+                "LINT#-9223372036854775808",
                 true,
             ),
             (

@@ -419,3 +419,19 @@ fn a_function_that_a_parser_does_not_know_is_one_cause_whatever_it_is_given() {
     assert!(greatest.explains(&called("INT", "MIN(0, 0, 0)")));
     assert!(!greatest.explains(&called("INT", "LIMIT(0, 0, 0)")));
 }
+
+#[test]
+fn a_header_that_cannot_be_read_is_one_cause_whatever_is_said_of_it() {
+    let of = |reason: &str| {
+        let program = "PROGRAM p\nVAR\nx : INT;\nEND_VAR\nx := 0;\nEND_PROGRAM\n";
+        let reason = reason.to_owned();
+        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Unusable { reason }]);
+        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
+        let mut smallest = Smallest::rejected(program, 5, "");
+        smallest.deviation = Deviation { sign, expected, got };
+        Essence::of(&smallest, &Normal::unasked(&smallest))
+    };
+    let header = of("LOCATED.h:1:5: error: expected a semicolon before a type");
+    assert!(header.explains(&of("LOCATED.h:1:1: error: unknown type name here")));
+    assert!(!header.explains(&of("POUS.c:1:1: error: unknown type name here")));
+}
