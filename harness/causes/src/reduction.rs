@@ -139,6 +139,10 @@ fn operand_alone(
         if stop() {
             return Ok(None);
         }
+        // What a variable begins with is shown by a program that does nothing else.
+        if program.contains(&format!("data : {} :=", ty.name())) {
+            continue;
+        }
         let observe = [Observation::last("into", ty.name())];
         let Some(operand) = as_the_reference(case, &program, &observe) else {
             continue;
