@@ -243,8 +243,13 @@ impl<'p> MarkedProgram<'p> {
         features.remove("sign");
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
         let is_unknown_anywhere = self.is_unread && self.calls_library(&line);
-        if literals.is_empty() && operators.is_empty() && !is_unknown_anywhere {
-            features.insert(self.place().to_owned());
+        if literals.is_empty() && !is_unknown_anywhere {
+            let place = if operators.is_empty() {
+                self.place()
+            } else {
+                PLACES[2]
+            };
+            features.insert(place.to_owned());
         }
         if !operators.is_empty() {
             features.extend(operators);

@@ -379,6 +379,9 @@ fn an_operator_whose_types_are_refused_is_refused_in_a_declaration_too() {
     assert!(!declared.explains(&refused(&assigned.replace("0 + 0", "0"), 5)));
     let of_dates = assigned.replace("0 + 0", "D#2024-03-01 - D#2024-02-28");
     assert!(!declared.explains(&refused(&of_dates, 5)));
+    // What is refused without an operator is refused with one too.
+    let plain = refused(&assigned.replace("0 + 0", "0"), 5);
+    assert!(plain.explains(&refused(assigned, 5)));
 }
 
 #[test]
