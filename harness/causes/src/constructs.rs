@@ -2,7 +2,7 @@
 //! the construct at fault is still there, and nothing came in that the whole program does not have.
 
 use crate::names::DeclaredNames;
-use crate::operations::is_comparison;
+use crate::operations::{calculates, ends_operand, is_comparison};
 use crate::shape::{in_declarations, is_fixed, path};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
@@ -107,7 +107,7 @@ fn literals(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
 
 /// Returns whether a token is an operator whose operands are numbers, or that compares.
 fn takes_numbers(token: &ProgramToken<'_>) -> bool {
-    token.is("MOD") || matches!(token.text, "+" | "-" | "*" | "/" | "**") || is_comparison(token.text)
+    calculates(token) || is_comparison(token.text)
 }
 
 /// Returns the form of a literal.
@@ -243,11 +243,6 @@ fn undeclared(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
 
 /// Returns the operators before an operand and behind none, so that `a - b` does not become `-b`.
 fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
-    let ends_operand = |token: &ProgramToken<'_>| match token.kind {
-        ProgramTokenKind::Sign => matches!(token.text, ")" | "]"),
-        ProgramTokenKind::Word => !is_fixed(token.text) || token.is("TRUE") || token.is("FALSE"),
-        _ => true,
-    };
     let pairs = tokens.windows(2);
     let found = pairs.filter(|pair| matches!(pair[1].text, "+" | "-") && !ends_operand(&pair[0]));
     found.map(|pair| pair[1].text.to_owned()).collect()
@@ -256,21 +251,25 @@ fn unary(tokens: &[ProgramToken<'_>]) -> BTreeSet<String> {
 /// Returns the names of the constructs of a program that no document promises, or not every one: where the whole program does
 /// without one, a smaller program with it shows another mistake than the one under test.
 fn unpromised(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
+    let names = DeclaredNames::new(tokens);
     let found = [
         ("repetition of nothing", repeats_nothing(tokens)),
         ("empty statement", has_empty_statement(tokens)),
         ("expression as a statement", has_expression_as_statement(tokens)),
-        ("truth value for another type", becomes_truth_value(tokens)),
-        ("real number for an integer", becomes_real(tokens)),
+        (
+            "truth value for another type",
+            becomes_truth_value(tokens, &names),
+        ),
+        ("real number for an integer", becomes_real(tokens, &names)),
         ("initial value of a variable", begins_with_variable(tokens)),
         ("empty structure", has_empty_structure(tokens)),
         ("resource without a program", has_empty_resource(tokens)),
         ("task without a priority", has_task_without_priority(tokens)),
         (
             "global variable that is not external",
-            uses_global_directly(tokens),
+            uses_global_directly(tokens, &names),
         ),
-        ("input that is assigned", assigns_input(tokens)),
+        ("input that is assigned", assigns_input(tokens, &names)),
     ];
     let found = found.into_iter().filter(|(_, is_there)| *is_there);
     found.map(|(name, _)| name).collect()
@@ -331,8 +330,7 @@ fn unclosed(tokens: &[ProgramToken<'_>]) -> BTreeSet<&'static str> {
 }
 
 /// Returns whether a statement or a call assigns a variable or a truth value alone, and one side is a BOOL and the other is not.
-fn becomes_truth_value(tokens: &[ProgramToken<'_>]) -> bool {
-    let names = DeclaredNames::new(tokens);
+fn becomes_truth_value(tokens: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
     let is_truth_value = |token: &ProgramToken<'_>| match token.is("TRUE") || token.is("FALSE") {
         true => Some(true),
         false => Some(names.type_of(token)? == ElementaryType::Bool),
@@ -346,8 +344,7 @@ fn becomes_truth_value(tokens: &[ProgramToken<'_>]) -> bool {
 }
 
 /// Returns whether a real number is given to an integer, as where `x := -5` becomes `x := 0.0`.
-fn becomes_real(tokens: &[ProgramToken<'_>]) -> bool {
-    let names = DeclaredNames::new(tokens);
+fn becomes_real(tokens: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
     let is_real =
         |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Number && token.text.contains('.');
     let is_integer = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
@@ -414,8 +411,7 @@ fn has_task_without_priority(tokens: &[ProgramToken<'_>]) -> bool {
 /// Returns whether a body uses a global variable, and no unit declares an external one.
 ///
 /// Basis: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL).
-fn uses_global_directly(tokens: &[ProgramToken<'_>]) -> bool {
-    let names = DeclaredNames::new(tokens);
+fn uses_global_directly(tokens: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
     let is_global = |at: usize| names.globals.contains(&tokens[at].text.to_ascii_uppercase());
     let has_external = tokens.iter().any(|token| token.is("VAR_EXTERNAL"));
     !has_external && (0..tokens.len()).any(|at| !names.is_declared_at(at) && is_global(at))
@@ -424,8 +420,7 @@ fn uses_global_directly(tokens: &[ProgramToken<'_>]) -> bool {
 /// Returns whether a function or a function block assigns one of its own inputs.
 ///
 /// Basis: iec-61131-3: 6.5.2.2 (VAR_INPUT: not modifiable within the unit).
-fn assigns_input(tokens: &[ProgramToken<'_>]) -> bool {
-    let names = DeclaredNames::new(tokens);
+fn assigns_input(tokens: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
     let mut inputs = None;
     (1..tokens.len()).any(|at| {
         let (before, upper) = (&tokens[at - 1], tokens[at].text.to_ascii_uppercase());

@@ -40,7 +40,7 @@ impl Essence {
         let pattern = normal
             .way
             .or_else(|| numbers::number_pattern(&normal.program, &normal.deviation));
-        let is_value = sign.symptom == Symptom::Value;
+        let header = unusable_header(&normal.deviation.got);
         let (class, features, is_contained) = match &sign.symptom {
             Symptom::NotRejected(code) => {
                 let mut features = program.of_mistake(normal.is_unchecked);
@@ -105,9 +105,9 @@ impl Essence {
             }
             Symptom::Hang => (sign.word(), program.loops(), false),
             // A header that the compiler wrote is read before anything else, and what is said of it depends on what follows.
-            Symptom::Unusable(_) if unusable_header(&normal.deviation.got).is_some() => {
-                let header = unusable_header(&normal.deviation.got).unwrap_or_default();
-                (format!("unusable {header}"), BTreeSet::new(), false)
+            Symptom::Unusable(_) if header.is_some() => {
+                let class = format!("unusable {}", header.unwrap_or_default());
+                (class, BTreeSet::new(), false)
             }
             Symptom::Crash(words) | Symptom::Unusable(words) if words.split(' ').count() > 3 => {
                 (format!("crash {words}"), BTreeSet::new(), false)
@@ -152,9 +152,11 @@ impl Essence {
         Essence {
             class: format!("{by_chance}{}", class.trim_end()),
             features,
-            labels: match is_value && pattern.is_some() {
-                true => BTreeSet::new(),
-                false => labels(normal),
+            labels: match &sign.symptom {
+                Symptom::Value if pattern.is_some() => BTreeSet::new(),
+                // Nothing was asked of a fault.
+                Symptom::Fault(_) if program.mixes_kinds() => value_features(&normal.program),
+                _ => labels(normal),
             },
             is_contained,
             hidden: hidden.map(|(class, features)| (format!("{by_chance}{}", class.trim_end()), features)),
@@ -201,15 +203,11 @@ fn unusable_header(got: &[Fact]) -> Option<&str> {
 /// Returns the properties of the values and types that a defect needs. Of unsigned numbers with the first bit of their type, which
 /// some compilers take for a sign, the size does not matter where they are not converted.
 fn labels(normal: &Normal) -> BTreeSet<String> {
-    let mut labels = normal.labels.clone();
-    if matches!(normal.deviation.sign.symptom, Symptom::Fault(_)) {
-        return value_features(&normal.program);
-    }
     let types = valued_types(&tokens(&normal.program)).len();
-    if !labels.is_empty() && types == 1 && numbers::has_first_bit(&normal.program) {
-        labels = BTreeSet::from(["first bit of an unsigned number".to_owned()]);
+    match !normal.labels.is_empty() && types == 1 && numbers::has_first_bit(&normal.program) {
+        true => BTreeSet::from(["first bit of an unsigned number".to_owned()]),
+        false => normal.labels.clone(),
     }
-    labels
 }
 
 fn rejected(reason: &str, at: &str) -> String {

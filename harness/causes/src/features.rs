@@ -205,9 +205,12 @@ impl<'p> MarkedProgram<'p> {
 
     /// Returns whether a program converts between values of different kinds.
     pub(crate) fn mixes_kinds(&self) -> bool {
-        let kinds = valued_types(&self.tokens);
-        let kinds: BTreeSet<&str> = kinds.into_iter().filter_map(kind).collect();
-        kinds.len() > 1
+        self.kinds().len() > 1
+    }
+
+    /// Returns the kinds of the values of a program between which conversions are one piece of work.
+    fn kinds(&self) -> BTreeSet<&'static str> {
+        valued_types(&self.tokens).into_iter().filter_map(kind).collect()
     }
 
     /// Returns the kinds of loops of a program.
@@ -240,7 +243,6 @@ impl<'p> MarkedProgram<'p> {
             true => BTreeSet::new(),
             false => operators(&line),
         };
-        features.remove("sign");
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
         let is_unknown_anywhere = self.is_unread && self.calls_library(&line);
         if literals.is_empty() && !is_unknown_anywhere {
@@ -252,6 +254,7 @@ impl<'p> MarkedProgram<'p> {
             features.insert(place.to_owned());
         }
         if !operators.is_empty() {
+            features.remove("sign");
             features.extend(operators);
             features.extend(self.operand_kinds(&line));
         }
@@ -346,7 +349,7 @@ impl<'p> MarkedProgram<'p> {
         // What is converted may have a sign before it.
         features.remove("sign");
         let types = valued_types(&self.tokens);
-        let kinds: BTreeSet<&str> = types.iter().filter_map(|ty| kind(*ty)).collect();
+        let kinds = self.kinds();
         let is_initial = is_initial && self.has_initial_value();
         // A plain literal has the type of what begins with it.
         let converts = types.len() > 1 && (!is_initial || self.has_typed_literal());

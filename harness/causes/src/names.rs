@@ -108,6 +108,11 @@ impl DeclaredNames {
             .filter(|_| is_name)
     }
 
+    /// Returns the type of an operand that is a literal with its type or a variable.
+    pub(crate) fn type_of_operand(&self, token: &ProgramToken<'_>) -> Option<ElementaryType> {
+        prefix_type(token).or_else(|| self.type_of(token))
+    }
+
     /// Returns the written type of what the token at this place is given to by name.
     pub(crate) fn words(&self, tokens: &[ProgramToken<'_>], at: usize) -> Option<String> {
         let sign = at.checked_sub(1).filter(|before| tokens[*before].text == ":=")?;

@@ -174,7 +174,10 @@ impl NormalSearch<'_, '_> {
     fn operands(&mut self) -> Result<(), EngineError> {
         let whole = self.normal.program.clone();
         let own = is_unread(&self.normal.deviation.got).then(|| literals(&whole));
-        for Alone { program, ty, literal } in alone(&whole) {
+        for Alone {
+            program, ty, literal, ..
+        } in alone(&whole)
+        {
             if own.as_ref().is_some_and(|own| !literals(&program).is_subset(own)) {
                 continue;
             }

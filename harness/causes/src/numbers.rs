@@ -1,12 +1,11 @@
 //! Wrong values beside the numbers of their programs: whether a number left the range of a type, lost digits or kept too many, and
 //! whether a unit is the wrong one.
 
-use crate::literals::{kind, type_of_token};
+use crate::literals::{kind, type_of_token, valued_types};
 use crate::names::{DeclaredNames, converted, prefix_type};
 use crate::operations::operations_of;
-use crate::question::Deviation;
+use crate::question::{Deviation, wrong_values};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
-use stickler_run::Fact;
 use stickler_types::{ElementaryType, Family, Value};
 
 /// The milliseconds of a second.
@@ -52,19 +51,6 @@ fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
     let all = tokens(program);
     let into_unsigned =
         |token: &ProgramToken<'_>| converted(token).is_some_and(|(_, into)| into.family() != Family::Signed);
-    // Calls, elements and the sign of an operand compute nothing.
-    let beside = [
-        "sign",
-        "call",
-        "output argument",
-        "subscript or list",
-        "condition",
-    ];
-    let operations = operations_of(program);
-    let computes = operations
-        .iter()
-        .filter(|one| !beside.contains(&one.as_str()))
-        .count();
     let is_negative = all
         .iter()
         .any(|token| token.text == "-" || token.text.contains("#-"));
@@ -75,12 +61,28 @@ fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
     let leaves = leaves_range(program, deviation)
         || is_negative && all.iter().any(into_unsigned)
         || all.iter().any(is_greater);
-    all.iter().any(is_conversion) && computes == 1 && leaves
+    all.iter().any(is_conversion) && computed(program) == 1 && leaves
 }
 
-/// Returns whether a program has a FOR loop with a control variable of an integer type, and the greatest amount of that type.
+/// Returns the number of operations with which a program computes. Calls, elements, conditions and the sign of an operand are none.
+fn computed(program: &str) -> usize {
+    let beside = [
+        "sign",
+        "call",
+        "output argument",
+        "subscript or list",
+        "condition",
+    ];
+    let operations = operations_of(program).into_iter();
+    operations.filter(|one| !beside.contains(&one.as_str())).count()
+}
+
+/// Returns whether a program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
 fn counts_to_limit(program: &str) -> bool {
     let all = tokens(program);
+    if computed(program) > 0 || valued_types(&all).len() > 1 {
+        return false;
+    }
     let names = DeclaredNames::new(&all);
     let mut heads = all.windows(2).filter(|pair| pair[0].is("FOR"));
     heads.any(|pair| {
@@ -92,7 +94,7 @@ fn counts_to_limit(program: &str) -> bool {
 
 /// Returns whether a program converts to an integer by name, and the wrong value has the bits that the result has, with others before them.
 fn keeps_range(program: &str, deviation: &Deviation) -> bool {
-    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = wrong_values(deviation) else {
+    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = first_wrong(deviation) else {
         return false;
     };
     let has_bits_of = |token: &ProgramToken<'_>| {
@@ -107,7 +109,7 @@ fn keeps_range(program: &str, deviation: &Deviation) -> bool {
 
 /// Returns whether an integer literal of 64 bits is off by no more than an LREAL, which has 53 bits, can be off at its size.
 fn rounds_to_lreal(program: &str, deviation: &Deviation) -> bool {
-    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = wrong_values(deviation) else {
+    let Some((Value::Plain { ty, raw }, Value::Plain { raw: got, .. })) = first_wrong(deviation) else {
         return false;
     };
     let magnitude = match ty.family() {
@@ -181,21 +183,16 @@ fn kinds(program: &str) -> Vec<&'static str> {
     found
 }
 
-/// Returns the first number that a program has wrong: what it must be, and what it is.
-fn wrong_numbers(deviation: &Deviation) -> Option<(f64, f64)> {
-    let (value, other) = wrong_values(deviation)?;
-    Some((number(value)?, number(other)?))
+/// Returns the first value that a program has wrong: what it must be, and what it is.
+fn first_wrong(deviation: &Deviation) -> Option<(&Value, &Value)> {
+    let first = wrong_values(&deviation.expected, &deviation.got).next();
+    first.map(|(_, values)| values)
 }
 
-/// Returns the first value that a program has wrong: what it must be, and what it is.
-fn wrong_values(deviation: &Deviation) -> Option<(&Value, &Value)> {
-    let mut pairs = deviation.expected.iter().zip(&deviation.got);
-    pairs.find_map(|pair| match pair {
-        (Fact::Value { value, .. }, Fact::Value { value: other, .. }) if value != other => {
-            Some((value, other))
-        }
-        _ => None,
-    })
+/// Returns the first number that a program has wrong: what it must be, and what it is.
+fn wrong_numbers(deviation: &Deviation) -> Option<(f64, f64)> {
+    let (value, other) = first_wrong(deviation)?;
+    Some((number(value)?, number(other)?))
 }
 
 /// Returns a numeric value, or a duration in its unit, as a number; exact enough to compare magnitudes.
@@ -237,7 +234,7 @@ fn parsed(digits: &str) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::sign::Sign;
-    use stickler_run::{Grade, Verdict};
+    use stickler_run::{Fact, Grade, Verdict};
 
     fn deviation(expected: &str, got: &str) -> Deviation {
         let fact = |text: &str| Fact::Value {
@@ -305,6 +302,12 @@ mod tests {
                 "SINT#-127",
                 "SINT#0",
                 true,
+            ),
+            (
+                "VAR n : SINT; END_VAR FOR n := -127 TO -127 DO into := SINT_TO_INT(n); END_FOR;",
+                "INT#-127",
+                "INT#0",
+                false,
             ),
             (
                 "VAR n : INT; END_VAR FOR n := -127 TO -127 DO into := n; END_FOR;",

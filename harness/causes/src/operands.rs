@@ -3,7 +3,7 @@
 
 use crate::literals::special_literal;
 use crate::names::{DeclaredNames, converted, literal, prefix_type};
-use crate::operations::is_comparison;
+use crate::operations::{calculates, is_comparison};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_types::ElementaryType;
 
@@ -13,6 +13,8 @@ pub(crate) struct Alone {
     pub(crate) program: String,
     /// The type of the variable `into`, which shows the value of the operand.
     pub(crate) ty: ElementaryType,
+    /// The type of the variable `data`, where the operand is one.
+    pub(crate) data: Option<ElementaryType>,
     /// The literal, where the operand is one.
     pub(crate) literal: Option<String>,
 }
@@ -173,6 +175,7 @@ impl Alone {
 
     /// Assigns an expression, which may use the variable `data` with a type and an initial value.
     fn new(data: Option<(ElementaryType, Option<&str>)>, ty: ElementaryType, expression: &str) -> Alone {
+        let from = data.map(|(from, _)| from);
         let data = data.map(|(from, initial)| {
             let initial = initial.map(|value| format!(" := {value}")).unwrap_or_default();
             format!("    data : {}{initial};\n", from.name())
@@ -183,6 +186,7 @@ impl Alone {
                 "PROGRAM main\nVAR\n{data}    into : {name};\nEND_VAR\n    into := {expression};\nEND_PROGRAM\n"
             ),
             ty,
+            data: from,
             literal: None,
         }
     }
@@ -216,9 +220,7 @@ fn conversion(tokens: &[ProgramToken<'_>], at: usize, names: &DeclaredNames) -> 
 
 /// Returns the conversions of an operand to the type of the other, for the operator between operands of different types.
 fn mixed(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<Alone> {
-    let is_operator = matches!(tokens[at].text, "+" | "-" | "*" | "/" | "**")
-        || tokens[at].is("MOD")
-        || is_comparison(tokens[at].text);
+    let is_operator = calculates(&tokens[at]) || is_comparison(tokens[at].text);
     let operand = |place: Option<usize>| {
         let token = tokens.get(place?)?;
         match prefix_type(token) {
@@ -248,11 +250,9 @@ const fn is_number(ty: ElementaryType) -> bool {
 /// Returns the conversions of the operands of a calculation to the type of what is assigned, for the assignment sign before it.
 fn behind_arithmetic(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usize) -> Vec<Alone> {
     let expression = || tokens[at + 1..].iter().take_while(|token| token.text != ";");
-    let is_operator =
-        |token: &ProgramToken<'_>| matches!(token.text, "+" | "-" | "*" | "/" | "**") || token.is("MOD");
     let is_operand = |token: &ProgramToken<'_>| token.kind != ProgramTokenKind::Sign && !token.is("MOD");
     let is_calculation = tokens[at].text == ":="
-        && expression().all(|token| is_operand(token) || is_operator(token))
+        && expression().all(|token| is_operand(token) || calculates(token))
         && expression().filter(|token| is_operand(token)).count() > 1;
     let target = names
         .assigned(tokens, at)
@@ -260,7 +260,7 @@ fn behind_arithmetic(names: &DeclaredNames, tokens: &[ProgramToken<'_>], at: usi
     let Some(target) = target else {
         return Vec::new();
     };
-    let sources = expression().filter_map(|token| prefix_type(token).or_else(|| names.type_of(token)));
+    let sources = expression().filter_map(|token| names.type_of_operand(token));
     sources
         .filter(|source| *source != target && is_number(*source))
         .map(|source| Alone::copied(source, target, names.some_value(source).as_deref()))

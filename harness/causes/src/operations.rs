@@ -49,6 +49,20 @@ pub(crate) fn operations(tokens: &[ProgramToken<'_>], own: &BTreeSet<String>) ->
 /// The words that begin a loop.
 pub(crate) const LOOPS: [&str; 3] = ["FOR", "WHILE", "REPEAT"];
 
+/// Returns whether a token is an operator that calculates with numbers.
+pub(crate) fn calculates(token: &ProgramToken<'_>) -> bool {
+    token.is("MOD") || matches!(token.text, "+" | "-" | "*" | "/" | "**")
+}
+
+/// Returns whether an operand may end with a token, so that a sign behind it is an operator between two operands.
+pub(crate) fn ends_operand(token: &ProgramToken<'_>) -> bool {
+    match token.kind {
+        ProgramTokenKind::Sign => matches!(token.text, ")" | "]"),
+        ProgramTokenKind::Word => !is_fixed(token.text) || token.is("TRUE") || token.is("FALSE"),
+        _ => true,
+    }
+}
+
 /// Returns whether a sign compares.
 pub(crate) fn is_comparison(sign: &str) -> bool {
     matches!(sign, "=" | "<>" | "<" | ">" | "<=" | ">=")
@@ -60,11 +74,9 @@ fn sign(
     before: Option<&ProgramToken<'_>>,
     next: Option<&ProgramToken<'_>>,
 ) -> Option<&'static str> {
-    let is_operand =
-        |token: &ProgramToken<'_>| token.kind != ProgramTokenKind::Sign || matches!(token.text, ")" | "]");
     let is_name = |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Word && !is_fixed(token.text);
     match token.text {
-        "+" | "-" if before.is_some_and(is_operand) => Some("arithmetic"),
+        "+" | "-" if before.is_some_and(ends_operand) => Some("arithmetic"),
         // The sign of a literal is a part of it.
         "+" | "-" if next.is_some_and(|next| next.text == "(" || is_name(next)) => Some("sign"),
         "*" | "/" => Some("arithmetic"),

@@ -135,12 +135,7 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
         return Some(promises);
     }
     if has(LONG) {
-        let is_duration = |token: &ProgramToken<'_>| type_of_token(token) == Some(ElementaryType::Ltime);
-        return Some(if line.iter().any(is_duration) {
-            DURATIONS
-        } else {
-            MOMENTS
-        });
+        return line.iter().find_map(of_typed);
     }
     if line.iter().any(|token| token.text == "{") {
         return Some(PRAGMAS);
@@ -205,11 +200,7 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
         |token: &ProgramToken<'_>| token.kind == ProgramTokenKind::Typed && !token.text.contains(['\'', '"']);
     let assigns_only = line.len() == 4 && line[1].text == ":=";
     if assigns_only && is_typed(&line[2]) {
-        return Some(match type_of_token(&line[2]).and_then(kind) {
-            Some("duration") => DURATIONS,
-            Some("date or time") => MOMENTS,
-            _ => NUMBERS,
-        });
+        return of_typed(&line[2]).or(Some(NUMBERS));
     }
     let calls = pair(&line, |word, next| {
         word.kind == ProgramTokenKind::Word && next.text == "("
@@ -217,6 +208,16 @@ fn of_rejection(shown: &Smallest, essence: &Essence) -> Option<&'static [&'stati
     match has("VAR_IN_OUT") && !calls {
         true => Some(IN_OUT),
         false => of_function(&line, &all),
+    }
+}
+
+/// Returns who promises a duration, a date or a time of day that is written with its type.
+fn of_typed(token: &ProgramToken<'_>) -> Option<&'static [&'static str]> {
+    let is_typed = token.kind == ProgramTokenKind::Typed;
+    match type_of_token(token).filter(|_| is_typed).and_then(kind)? {
+        "duration" => Some(DURATIONS),
+        "date or time" => Some(MOMENTS),
+        _ => None,
     }
 }
 

@@ -5,9 +5,11 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
-use stickler_run::{AnswerStore, Answers, CaseJudge, Fact, Reproducer, Symptom, ask, ask_stored, question};
+use stickler_run::{
+    AnswerStore, Answers, CaseJudge, Fact, Reproducer, Symptom, Verdict, ask, ask_stored, question,
+};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
-use stickler_types::{NamedValue, Observation, Outcome, RunRequest};
+use stickler_types::{NamedValue, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
@@ -51,6 +53,20 @@ pub(crate) struct Deviation {
     pub(crate) sign: Sign,
     pub(crate) expected: Vec<Fact>,
     pub(crate) got: Vec<Fact>,
+}
+
+/// Returns the values that a program has wrong, by the names of their variables: what each must be, and what it is.
+pub(crate) fn wrong_values<'f>(
+    expected: &'f [Fact],
+    got: &'f [Fact],
+) -> impl Iterator<Item = (&'f str, (&'f Value, &'f Value))> {
+    let values = expected.iter().zip(got).filter_map(|pair| match pair {
+        (Fact::Value { name, value }, Fact::Value { value: other, .. }) => {
+            Some((name.as_str(), (value, other)))
+        }
+        _ => None,
+    });
+    values.filter(|(_, (value, other))| value != other)
 }
 
 impl Deviation {
@@ -138,9 +154,15 @@ impl Questioner<'_> {
             return Ok(answers);
         }
         let checked = self.session.check(case.dialect, &case.source)?;
-        Ok(match checked {
-            Outcome::Accepted { .. } => Answers::of_run(checked),
-            _ => answers,
+        if !matches!(checked, Outcome::Accepted { .. }) {
+            return Ok(answers);
+        }
+        // Where no source that binds the engine forbids the program, that it dies is all that is wrong.
+        let accepted = Answers::of_run(checked);
+        let judged = self.judge.judgement(case, &accepted);
+        Ok(match judged.verdict {
+            Verdict::Differs => answers,
+            _ => accepted,
         })
     }
 }

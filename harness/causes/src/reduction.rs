@@ -2,13 +2,13 @@
 
 use crate::constructs::Constructs;
 use crate::operands::{Alone, alone};
-use crate::question::{Deviation, Questioner, as_the_reference, with_program};
+use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::Case;
-use stickler_types::{Observation, Value};
+use stickler_types::Observation;
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
 const REPEATS: u32 = 4;
@@ -135,13 +135,11 @@ fn operand_alone(
     if unreduced.deviation.sign.symptom != Symptom::Value {
         return Ok(None);
     }
-    for Alone { program, ty, .. } in alone(&unreduced.program) {
+    // What a variable begins with is shown by a program that does nothing else.
+    let operands = alone(&unreduced.program).into_iter();
+    for Alone { program, ty, .. } in operands.filter(|one| one.data != Some(one.ty)) {
         if stop() {
             return Ok(None);
-        }
-        // What a variable begins with is shown by a program that does nothing else.
-        if program.contains(&format!("data : {} :=", ty.name())) {
-            continue;
         }
         let observe = [Observation::last("into", ty.name())];
         let Some(operand) = as_the_reference(case, &program, &observe) else {
@@ -171,19 +169,8 @@ fn operand_alone(
 
 /// Returns whether the first value that a program has wrong is one that the case has wrong, whatever their variables are called.
 fn has_same_values(event: &CaseEvent, seen: &Deviation) -> bool {
-    let wrong = |expected: &[Fact], got: &[Fact]| -> Vec<(Value, Value)> {
-        let pairs = expected.iter().zip(got);
-        let values = pairs.filter_map(|pair| match pair {
-            (Fact::Value { value, .. }, Fact::Value { value: other, .. }) => {
-                Some((value.clone(), other.clone()))
-            }
-            _ => None,
-        });
-        values.filter(|(wanted, reported)| wanted != reported).collect()
-    };
-    let whole = wrong(&event.expected, &event.got);
-    let now = wrong(&seen.expected, &seen.got);
-    now.first().is_some_and(|pair| whole.contains(pair))
+    let first = wrong_values(&seen.expected, &seen.got).next();
+    first.is_some_and(|(_, pair)| wrong_values(&event.expected, &event.got).any(|(_, other)| other == pair))
 }
 
 /// Returns whether a program stopped with a fault, as one does that is accepted and divides by a variable which lost its value.
@@ -194,20 +181,9 @@ fn has_fault(got: &[Fact]) -> bool {
 /// Returns whether a program has a value wrong in the way in which the case has it: what it must be, and what it is. Of what is no
 /// value, the sign says the way.
 fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
-    let wrong = |expected: &[Fact], got: &[Fact]| -> Vec<(Fact, Fact)> {
-        let pairs = expected.iter().cloned().zip(got.iter().cloned());
-        pairs
-            .filter(|(wanted, reported)| {
-                wanted != reported
-                    && [wanted, reported]
-                        .iter()
-                        .all(|fact| matches!(fact, Fact::Value { .. }))
-            })
-            .collect()
-    };
-    let whole = wrong(&event.expected, &event.got);
-    let now = wrong(&seen.expected, &seen.got);
-    now.is_empty() || now.iter().any(|pair| whole.contains(pair))
+    let mut now = wrong_values(&seen.expected, &seen.got).peekable();
+    now.peek().is_none()
+        || now.any(|value| wrong_values(&event.expected, &event.got).any(|other| other == value))
 }
 
 /// Runs the case with the smallest program several times, and fills in what the engine does with it.

@@ -1,8 +1,8 @@
 //! Programs with other statements in a body: one that only names a variable, or two in the place of one.
 
-use crate::names::{DeclaredNames, prefix_type};
+use crate::names::DeclaredNames;
 use crate::operands::without_unused;
-use crate::operations::is_comparison;
+use crate::operations::{calculates, is_comparison};
 use crate::shape::path;
 use crate::tokens::{ProgramToken, tokens};
 use std::ops::Range;
@@ -65,20 +65,18 @@ pub(crate) fn in_two_steps(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
     let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
-    let ty = |token: &ProgramToken<'_>| prefix_type(token).or_else(|| names.type_of(token));
     for body in bodies(&all) {
         for at in body.clone() {
             let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
                 break;
             };
-            let is_operator = matches!(operator.text, "+" | "-" | "*" | "/" | "**") || operator.is("MOD");
-            if all[at].text != ":=" || !is_operator || end.text != ";" {
+            if all[at].text != ":=" || !calculates(operator) || end.text != ";" {
                 continue;
             }
-            let (Some(own), Some(target)) = (ty(left), names.assigned(&all, at)) else {
+            let (Some(own), Some(target)) = (names.type_of_operand(left), names.assigned(&all, at)) else {
                 continue;
             };
-            if ty(right) != Some(own) || target == own {
+            if names.type_of_operand(right) != Some(own) || target == own {
                 continue;
             }
             let (first, from, until) = (offset(&all[body.start]), offset(left), offset(end));
@@ -103,12 +101,14 @@ pub(crate) fn turned_round(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
     let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
-    let ty = |token: &ProgramToken<'_>| prefix_type(token).or_else(|| names.type_of(token));
     let mut comparisons = all.windows(4);
     let found = comparisons.find(|four| {
         four[0].text == ":="
             && is_comparison(four[2].text)
-            && ty(&four[1]).is_some_and(|left| ty(&four[3]).is_some_and(|right| left != right))
+            && match (names.type_of_operand(&four[1]), names.type_of_operand(&four[3])) {
+                (Some(left), Some(right)) => left != right,
+                _ => false,
+            }
     })?;
     let turned = match found[2].text {
         "<" => ">",

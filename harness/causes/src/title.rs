@@ -24,7 +24,7 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     let line = |number: Option<u32>| {
         let line = number.and_then(|number| program.lines().nth(number.checked_sub(1)? as usize));
         let is_told = |line: &&str| !line.trim_matches([' ', '\t', ';']).is_empty();
-        let is_empty = || !program.lines().any(|one| weight(one) > 0 && !one.contains(':'));
+        let is_empty = || statements(program).is_empty();
         match line.filter(|line| is_told(line) || line.trim() == ";" && is_empty()) {
             Some(line) => described(program, line),
             None => described(program, culprit(program)),
@@ -259,7 +259,10 @@ fn clipped(text: &str) -> String {
 fn described(program: &str, line: &str) -> String {
     // A reduced program may have its end on the line of a statement.
     let code = line.split_once(";END_").map_or(line, |(code, _)| code);
-    let code = code.trim().trim_end_matches(';').trim_end();
+    let code = match code.trim().trim_end_matches(';').trim_end() {
+        "" => code.trim(),
+        code => code,
+    };
     let mut types = Vec::new();
     for token in tokens(code) {
         let declared = declared_as(program, &token).filter(|_| !declares(code, token.text));
@@ -346,17 +349,7 @@ fn culprit(program: &str) -> &str {
 /// Returns the line of a small program that an engine does not implement, by what it says: a statement with a variable that the
 /// message quotes, best with a part of it, or else the first of the statements with most to them, since calls of a body stand behind it.
 pub(crate) fn unimplemented<'p>(program: &'p str, got: &[Fact]) -> &'p str {
-    let all = tokens(program);
-    let declared = in_declarations(&all);
-    let is_declared = |number: u32| {
-        let mut places = all.iter().zip(&declared);
-        places.any(|(token, declared)| token.line == number && *declared)
-    };
-    let statements = || {
-        let lines = program.lines().zip(1..);
-        let statements = lines.filter(|(line, number)| weight(line) > 0 && !is_declared(*number));
-        statements.map(|(line, _)| line)
-    };
+    let statements = statements(program);
     let message = got.iter().find_map(|fact| match fact {
         Fact::NotImplemented { reason, .. } => Some(reason.as_str()),
         _ => None,
@@ -369,10 +362,8 @@ pub(crate) fn unimplemented<'p>(program: &'p str, got: &[Fact]) -> &'p str {
             pairs.any(|pair| pair[0].is(name) && matches!(pair[1].text, "." | "["))
         };
         let has_name = |line: &&str| tokens(line).iter().any(|token| token.is(name));
-        if let Some(line) = statements()
-            .find(has_part)
-            .or_else(|| statements().find(has_name))
-        {
+        let mut found = statements.iter().copied();
+        if let Some(line) = found.clone().find(has_part).or_else(|| found.find(has_name)) {
             return line;
         }
     }
@@ -383,9 +374,22 @@ pub(crate) fn unimplemented<'p>(program: &'p str, got: &[Fact]) -> &'p str {
             .any(|token| matches!(token.text, "[" | "(" | "."));
         (has_more, weight(line))
     };
-    let most = statements().map(named).max();
-    let first = statements().find(|line| Some(named(line)) == most);
+    let most = statements.iter().map(|line| named(line)).max();
+    let first = statements.into_iter().find(|line| Some(named(line)) == most);
     first.unwrap_or_else(|| culprit(program))
+}
+
+/// Returns the lines of statements of a program that are no frame.
+fn statements(program: &str) -> Vec<&str> {
+    let all = tokens(program);
+    let declared = in_declarations(&all);
+    let is_declared = |number: u32| {
+        let mut places = all.iter().zip(&declared);
+        places.any(|(token, declared)| token.line == number && *declared)
+    };
+    let lines = program.lines().zip(1..);
+    let statements = lines.filter(|(line, number)| weight(line) > 0 && !is_declared(*number));
+    statements.map(|(line, _)| line).collect()
 }
 
 /// Returns how much there is to a line: nothing to a frame, little to a plain assignment.
@@ -473,6 +477,18 @@ mod tests {
             "REPEAT\n        EXIT;\n    UNTIL fb.v\n    END_REPEAT;",
         );
         assert_eq!(unimplemented(&until, &got).trim(), "UNTIL fb.v");
+    }
+
+    #[test]
+    fn a_semicolon_is_at_fault_where_no_other_statement_is() {
+        let of = |statement: &str| {
+            let program = format!("PROGRAM p\nVAR\nx : INT;\nEND_VAR\n{statement};\nEND_PROGRAM\n");
+            title(&Smallest::rejected(&program, 5, "E1"), true)
+        };
+        assert_eq!(of(""), "`;` is rejected: E1 no");
+        let beside = "PROGRAM p\nVAR\nx : INT;\nEND_VAR\n;\nx := 0;\nEND_PROGRAM\n";
+        let title = title(&Smallest::rejected(beside, 5, "E1"), true);
+        assert!(title.starts_with("`x := 0`"), "{title}");
     }
 
     #[test]

@@ -5,6 +5,20 @@ use crate::question::Deviation;
 use crate::title::title;
 use stickler_types::{Diagnostic, ElementaryType, Value};
 
+/// Returns a small program with which an engine did something else than was expected.
+fn deviating(program: &str, expected: Vec<Fact>, got: Vec<Fact>, strict: Grade) -> Smallest {
+    let sign = Sign::of(program, Verdict::Fail, (&expected, &got), strict);
+    Smallest {
+        deviation: Deviation { sign, expected, got },
+        ..Smallest::rejected(program, 5, "")
+    }
+}
+
+/// Returns what matters of a small program of which nothing was asked.
+fn unasked(smallest: &Smallest) -> Essence {
+    Essence::of(smallest, &Normal::unasked(smallest))
+}
+
 /// Returns what matters of a program that assigns an expression to a variable, and is accepted where this code had to be reported.
 fn accepted(ty: &str, expression: &str, code: &str) -> Essence {
     let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {expression};\nEND_PROGRAM\n");
@@ -13,11 +27,8 @@ fn accepted(ty: &str, expression: &str, code: &str) -> Essence {
         code: Some(code.to_owned()),
         ..Diagnostic::default()
     });
-    let (expected, got) = (vec![mistake], vec![Fact::Accepted]);
-    let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
-    let mut smallest = Smallest::rejected(&program, 5, "");
-    smallest.deviation = Deviation { sign, expected, got };
-    Essence::of(&smallest, &Normal::unasked(&smallest))
+    let smallest = deviating(&program, vec![mistake], vec![Fact::Accepted], Grade::Line);
+    unasked(&smallest)
 }
 
 #[test]
@@ -32,7 +43,7 @@ fn a_typed_literal_with_a_sign_is_one_cause_wherever_it_stands() {
         5,
         "P0002",
     );
-    let essence = |smallest: &Smallest| Essence::of(smallest, &Normal::unasked(smallest));
+    let essence = unasked;
     assert!(essence(&initial).explains(&essence(&assigned)));
     assert_eq!(essence(&initial).construct(), "typed literal with a sign");
     let own = Smallest::rejected(
@@ -63,7 +74,7 @@ fn a_declaration_is_told_by_the_section_that_its_own_line_begins() {
                 reported.column = Some(9);
             }
         }
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        unasked(&smallest)
     };
     let apart = of("TYPE\nE : WORD;\nEND_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 2);
     assert_eq!(apart.construct(), "type");
@@ -83,24 +94,21 @@ fn a_declaration_is_told_by_the_section_that_its_own_line_begins() {
         2,
         "P0002",
     );
-    let alias = Essence::of(&alias, &Normal::unasked(&alias));
-    assert!(alias.explains(&Essence::of(&elsewhere, &Normal::unasked(&elsewhere))));
+    let alias = unasked(&alias);
+    assert!(alias.explains(&unasked(&elsewhere)));
     assert!(apart.explains(&of("TYPE E : WORD; END_TYPE\nPROGRAM p\n;\nEND_PROGRAM\n", 1)));
 }
 
 #[test]
 fn a_literal_that_is_not_known_is_one_cause_whatever_is_said_of_its_place() {
     let said = |program: &str, line: u32, message: &str| {
-        let mut smallest = Smallest::rejected(program, line, "P0");
         let reported = Diagnostic {
             line: Some(line),
             message: message.to_owned(),
             ..Diagnostic::default()
         };
-        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
-        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
-        smallest.deviation = Deviation { sign, expected, got };
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        let got = vec![Fact::Diagnostic(reported)];
+        unasked(&deviating(program, vec![Fact::Accepted], got, Grade::Line))
     };
     let initial = "PROGRAM p\nVAR\nx : LREAL := 1.0E308;\nEND_VAR\nx := x;\nEND_PROGRAM\n";
     let assigned = "PROGRAM p\nVAR\nx : LREAL;\nEND_VAR\nx := 1.0E308;\nEND_PROGRAM\n";
@@ -113,7 +121,7 @@ fn a_literal_that_is_not_known_is_one_cause_whatever_is_said_of_its_place() {
     let unread = |literal: &str| {
         let program = initial.replace("1.0E308", literal);
         let smallest = Smallest::rejected(&program, 3, "P0002");
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        unasked(&smallest)
     };
     assert!(unread("STRING#''").explains(&unread("CHAR#'a'")));
     assert!(!unread("BOOL#0").explains(&unread("CHAR#'a'")));
@@ -181,11 +189,13 @@ fn diagnostic(code: &str, column: Option<u32>) -> Fact {
 
 /// Returns what matters of a program with a mistake of this code on its fifth line, of which an engine says something else.
 fn rejected_otherwise(program: &str, code: &str, (said, column): (&str, u32)) -> Essence {
-    let (expected, got) = (vec![diagnostic(code, None)], vec![diagnostic(said, Some(column))]);
-    let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Code);
-    let mut smallest = Smallest::rejected(program, 5, said);
-    smallest.deviation = Deviation { sign, expected, got };
-    Essence::of(&smallest, &Normal::unasked(&smallest))
+    let smallest = deviating(
+        program,
+        vec![diagnostic(code, None)],
+        vec![diagnostic(said, Some(column))],
+        Grade::Code,
+    );
+    unasked(&smallest)
 }
 
 #[test]
@@ -202,10 +212,12 @@ fn a_literal_that_is_too_large_to_be_read_is_one_cause_and_explains_nothing_else
     assert!(large.explains(&rejected_otherwise(program, "P2026", ("P0002", 1))));
     // A valid statement that is rejected at its semicolon explains no other one.
     let moment = "PROGRAM p\nVAR\nx : TOD;\nEND_VAR\nx := TOD#00:00:00;\nEND_PROGRAM\n";
-    let (expected, got) = (vec![Fact::Accepted], vec![diagnostic("P0002", Some(18))]);
-    let sign = Sign::of(moment, Verdict::Fail, (&expected, &got), Grade::Code);
-    let mut moment = Smallest::rejected(moment, 5, "P0002");
-    moment.deviation = Deviation { sign, expected, got };
+    let moment = deviating(
+        moment,
+        vec![Fact::Accepted],
+        vec![diagnostic("P0002", Some(18))],
+        Grade::Code,
+    );
     let normal = Normal {
         innocent: vec!["TOD#00:00:00".to_owned()],
         ..Normal::unasked(&moment)
@@ -234,11 +246,8 @@ fn an_instance_is_told_apart_from_the_variable_of_var_in_out_that_is_passed_to_i
             reason: "P9999: not yet".to_owned(),
             promised_by: None,
         };
-        let (expected, got) = (vec![Fact::Accepted], vec![lacking]);
-        let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
-        let mut smallest = Smallest::rejected(&program, 5, "");
-        smallest.deviation = Deviation { sign, expected, got };
-        Essence::of(&smallest, &Normal::unasked(&smallest)).construct()
+        let smallest = deviating(&program, vec![Fact::Accepted], vec![lacking], Grade::Line);
+        unasked(&smallest).construct()
     };
     assert_eq!(missing("VAR_INPUT"), "instance of a function block");
     assert_eq!(missing("VAR_IN_OUT"), "VAR_IN_OUT, instance of a function block");
@@ -251,10 +260,7 @@ fn a_place_that_converts_nothing_is_one_cause_whatever_the_types() {
             name: name.to_owned(),
             value: Value::plain(ElementaryType::Int, raw),
         };
-        let (expected, got) = (vec![fact(2)], vec![fact(0)]);
-        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
-        let mut smallest = Smallest::rejected(program, 3, "");
-        smallest.deviation = Deviation { sign, expected, got };
+        let smallest = deviating(program, vec![fact(2)], vec![fact(0)], Grade::Line);
         // The program without its statements assigns the variable to itself.
         let normal = Normal {
             program: program.replace("d := TRUE", "x := x"),
@@ -310,10 +316,7 @@ fn computed(declarations: &str, statement: &str, got: Fact, labels: &[&str]) -> 
         name: "r".to_owned(),
         value: Value::plain(ElementaryType::Bool, raw),
     };
-    let (expected, got) = (vec![truth(1)], vec![got, truth(0)]);
-    let sign = Sign::of(&program, Verdict::Fail, (&expected, &got), Grade::Line);
-    let mut smallest = Smallest::rejected(&program, 3, "");
-    smallest.deviation = Deviation { sign, expected, got };
+    let smallest = deviating(&program, vec![truth(1)], vec![got, truth(0)], Grade::Line);
     let normal = Normal {
         labels: labels.iter().map(|label| (*label).to_owned()).collect(),
         ..Normal::unasked(&smallest)
@@ -358,16 +361,13 @@ fn the_size_of_unsigned_numbers_with_the_first_bit_does_not_matter_where_they_ar
 #[test]
 fn an_operator_whose_types_are_refused_is_refused_in_a_declaration_too() {
     let refused = |program: &str, line: u32| {
-        let mut smallest = Smallest::rejected(program, line, "");
         let reported = Diagnostic {
             line: Some(line),
             message: "Cannot assign".to_owned(),
             ..Diagnostic::default()
         };
-        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
-        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
-        smallest.deviation = Deviation { sign, expected, got };
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        let got = vec![Fact::Diagnostic(reported)];
+        unasked(&deviating(program, vec![Fact::Accepted], got, Grade::Line))
     };
     let declared = refused(
         "PROGRAM p\nVAR\nx : UDINT := 0 + 0;\nEND_VAR\nx := x;\nEND_PROGRAM\n",
@@ -402,7 +402,7 @@ fn a_function_that_a_parser_does_not_know_is_one_cause_whatever_it_is_given() {
             "PROGRAM p\nVAR\n{declared} x : DT;\nEND_VAR\nx := DATE_TO_DT({operand});\nEND_PROGRAM\n"
         );
         let smallest = Smallest::rejected(&program, 5, "P0002");
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        unasked(&smallest)
     };
     let variable = given("d : DATE;", "d");
     assert!(variable.explains(&given("", "DATE#2024-03-01")));
@@ -410,7 +410,7 @@ fn a_function_that_a_parser_does_not_know_is_one_cause_whatever_it_is_given() {
     let called = |ty: &str, call: &str| {
         let program = format!("PROGRAM p\nVAR\nx : {ty};\nEND_VAR\nx := {call};\nEND_PROGRAM\n");
         let smallest = Smallest::rejected(&program, 5, "P4017");
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        unasked(&smallest)
     };
     let to_truth = called("BOOL", "REAL_TO_BOOL(0.0)");
     assert!(to_truth.explains(&called("REAL", "BOOL_TO_REAL(FALSE)")));
@@ -428,11 +428,13 @@ fn a_header_that_cannot_be_read_is_one_cause_whatever_is_said_of_it() {
     let of = |reason: &str| {
         let program = "PROGRAM p\nVAR\nx : INT;\nEND_VAR\nx := 0;\nEND_PROGRAM\n";
         let reason = reason.to_owned();
-        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Unusable { reason }]);
-        let sign = Sign::of(program, Verdict::Fail, (&expected, &got), Grade::Line);
-        let mut smallest = Smallest::rejected(program, 5, "");
-        smallest.deviation = Deviation { sign, expected, got };
-        Essence::of(&smallest, &Normal::unasked(&smallest))
+        let smallest = deviating(
+            program,
+            vec![Fact::Accepted],
+            vec![Fact::Unusable { reason }],
+            Grade::Line,
+        );
+        unasked(&smallest)
     };
     let header = of("LOCATED.h:1:5: error: expected a semicolon before a type");
     assert!(header.explains(&of("LOCATED.h:1:1: error: unknown type name here")));
