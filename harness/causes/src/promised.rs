@@ -446,6 +446,8 @@ mod tests {
             Some(INITIAL_VALUES)
         );
         assert_eq!(of_value(&essence(&["STRUCT", "initial value"])), Some(FIELDS));
+        assert_eq!(of_value(&essence(&["conversion real"])), Some(REAL_WIDENING));
+        assert_eq!(of_value(&essence(&["conversion real", "LREAL_TO_real"])), None);
         assert_eq!(
             of_value(&essence(&["TIME#", "assigned value", "duration"])),
             Some(DURATIONS)

@@ -233,6 +233,7 @@ mod tests {
             of("r := BYTE#0 <= b;").as_deref(),
             Some("VAR a : BYTE; b : INT; r : BOOL; END_VAR r := b >= BYTE#0;")
         );
+        assert!(of("r := a < b;").is_some_and(|turned| turned.ends_with("r := b > a;")));
         assert!(of("r := a = b;").is_some_and(|turned| turned.ends_with("r := b = a;")));
         assert_eq!(of("r := b < b;"), None);
         assert_eq!(of("r := a < b + b;"), None);

@@ -377,8 +377,10 @@ fn an_operator_whose_types_are_refused_is_refused_in_a_declaration_too() {
     assert!(declared.explains(&refused(assigned, 5)));
     assert!(declared.explains(&refused(&assigned.replace("0 + 0", "+0"), 5)));
     assert!(!declared.explains(&refused(&assigned.replace("0 + 0", "0"), 5)));
-    let of_dates = assigned.replace("0 + 0", "D#2024-03-01 - D#2024-02-28");
-    assert!(!declared.explains(&refused(&of_dates, 5)));
+    let of_dates = assigned
+        .replace("UDINT;", "TIME;\nd : DATE;")
+        .replace("0 + 0", "d - d");
+    assert!(!declared.explains(&refused(&of_dates, 6)));
     // What is refused without an operator is refused with one too.
     let plain = refused(&assigned.replace("0 + 0", "0"), 5);
     assert!(plain.explains(&refused(assigned, 5)));
@@ -439,4 +441,54 @@ fn a_header_that_cannot_be_read_is_one_cause_whatever_is_said_of_it() {
     let header = of("LOCATED.h:1:5: error: expected a semicolon before a type");
     assert!(header.explains(&of("LOCATED.h:1:1: error: unknown type name here")));
     assert!(!header.explains(&of("POUS.c:1:1: error: unknown type name here")));
+}
+
+#[test]
+fn a_conversion_by_name_is_wrong_whatever_is_computed_beside_it_and_whichever_integers_it_gives() {
+    let wrong = || Fact::OtherValue { name: "r".to_owned() };
+    let of = |ty: &str, expression: &str| {
+        let declarations = format!("r : {ty}; a, b : REAL;");
+        computed(
+            &declarations,
+            &format!("r := {expression};"),
+            wrong(),
+            &["fraction"],
+        )
+    };
+    let alone = of("INT", "REAL_TO_INT(a)");
+    assert!(alone.explains(&of("INT", "REAL_TO_INT(a + b)")));
+    assert!(alone.explains(&of("UDINT", "REAL_TO_UDINT(a)")));
+    assert!(!alone.explains(&of("INT", "TRUNC(a)")));
+}
+
+#[test]
+fn both_directions_of_a_shift_and_both_places_of_an_escape_are_one_cause_each() {
+    let wrong = || Fact::OtherValue { name: "r".to_owned() };
+    let shifted = |function: &str| computed("r : WORD;", &format!("r := {function}(r, 16);"), wrong(), &[]);
+    assert!(shifted("SHL").explains(&shifted("SHR")) && shifted("ROL").explains(&shifted("ROR")));
+    assert!(!shifted("SHL").explains(&shifted("ROL")));
+    let assigned = computed("r : STRING;", "r := '$80';", wrong(), &[]);
+    let begins = computed("r : STRING := '$80';", "r := r;", wrong(), &[]);
+    assert!(assigned.explains(&begins));
+}
+
+#[test]
+fn loops_that_do_not_end_are_one_cause_for_each_kind_of_loop() {
+    let of = |statement: &str| {
+        let program = format!("PROGRAM p\nVAR\nx : INT;\nEND_VAR\n{statement}\nEND_PROGRAM\n");
+        let endless = vec![Fact::TimedOut { after_ms: 1000 }];
+        let sign = Sign::of(
+            &program,
+            Verdict::Timeout,
+            (&[Fact::Accepted], &endless),
+            Grade::Line,
+        );
+        let mut smallest = deviating(&program, vec![Fact::Accepted], endless, Grade::Line);
+        smallest.deviation.sign = sign;
+        (unasked(&smallest), title(&smallest, false))
+    };
+    let (up, title) = of("FOR x := 1 TO 2 DO\nx := x + 1;\nEND_FOR;");
+    assert!(title.starts_with("`FOR x := 1 TO 2 DO`"), "{title}");
+    assert!(up.explains(&of("FOR x := 2 TO 1 BY -1 DO x := x; END_FOR;").0));
+    assert!(!up.explains(&of("WHILE x < 2 DO x := x; END_WHILE;").0));
 }

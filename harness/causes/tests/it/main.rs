@@ -3,3 +3,4 @@
 mod fixtures;
 mod normal_forms;
 mod planted;
+mod sources;

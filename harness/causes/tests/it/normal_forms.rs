@@ -12,13 +12,13 @@ use stickler_suite::Case;
 use stickler_types::{Code, Diagnostic, DialectName, ElementaryType, Fault, Value};
 
 /// A compiler that runs programs with one defect.
-struct Compiler {
-    identity: Identity,
+pub struct Compiler {
+    pub identity: Identity,
     run: fn(&RunRequest<'_>) -> Outcome,
 }
 
 impl Compiler {
-    fn new(run: fn(&RunRequest<'_>) -> Outcome) -> Compiler {
+    pub fn new(run: fn(&RunRequest<'_>) -> Outcome) -> Compiler {
         let identity = identity();
         Compiler { identity, run }
     }
@@ -68,7 +68,7 @@ impl Session for Running {
     }
 }
 
-fn as_the_reference(request: &RunRequest<'_>) -> Outcome {
+pub fn as_the_reference(request: &RunRequest<'_>) -> Outcome {
     stickler_reference::run(request, stickler_reference::Limits::default())
         .expect("observed variables are there")
 }
@@ -259,6 +259,72 @@ fn a_conversion_by_name_is_the_cause_also_behind_an_operation() {
     assert_eq!(titles(&found).len(), 1, "{:?}", titles(&found));
 }
 
+/// Begins REAL variables with the bits of an integer literal.
+fn without_conversion_of_initial_values(request: &RunRequest<'_>) -> Outcome {
+    let source = request.source.replace("REAL := INT#2", "REAL := 3.0E-45");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn what_a_variable_begins_with_is_shown_without_an_assignment() {
+    let cases = vec![case(
+        "t::a",
+        "into : REAL := INT#2; done : BOOL;",
+        "done := TRUE;",
+        "into = REAL#2.0",
+    )];
+    let found = causes(&Compiler::new(without_conversion_of_initial_values), cases);
+    let title = &found[0].title;
+    assert!(title.starts_with("`into : REAL := INT#2`"), "{title}");
+}
+
+/// The number of programs that were run in a search.
+static RUN: AtomicU32 = AtomicU32::new(0);
+
+/// Rounds 3.5 in conversions to integers, and counts.
+fn counts_and_rounds(request: &RunRequest<'_>) -> Outcome {
+    RUN.fetch_add(1, Ordering::Relaxed);
+    let source = request.source.replace("3.5", "4.0");
+    as_the_reference(&RunRequest {
+        source: &source,
+        ..*request
+    })
+}
+
+#[test]
+fn an_operand_that_gives_the_same_wrong_value_alone_takes_the_place_of_the_search() {
+    let of = |id: &str, before: &str| {
+        let statements = format!("{before} list[1] := REAL_TO_INT(given); into := list[1];");
+        let declarations = "given : REAL := 3.5; list : ARRAY[0..1] OF INT; into, number : INT;";
+        case(id, declarations, &statements, "into = INT#3")
+    };
+    let cases = vec![
+        of("t::a", "number := 1;"),
+        of("t::b", "number := number + 1;"),
+        of("t::c", "IF number = 0 THEN number := 2; END_IF;"),
+        of("t::d", "FOR number := 1 TO 2 DO list[0] := number; END_FOR;"),
+    ];
+    let found = causes(&Compiler::new(counts_and_rounds), cases);
+    assert_eq!(titles(&found).len(), 1, "{:?}", titles(&found));
+    // Each case once, the operand of all of them with its repetitions, and its normal form.
+    let run = RUN.load(Ordering::Relaxed);
+    assert!(run < 40, "{run} programs were run");
+}
+
+#[test]
+fn values_in_lists_that_nobody_checks_are_one_cause_whatever_is_wrong_with_them() {
+    let of = |id: &str, value: &str, code: &str| {
+        let declarations = format!("a : ARRAY[0..0] OF SINT := [1({value})]; done : BOOL;");
+        case(id, &declarations, "done := TRUE;", &format!("3 {code}"))
+    };
+    let cases = vec![of("t::a", "128", "P2026"), of("t::b", "INT#0", "P4022")];
+    let found = causes(&Compiler::new(dying), cases);
+    assert_eq!(found.len(), 1, "{:?}", titles(&found));
+}
+
 /// Compares with a wider operand as if that were of the type of the first one.
 fn compares_as_the_first(request: &RunRequest<'_>) -> Outcome {
     let source = request
@@ -287,7 +353,7 @@ fn a_comparison_that_is_right_when_it_is_turned_round_is_done_in_the_type_of_its
 }
 
 /// Accepts a value of every type for every other, and dies when it runs such a program.
-fn dying(request: &RunRequest<'_>) -> Outcome {
+pub fn dying(request: &RunRequest<'_>) -> Outcome {
     match as_the_reference(request) {
         Outcome::Rejected { .. } => Outcome::Crashed {
             reason: "the virtual machine ended".to_owned(),
