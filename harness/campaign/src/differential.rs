@@ -41,7 +41,7 @@ pub struct DifferentialOracle<'e> {
     pub open: bool,
     /// The parts of the language that programs shall not have.
     pub without: Exclusions,
-    /// When an engine is given several programs at a time.
+    /// The pace at which an engine is given several programs at a time.
     pub packs: PackPolicy,
     /// The parts from which the commands of a finding are written.
     pub commands: ReproductionCommands,

@@ -102,7 +102,7 @@ pub enum Confirmation {
     Flaky,
 }
 
-/// Where a finding comes from.
+/// The origin of a finding.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct FindingOrigin {
     /// The seed of the campaign.

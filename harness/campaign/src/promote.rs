@@ -23,7 +23,7 @@ pub enum PromoteError {
     /// The name is none.
     #[error("`{0}` is no name for a case: letters, digits, `-`, `_` and `.` alone, and no point in front")]
     Name(String),
-    /// There is such a case already.
+    /// A case of this name exists already.
     #[error(
         "{0} is there already; the ids of cases never change their meaning, so choose another name with --name"
     )]

@@ -45,9 +45,9 @@ pub struct CampaignRequest {
     pub seed: u64,
     /// The first place.
     pub first: u64,
-    /// For how many places, where a number was given …
+    /// The number of places to try; `None` where a time was given.
     pub count: Option<u64>,
-    /// … and otherwise for how many milliseconds.
+    /// The time in milliseconds; `None` where a number of places was given.
     pub milliseconds: Option<u64>,
     /// The targets.
     pub targets: Vec<String>,

@@ -16,10 +16,10 @@ use crate::twins::value_features;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 
-/// What matters of a small program that shows a defect.
+/// The properties by which two small programs show the same defect.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Essence {
-    /// What the engine does; causes with different classes are different.
+    /// The class of the engine's behaviour; causes with different classes are different.
     pub(crate) class: String,
     /// The constructs that the defect needs.
     pub(crate) features: BTreeSet<String>,

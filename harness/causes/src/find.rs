@@ -63,7 +63,7 @@ pub struct Search<'r> {
     pub cancel: &'r Cancellation,
 }
 
-/// How far a search is.
+/// The progress of a search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct CauseProgress {
     /// The number of groups that were looked at.

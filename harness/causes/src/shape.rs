@@ -10,7 +10,7 @@ const KEYWORDS: &str = "AND ARRAY AT BY CASE CONFIGURATION CONSTANT DO ELSE ELSI
     FUNCTION FUNCTION_BLOCK IF MOD NON_RETAIN NOT OF ON OR PROGRAM REPEAT RESOURCE RETAIN RETURN STRUCT TASK THEN TO TYPE \
     UNTIL VAR VAR_ACCESS VAR_CONFIG VAR_EXTERNAL VAR_GLOBAL VAR_IN_OUT VAR_INPUT VAR_OUTPUT VAR_TEMP WHILE WITH XOR";
 
-/// How much of its types a shape keeps.
+/// The amount of detail in which a shape keeps its types.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum KeptTypes {
     /// Types of one family are equal: those that differ in width or range.

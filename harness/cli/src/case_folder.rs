@@ -1,8 +1,7 @@
 //! Finds the folder of cases, loads the cases, and reports mistakes in their files.
 
-mod carried;
-
 use crate::arguments::SelectionArguments;
+use crate::carried_cases;
 use crate::engines;
 use crate::exit::Exit;
 use crate::output;
@@ -19,7 +18,7 @@ use stickler_types::DialectName;
 use stickler_workers::Shard;
 
 /// The name of the folder of cases.
-const NAME: &str = "conformance-cases";
+pub const NAME: &str = "conformance-cases";
 
 /// The file of the dialects in a folder of cases.
 const DIALECTS: &str = "dialects.toml";
@@ -56,7 +55,7 @@ impl CaseFolder {
                 match CaseFolder::search(&here, program.ok().as_deref()) {
                     Some(found) => Ok(found),
                     None => Ok(CaseFolder {
-                        path: carried::unpacked()?,
+                        path: carried_cases::unpacked()?,
                         root: PathBuf::new(),
                         is_carried: true,
                     }),

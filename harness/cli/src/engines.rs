@@ -8,7 +8,7 @@ use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use stickler_configuration::{Configuration, EngineKind};
+use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{
     Compiler, CompilerSearch, DependencyPaths, DescribedEngine, Description, Engine, EngineError, Identity,
     ProcessEngine, ProcessLimits, Reference,
@@ -82,10 +82,10 @@ pub fn config_file() -> Option<&'static Path> {
 ///
 /// # Errors
 /// A [`ConfigurationError`](stickler_configuration::ConfigurationError) where the file cannot be used; no working directory.
-pub fn configuration() -> anyhow::Result<Configuration> {
+pub fn configuration() -> anyhow::Result<ConfigurationFile> {
     Ok(match FILE.get() {
-        Some(file) => Configuration::read(file)?,
-        None => Configuration::find(&env::current_dir().context("there is no working directory")?)?,
+        Some(file) => ConfigurationFile::read(file)?,
+        None => ConfigurationFile::find(&env::current_dir().context("there is no working directory")?)?,
     })
 }
 
@@ -167,7 +167,11 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
 }
 
 /// Returns the engine of a name, under an identity whose name is not taken.
-fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow::Result<Box<dyn Engine>> {
+fn distinct(
+    name: &str,
+    taken: &[&str],
+    configuration: &ConfigurationFile,
+) -> anyhow::Result<Box<dyn Engine>> {
     if let Some(line) = name.strip_prefix(COMMAND) {
         let engine = ProcessEngine::start(line, ProcessLimits::default())?;
         let own = engine.identity().name.clone();
@@ -181,7 +185,7 @@ fn distinct(name: &str, taken: &[&str], configuration: &Configuration) -> anyhow
 }
 
 /// Searches for the engine of a name other than `cmd:…`, to be called `called`; `None` where no engine has the name.
-pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<CompilerSearch> {
+pub fn seek(name: &str, called: &str, configuration: &ConfigurationFile) -> Option<CompilerSearch> {
     if name == REFERENCE {
         return Some(CompilerSearch {
             located: Vec::new(),
@@ -200,14 +204,18 @@ pub fn seek(name: &str, called: &str, configuration: &Configuration) -> Option<C
 }
 
 /// Starts the program of a command line in the folder of the configuration file.
-fn start(line: &str, called: &str, configuration: &Configuration) -> Result<Box<dyn Engine>, EngineError> {
+fn start(
+    line: &str,
+    called: &str,
+    configuration: &ConfigurationFile,
+) -> Result<Box<dyn Engine>, EngineError> {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = ProcessEngine::start_in(folder, line, ProcessLimits::default())?;
     Ok(Box::new(engine.named(called.to_owned())))
 }
 
 /// Makes an engine from a description of stickler.toml; also returns which of its programs were found.
-fn described(called: &str, description: &Description, configuration: &Configuration) -> CompilerSearch {
+fn described(called: &str, description: &Description, configuration: &ConfigurationFile) -> CompilerSearch {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = DescribedEngine::start(called, description.clone(), folder);
     CompilerSearch {
@@ -217,7 +225,7 @@ fn described(called: &str, description: &Description, configuration: &Configurat
 }
 
 /// Returns every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.
-pub fn names(configuration: &Configuration) -> Vec<&str> {
+pub fn names(configuration: &ConfigurationFile) -> Vec<&str> {
     let mut names = vec![REFERENCE];
     names.extend(Compiler::ALL.map(Compiler::name));
     let others = configuration
@@ -229,7 +237,7 @@ pub fn names(configuration: &Configuration) -> Vec<&str> {
 }
 
 /// Returns the error that no engine has the name, with the most similar name and the list of all.
-pub fn no_such(name: &str, configuration: &Configuration) -> NoSuchEngine {
+pub fn no_such(name: &str, configuration: &ConfigurationFile) -> NoSuchEngine {
     let names = names(configuration);
     NoSuchEngine {
         name: name.to_owned(),

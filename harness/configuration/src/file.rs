@@ -21,31 +21,31 @@ const KEYS: [&str; 2] = ["engines", "dialects"];
 
 /// The contents of `stickler.toml`; empty if there is no such file.
 #[derive(Clone, Debug, Default)]
-pub struct Configuration {
+pub struct ConfigurationFile {
     path: Option<PathBuf>,
     engines: BTreeMap<String, EngineEntry>,
     dialects: Vec<DialectName>,
 }
 
-impl Configuration {
+impl ConfigurationFile {
     /// Reads the file in `folder`, or in the nearest folder above it that has one. Its dialects are
     /// [defined](DialectName::define) for the whole process; reading the file again does not define them a second time.
     ///
     /// # Errors
     /// [`ConfigurationError`] if a file exists that cannot be used.
-    pub fn find(folder: &Path) -> Result<Configuration, ConfigurationError> {
+    pub fn find(folder: &Path) -> Result<ConfigurationFile, ConfigurationError> {
         // A link to a file counts; a folder of that name is somebody else's.
         let found = folder
             .ancestors()
             .map(|folder| folder.join(FILE_NAME))
             .find(|path| path.is_file());
         match found {
-            None => Ok(Configuration::default()),
+            None => Ok(ConfigurationFile::default()),
             // What lies here is called by its name alone.
             Some(path) if path.parent() == Some(folder) => {
-                Configuration::read_as(&path, Path::new(FILE_NAME))
+                ConfigurationFile::read_as(&path, Path::new(FILE_NAME))
             }
-            Some(path) => Configuration::read(&path),
+            Some(path) => ConfigurationFile::read(&path),
         }
     }
 
@@ -53,12 +53,12 @@ impl Configuration {
     ///
     /// # Errors
     /// [`ConfigurationError`] if the file cannot be used.
-    pub fn read(path: &Path) -> Result<Configuration, ConfigurationError> {
-        Configuration::read_as(path, path)
+    pub fn read(path: &Path) -> Result<ConfigurationFile, ConfigurationError> {
+        ConfigurationFile::read_as(path, path)
     }
 
     /// Reads a file that messages call `shown`.
-    fn read_as(path: &Path, shown: &Path) -> Result<Configuration, ConfigurationError> {
+    fn read_as(path: &Path, shown: &Path) -> Result<ConfigurationFile, ConfigurationError> {
         let unreadable = |source: io::Error| ConfigurationError::Unreadable {
             path: shown.to_owned(),
             source,
@@ -75,7 +75,7 @@ impl Configuration {
                 message: mistake.message,
             }
         })?;
-        Ok(Configuration {
+        Ok(ConfigurationFile {
             path: Some(path),
             engines,
             dialects,

@@ -19,5 +19,5 @@ mod table;
 
 pub use engines::{EngineEntry, EngineKind};
 pub use error::ConfigurationError;
-pub use file::{Configuration, FILE_NAME};
+pub use file::{ConfigurationFile, FILE_NAME};
 pub use near::{list, nearest};

@@ -111,7 +111,7 @@ fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
 pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (name, at) = (key.get_ref().as_ref(), &key.span());
-        let entry = Entry { name, at, value };
+        let entry = ChoiceEntry { name, at, value };
         macro_rules! choose {
             ($field:ident, $all:expr, $words:ident) => {
                 draft.definition.$field = Some(entry.choice($all, $words::as_str, draft)?)
@@ -144,7 +144,7 @@ pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(
 pub(crate) fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (name, at) = (key.get_ref().as_ref(), &key.span());
-        let entry = Entry { name, at, value };
+        let entry = ChoiceEntry { name, at, value };
         macro_rules! choose {
             ($field:ident, $words:ident) => {
                 draft.definition.operators.$field = Some(entry.choice($words::ALL, $words::as_str, draft)?)
@@ -164,13 +164,13 @@ pub(crate) fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(),
 }
 
 /// A key of a table of choices, and its value.
-struct Entry<'e, 'v> {
+struct ChoiceEntry<'e, 'v> {
     name: &'e str,
     at: &'e Range<usize>,
     value: &'e Spanned<DeValue<'v>>,
 }
 
-impl Entry<'_, '_> {
+impl ChoiceEntry<'_, '_> {
     /// Returns the choice of `all` that the value names, with its basis.
     fn choice<T: Copy>(
         &self,

@@ -10,7 +10,7 @@ mod smoke;
 use crate::process::{CommandLine, Connection, Failure, ProcessLimits};
 use crate::protocol::{ObserveMessage, ProgramRequest, Reply, Request, RunMessage};
 use crate::{Ability, EngineError, Identity, Outcome};
-use smoke::{Ask, PLAIN, QUESTIONS, Question, SmokeExpectation};
+use smoke::{Ask, PLAIN, QUESTIONS, SmokeExpectation, SmokeQuestion};
 use std::path::Path;
 use stickler_types::DialectName;
 
@@ -107,7 +107,7 @@ struct Conversation<'v> {
 }
 
 impl Conversation<'_> {
-    fn check(&mut self, question: &Question) -> Check {
+    fn check(&mut self, question: &SmokeQuestion) -> Check {
         let lacking = question
             .needs()
             .iter()

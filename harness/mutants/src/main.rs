@@ -19,9 +19,9 @@ use std::process::ExitCode;
 /// explain; 2 usage, or a broken case file; 3 cargo-mutants is missing or could not be run.
 #[derive(Parser)]
 #[command(name = "stickler-mutants", args_conflicts_with_subcommands = true)]
-struct Arguments {
+struct MutantsArguments {
     #[command(subcommand)]
-    command: Option<Command>,
+    command: Option<MutantsCommand>,
     /// Run nothing; read these folders, each a `mutants.out` or one that has it. Of a mutant that several have, the last
     /// counts.
     #[arg(long, value_name = "DIR", num_args = 1..)]
@@ -44,15 +44,15 @@ struct Arguments {
 }
 
 #[derive(clap::Subcommand)]
-enum Command {
+enum MutantsCommand {
     /// Breaks one claim in one place after the other, without building anything, and counts the cases that notice.
     Places(places::PlacesArguments),
 }
 
 fn main() -> ExitCode {
-    let arguments = Arguments::parse();
+    let arguments = MutantsArguments::parse();
     let ended = match &arguments.command {
-        Some(Command::Places(arguments)) => places::run(arguments),
+        Some(MutantsCommand::Places(arguments)) => places::run(arguments),
         None => run(&arguments),
     };
     match ended {
@@ -75,7 +75,7 @@ fn ends_with(code: u8) -> impl Fn(anyhow::Error) -> RunFailure {
     move |error| RunFailure { code, error }
 }
 
-fn run(arguments: &Arguments) -> Result<u8, RunFailure> {
+fn run(arguments: &MutantsArguments) -> Result<u8, RunFailure> {
     let folders = if arguments.read.is_empty() {
         tool::find().map_err(ends_with(3))?;
         let prepared = prepared(arguments).map_err(ends_with(2))?;
@@ -103,7 +103,7 @@ fn run(arguments: &Arguments) -> Result<u8, RunFailure> {
 }
 
 /// Writes all cases down for the judge, and returns the file.
-fn prepared(arguments: &Arguments) -> anyhow::Result<PathBuf> {
+fn prepared(arguments: &MutantsArguments) -> anyhow::Result<PathBuf> {
     let mut suite = stickler_suite::Suite::load(&arguments.cases);
     if let Some(error) = suite.errors.first() {
         anyhow::bail!("{error}; `cargo run -- lint` lists all that is wrong with the case files");

@@ -4,8 +4,8 @@
 //! after some hundred cases.
 
 use std::collections::HashMap;
-use stickler_mutants_judge::prepared::{self, Acceptance, Expectation};
-use stickler_suite::{Case, ExpectedValue};
+use stickler_mutants_judge::prepared::{self, PreparedAcceptance, PreparedCase, PreparedExpectation};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedValue};
 use stickler_types::Observation;
 
 /// Returns the file of all cases.
@@ -34,10 +34,10 @@ impl CaseTexts {
         }
     }
 
-    fn case<'a>(&'a self, case: &'a Case) -> prepared::Case<'a> {
+    fn case<'a>(&'a self, case: &'a Case) -> PreparedCase<'a> {
         let observe = |observe: &'a Observation| (&*observe.name, observe.after.unwrap_or_default());
         let set = case.set.iter().zip(&self.set);
-        prepared::Case {
+        PreparedCase {
             key: &self.key,
             dialect: case.dialect.as_str(),
             source: &case.source,
@@ -50,7 +50,7 @@ impl CaseTexts {
         }
     }
 
-    fn expectation<'a>(&'a self, expectation: &'a stickler_suite::Expectation) -> Expectation<'a> {
+    fn expectation<'a>(&'a self, expectation: &'a Expectation) -> PreparedExpectation<'a> {
         let lines = |text: &'a stickler_suite::ExpectedText| {
             let lines = text.lines.iter().map(|line| line.trim());
             lines.filter(|line| !line.is_empty()).collect()
@@ -59,11 +59,11 @@ impl CaseTexts {
             let reported = reported.iter().map(|one| (one.line, one.code.as_str()));
             reported.collect()
         };
-        Expectation {
+        PreparedExpectation {
             acceptance: match expectation.accepted {
-                stickler_suite::Acceptance::Required => Acceptance::Required,
-                stickler_suite::Acceptance::Rejected => Acceptance::Rejected,
-                stickler_suite::Acceptance::Observed => Acceptance::Observed,
+                Acceptance::Required => PreparedAcceptance::Required,
+                Acceptance::Rejected => PreparedAcceptance::Rejected,
+                Acceptance::Observed => PreparedAcceptance::Observed,
             },
             diagnostics: reported(&expectation.diagnostics),
             warnings: reported(&expectation.warnings),
@@ -147,9 +147,9 @@ mod tests {
             let expectation = &mut other.expectation;
             match (expectation.acceptance, &mut expectation.fault) {
                 (_, Some((line, _))) => *line += 1,
-                (Acceptance::Required, None) => expectation.acceptance = Acceptance::Rejected,
-                (Acceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001")),
-                (Acceptance::Observed, None) => continue,
+                (PreparedAcceptance::Required, None) => expectation.acceptance = PreparedAcceptance::Rejected,
+                (PreparedAcceptance::Rejected, None) => expectation.diagnostics.push((1, "P0001")),
+                (PreparedAcceptance::Observed, None) => continue,
             }
             assert!(complaint(&other).is_some(), "{}", case.key);
         }

@@ -1,8 +1,6 @@
 //! The language rules of a dialect: what the sources leave to a system, and what a definition overrides.
 //!
-//! [`built_in`] is the one place where the name of a built-in dialect becomes behaviour.
-
-mod built_in;
+//! [`crate::built_in_dialects`] is the one place where the name of a built-in dialect becomes behaviour.
 
 pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
 use std::collections::BTreeMap;

@@ -93,7 +93,7 @@ pub enum Instruction {
         high: i64,
         /// Cells an element takes.
         stride: u32,
-        /// The subscript's raw form is unsigned.
+        /// Whether the subscript's raw form is unsigned.
         unsigned: bool,
     },
 
@@ -166,7 +166,7 @@ pub enum Instruction {
         low: i64,
         /// The upper limit, as bits of the base type's raw form.
         high: u64,
-        /// The base type is unsigned.
+        /// Whether the base type is unsigned.
         unsigned: bool,
     },
     /// Pops the control value, the limit and the step of a FOR loop (the step on top), integers in the raw

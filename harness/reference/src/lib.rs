@@ -31,6 +31,7 @@
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
 mod api;
+mod built_in_dialects;
 pub mod conversion;
 pub mod decoding;
 pub mod diagnostic;

@@ -51,7 +51,7 @@ impl PartialAccess {
 pub enum ThirdEditionTypes {
     /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
     All,
-    /// The same but for LDATE, LTOD and LDT.
+    /// All types of the third edition but LDATE, LTOD and LDT.
     ///
     /// Basis: twincat-builds: recordings/twincat.build.json (`prim_default_…`, `xp_…`).
     WithoutLongDates,

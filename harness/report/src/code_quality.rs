@@ -22,17 +22,17 @@ struct Violation {
     check_name: String,
     fingerprint: String,
     severity: &'static str,
-    location: Location,
+    location: IssueLocation,
 }
 
 #[derive(Serialize)]
-struct Location {
+struct IssueLocation {
     path: String,
-    lines: Lines,
+    lines: IssueLines,
 }
 
 #[derive(Serialize)]
-struct Lines {
+struct IssueLines {
     begin: u32,
 }
 
@@ -70,9 +70,9 @@ fn violation(unexpected: Unexpected) -> Violation {
         check_name: unexpected.basis,
         fingerprint: unexpected.key,
         severity: "major",
-        location: Location {
+        location: IssueLocation {
             path: unexpected.file,
-            lines: Lines {
+            lines: IssueLines {
                 begin: unexpected.line.unwrap_or(1),
             },
         },

@@ -63,12 +63,12 @@ pub struct Change {
     pub expectation_changed: bool,
     /// The texts of the change; `None` beyond the first [`MAX_DETAILED`] of each kind.
     #[serde(skip_serializing_if = "Option::is_none", serialize_with = "texts")]
-    pub detail: Option<Box<Detail>>,
+    pub detail: Option<Box<ComparedTexts>>,
 }
 
 /// The texts of a case with different results, with one fact per line.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Detail {
+pub struct ComparedTexts {
     /// The expectation in the newer run; `None` where neither log contains it, as for a case that only records.
     pub expected: Option<String>,
     /// The result and the observations in the older run; `None` where the engine met an expectation that has changed since.
@@ -277,7 +277,7 @@ impl Matching {
             expectation_changed,
             detail: (*detailed <= MAX_DETAILED).then(|| {
                 let expected = known.expected_now(&case);
-                Box::new(Detail {
+                Box::new(ComparedTexts {
                     new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
                     rerun: engine::rerun(engine::of(&self.found.new.engines, &case), &case),
@@ -337,7 +337,7 @@ fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, Comparison
 }
 
 /// Serializes the expected text and the text of each run's result, for other programs.
-fn texts<S: Serializer>(detail: &Option<Box<Detail>>, serializer: S) -> Result<S::Ok, S::Error> {
+fn texts<S: Serializer>(detail: &Option<Box<ComparedTexts>>, serializer: S) -> Result<S::Ok, S::Error> {
     #[derive(Serialize)]
     struct ChangedTexts<'a> {
         title: &'a str,

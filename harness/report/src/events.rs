@@ -301,9 +301,9 @@ pub(crate) fn check_format(line: &[u8]) -> Result<(), LogError> {
         return Err(LogError::Results { format });
     }
     // A line that is no header at all is reported when it is parsed.
-    match serde_json::from_slice::<Format>(line) {
-        Ok(Format { format }) if format < FORMAT => Err(LogError::Earlier { format }),
-        Ok(Format { format }) if format > FORMAT => Err(LogError::Later { format }),
+    match serde_json::from_slice::<FormatVersion>(line) {
+        Ok(FormatVersion { format }) if format < FORMAT => Err(LogError::Earlier { format }),
+        Ok(FormatVersion { format }) if format > FORMAT => Err(LogError::Later { format }),
         _ => Ok(()),
     }
 }
@@ -312,18 +312,18 @@ pub(crate) fn check_format(line: &[u8]) -> Result<(), LogError> {
 /// is not of the wanted kind; returns `None` for other texts.
 pub fn recognize(text: &[u8]) -> Option<String> {
     let line = text.split(|byte| *byte == b'\n').next().unwrap_or_default();
-    match (check_format(line), serde_json::from_slice::<Format>(line)) {
+    match (check_format(line), serde_json::from_slice::<FormatVersion>(line)) {
         (Err(LogError::Results { format }), _) => {
             Some(format!("the results.json of a run, of format {format}"))
         }
-        (_, Ok(Format { format })) => Some(format!("the event log of a run, of format {format}")),
+        (_, Ok(FormatVersion { format })) => Some(format!("the event log of a run, of format {format}")),
         _ => None,
     }
 }
 
 /// The version of the format, which the headers of all formats contain.
 #[derive(Deserialize)]
-struct Format {
+struct FormatVersion {
     format: u32,
 }
 

@@ -20,7 +20,7 @@ pub(crate) enum RunFile {
 /// An error of reading a run.
 #[derive(Debug, thiserror::Error)]
 pub enum RunFileError {
-    /// Nothing is there, or it cannot be read.
+    /// The file does not exist, or it cannot be read.
     #[error(
         "cannot be read; name a folder of reports, its {}, or a {}",
         events::NAME,

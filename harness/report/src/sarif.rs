@@ -12,8 +12,8 @@ use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
 use document::{
-    Document, Driver, Fingerprints, Invocation, Level, Location, Message, Notification, Region, Rule,
-    SarifResult, SarifRun, Tool,
+    Document, Fingerprints, Invocation, Level, Message, Notification, Region, SarifDriver, SarifLocation,
+    SarifResult, SarifRule, SarifRun, Tool,
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -59,7 +59,7 @@ fn document(header: &Header, overview: &Overview) -> Document {
     let results = unexpected.into_iter().map(|one| result(one, &rules)).collect();
     Document::of(SarifRun {
         tool: Tool {
-            driver: Driver {
+            driver: SarifDriver {
                 name: "Stickler",
                 version: header.stickler.clone(),
                 rules: rules.into_values().collect(),
@@ -77,7 +77,7 @@ fn document(header: &Header, overview: &Overview) -> Document {
 }
 
 /// Returns a rule for each claim, by its basis, in the order of the texts.
-fn rules(overview: &Overview) -> BTreeMap<String, Rule> {
+fn rules(overview: &Overview) -> BTreeMap<String, SarifRule> {
     let claims = overview.claims.rows(&[]);
     let claims = claims.into_iter().filter(|row| !row.sum);
     let rules = claims.map(|row| {
@@ -90,7 +90,7 @@ fn rules(overview: &Overview) -> BTreeMap<String, Rule> {
     rules.collect()
 }
 
-fn rule(id: String, overview: &Overview) -> Rule {
+fn rule(id: String, overview: &Overview) -> SarifRule {
     let Basis { source, section } = Basis::of(&id);
     let source = overview.source(source);
     let address = source
@@ -100,7 +100,7 @@ fn rule(id: String, overview: &Overview) -> Rule {
         Some(source) => format!("{id} ({} of {}: {})", source.kind, source.publisher, source.title),
         None => id.clone(),
     };
-    Rule {
+    SarifRule {
         short_description: Message { text: id.clone() },
         full_description: Message {
             text: described.clone(),
@@ -122,7 +122,7 @@ fn web_address(address: &str) -> Option<String> {
     is_of_the_web.then(|| percent_encoded(address, reserved))
 }
 
-fn result(unexpected: Unexpected, rules: &BTreeMap<String, Rule>) -> SarifResult {
+fn result(unexpected: Unexpected, rules: &BTreeMap<String, SarifRule>) -> SarifResult {
     let Unexpected {
         basis,
         file,
@@ -132,8 +132,8 @@ fn result(unexpected: Unexpected, rules: &BTreeMap<String, Rule>) -> SarifResult
         key,
         ..
     } = unexpected;
-    let place =
-        (!file.is_empty()).then(|| Location::of(uri(&file), line.map(|line| Region { start_line: line })));
+    let place = (!file.is_empty())
+        .then(|| SarifLocation::of(uri(&file), line.map(|line| Region { start_line: line })));
     SarifResult {
         rule_index: rules.keys().position(|id| *id == basis),
         rule_id: basis,

@@ -21,7 +21,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
 
-/// What a site was built from.
+/// The runs and recordings from which a site was built.
 #[derive(PartialEq, Eq, Debug)]
 pub struct SiteSummary {
     /// The number of runs.

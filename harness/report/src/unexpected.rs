@@ -21,9 +21,9 @@ pub(crate) struct Unexpected {
     pub(crate) line: Option<u32>,
     /// The message in one line.
     pub(crate) title: String,
-    /// What was expected, what came, the program, and the command that runs it again.
+    /// The expectation, the result, the program, and the command that runs it again.
     pub(crate) text: String,
-    /// The same text for the same result in every run, and for no other result of a run.
+    /// A text that identifies the result: the same in every run, and of no other result of a run.
     pub(crate) key: String,
     /// The number of cases that the message stands for.
     pub(crate) cases: u64,

@@ -1,9 +1,5 @@
 //! Facts: what a case expects and what an engine did, as typed data until a report prints them.
 
-mod clip;
-
-pub(crate) use clip::clip_answer;
-pub use clip::{clip_facts, clip_line};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt::{self, Write};
 use stickler_types::{Diagnostic, Fault, Fnv1a, Outcome, Value};
@@ -73,7 +69,7 @@ pub enum Fact {
     },
     /// Rendering a program gave no text.
     NotRendered {
-        /// The program was itself the result of rendering.
+        /// Whether the program was itself the result of rendering.
         again: bool,
         /// The message of the first diagnostic, where the program was rejected, and the line of a rendered one.
         #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -166,7 +162,7 @@ impl Fact {
     }
 
     /// Returns the texts of foreign origin, which may have any length.
-    fn texts_mut(&mut self) -> Vec<&mut String> {
+    pub(crate) fn texts_mut(&mut self) -> Vec<&mut String> {
         match self {
             Fact::Rendered { lines } => lines.iter_mut().collect(),
             Fact::Diagnostic(diagnostic) | Fact::Warning(diagnostic) => {

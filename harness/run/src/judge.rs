@@ -11,7 +11,7 @@ pub use bodies::rendered_bodies;
 pub use diagnostics::tells_too_little_only;
 pub use rendered::{differ_in_blanks_only, renders_bit_access};
 
-use crate::fact::clip_answer;
+use crate::clip::clip_answer;
 use crate::{Answers, Fact, Grade, Observed, Verdict};
 use findings::Findings;
 use stickler_engines::{Diagnostic, NamedValue, Outcome};

@@ -51,7 +51,7 @@ pub use citations::NOT_STATED;
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
 pub use files::{FileKind, RECORDINGS};
-pub use lint::{LintFinding, Severity, lint};
+pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };

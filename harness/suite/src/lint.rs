@@ -8,14 +8,14 @@ use crate::{CaseFileError, Suite};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LintFinding {
     /// The severity of the finding.
-    pub severity: Severity,
+    pub severity: LintSeverity,
     /// The message and its place.
     pub what: CaseFileError,
 }
 
 /// The severity of a finding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Severity {
+pub enum LintSeverity {
     /// An error: the file, or a part of it, cannot be used. A run reports it too.
     Error,
     /// A warning: the cases can be run, but the file probably does not say what its author meant.
@@ -39,13 +39,17 @@ impl Suite {
                 what: what.clone(),
             }
         };
-        let errors = self.errors.iter().map(finding(Severity::Error));
+        let errors = self.errors.iter().map(finding(LintSeverity::Error));
         // Where something else is wrong, that may be the reason.
         let unused = match self.errors.is_empty() && self.remarks.is_empty() {
             true => self.sources.unused(self.cases.iter().map(|case| &*case.basis)),
             false => Vec::new(),
         };
-        let warnings = self.remarks.iter().chain(&unused).map(finding(Severity::Warning));
+        let warnings = self
+            .remarks
+            .iter()
+            .chain(&unused)
+            .map(finding(LintSeverity::Warning));
         let mut findings: Vec<LintFinding> = errors.chain(warnings).collect();
         findings.sort_by(|a, b| (&a.what, a.severity).cmp(&(&b.what, b.severity)));
         findings.dedup();

@@ -159,7 +159,7 @@ pub enum Acceptance {
     /// No error may be given.
     #[default]
     Required,
-    /// At least one error must be given: those that the expectation lists and no others.
+    /// The program must be rejected with the errors that the expectation lists, at least one, and no others.
     Rejected,
     /// No document decides: whether the program is accepted is recorded, and nothing is asserted.
     Observed,

@@ -55,7 +55,7 @@ pub struct Source {
     /// The dialects for which the source speaks. A standard and the rules name none.
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,
-    /// Of recordings, what each says of its origin, or why no case can cite it; empty for every other source.
+    /// The origin that each recording states, or the reason why no case can cite it; empty for every other source.
     pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,

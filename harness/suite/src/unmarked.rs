@@ -44,7 +44,7 @@ impl Case {
 /// A program without marks.
 struct Unmarked {
     text: String,
-    /// For each line of the marked program, how many lines up to and including it are left.
+    /// The number of lines that are left up to and including each line of the marked program.
     left: Vec<u32>,
 }
 

@@ -62,7 +62,7 @@ pub struct Table {
     pub generate: Option<Generate>,
     /// The probes.
     pub probes: Vec<TableProbe>,
-    /// Where the value of `rows` stands in the text.
+    /// The position of the value of `rows` in the text.
     span: Range<usize>,
     /// The sources that a basis may name.
     sources: Arc<Sources>,

@@ -27,6 +27,7 @@ pub mod fault;
 mod hash;
 pub mod literal;
 mod numbers;
+mod observed_value;
 pub mod operators;
 pub mod outcome;
 mod random;

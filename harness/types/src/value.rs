@@ -4,8 +4,6 @@ use crate::elementary::{ElementaryType, Family};
 use crate::literal::{self, LiteralError};
 use std::fmt;
 
-mod observed;
-
 /// A value together with its type.
 ///
 /// Two values are equal only if their types are the same and so are their bits. That makes -0.0 differ from 0.0, and it makes a

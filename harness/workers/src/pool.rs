@@ -43,7 +43,7 @@ pub trait Supervisor<T, R> {
 pub struct SpawnError(#[source] ThreadPoolBuildError);
 
 /// A message of a thread to the supervisor.
-enum Message<R, E> {
+enum WorkerMessage<R, E> {
     Opened(Result<(), E>),
     Done(R),
     Panicked(Box<dyn Any + Send>),
@@ -107,7 +107,7 @@ impl WorkerPool {
         self,
         supervisor: &mut dyn Supervisor<T, R>,
         give: &Sender<T>,
-        messages: &Receiver<Message<R, E>>,
+        messages: &Receiver<WorkerMessage<R, E>>,
     ) -> Result<(), E> {
         // To open a worker is the first thing that each thread does.
         let (mut opening, mut under_way) = (self.threads, self.threads);
@@ -116,12 +116,12 @@ impl WorkerPool {
         {
             under_way -= 1;
             match message {
-                Message::Opened(opened) => {
+                WorkerMessage::Opened(opened) => {
                     opened?;
                     opening -= 1;
                 }
-                Message::Done(result) => supervisor.take(result),
-                Message::Panicked(panic) => resume_unwind(panic),
+                WorkerMessage::Done(result) => supervisor.take(result),
+                WorkerMessage::Panicked(panic) => resume_unwind(panic),
             }
             while opening == 0
                 && under_way < self.threads * MAX_TASKS_PER_THREAD
@@ -191,7 +191,7 @@ fn work_until_closed<W, T, R, E>(
     open: &(impl Fn() -> Result<W, E> + Sync),
     work: &(impl Fn(&mut W, T) -> R + Sync),
     tasks: &Mutex<Receiver<T>>,
-    send: &Sender<Message<R, E>>,
+    send: &Sender<WorkerMessage<R, E>>,
 ) {
     let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).recv();
     // Nothing of the worker is used any more after a panic.
@@ -200,17 +200,17 @@ fn work_until_closed<W, T, R, E>(
             Ok(worker) => (Some(worker), Ok(())),
             Err(error) => (None, Err(error)),
         };
-        let mut is_heard = send.send(Message::Opened(opened)).is_ok();
+        let mut is_heard = send.send(WorkerMessage::Opened(opened)).is_ok();
         while is_heard
             && let Some(worker) = &mut worker
             && let Ok(task) = next()
         {
-            is_heard = send.send(Message::Done(work(worker, task))).is_ok();
+            is_heard = send.send(WorkerMessage::Done(work(worker, task))).is_ok();
         }
     }));
     if let Err(panic) = life {
         // The supervisor is gone where this is not heard.
-        let _ = send.send(Message::Panicked(panic));
+        let _ = send.send(WorkerMessage::Panicked(panic));
     }
 }
 

@@ -12,7 +12,7 @@ const SLOW_PROGRAM: Duration = Duration::from_millis(20);
 /// The number of programs in one pack at most.
 const MAX_PACK_LEN: usize = 16;
 
-/// When an engine is given several programs at a time. It changes how long a campaign takes, not what it finds.
+/// The pace at which an engine is given several programs at a time. It changes how long a campaign takes, not what it finds.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum PackPolicy {
     /// Packs programs where the first ones took long.

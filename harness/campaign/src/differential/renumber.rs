@@ -13,7 +13,7 @@ pub(super) struct Shift {
     functions: usize,
     blocks: usize,
     variables: usize,
-    /// Only the variables of main move; functions and blocks keep their own.
+    /// Whether only the variables of main move, while functions and blocks keep their own.
     in_main: bool,
 }
 

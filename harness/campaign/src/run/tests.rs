@@ -12,19 +12,19 @@ use stickler_workers::{Cancellation, Shard};
 
 /// Every fifth input makes an engine disagree, by three defects of two symptoms.
 #[derive(Default)]
-struct Known {
+struct PlannedMismatches {
     judged: AtomicU64,
-    /// From here on the engine does not answer.
+    /// The place from which on the engine does not answer.
     gone: Option<u64>,
-    /// Here Stickler itself has a defect.
+    /// The place at which Stickler itself panics.
     panics: Option<u64>,
 }
 
-struct KnownWorker<'b>(&'b Known);
+struct PlannedWorker<'b>(&'b PlannedMismatches);
 
-impl Oracle for Known {
+impl Oracle for PlannedMismatches {
     fn worker(&self) -> Result<Box<dyn Worker + '_>, EngineError> {
-        Ok(Box::new(KnownWorker(self)))
+        Ok(Box::new(PlannedWorker(self)))
     }
 }
 
@@ -48,7 +48,7 @@ fn verdict(place: u64) -> InputVerdict {
     }
 }
 
-impl Worker for KnownWorker<'_> {
+impl Worker for PlannedWorker<'_> {
     fn judge(&mut self, places: &[u64], going: &dyn Fn() -> bool) -> Vec<InputVerdict> {
         assert!(places.iter().all(|&place| self.0.panics != Some(place)));
         self.0.judged.fetch_add(places.len() as u64, Ordering::Relaxed);
@@ -83,13 +83,18 @@ fn plan(jobs: usize, shard: Shard, until: Until) -> CampaignPlan {
     }
 }
 
-fn campaign(oracle: &Known, plan: CampaignPlan) -> CampaignSummary {
+fn campaign(oracle: &PlannedMismatches, plan: CampaignPlan) -> CampaignSummary {
     run(&plan, oracle, &mut |_| (), &Cancellation::new()).unwrap()
 }
 
 #[test]
 fn a_seed_finds_the_same_whatever_the_number_of_workers() {
-    let of = |jobs| campaign(&Known::default(), plan(jobs, Shard::WHOLE, Until::Count(3000)));
+    let of = |jobs| {
+        campaign(
+            &PlannedMismatches::default(),
+            plan(jobs, Shard::WHOLE, Until::Count(3000)),
+        )
+    };
     let (one, many) = (of(1), of(7));
     assert_eq!(one.findings, many.findings);
     assert_eq!(one.findings.len(), 4);
@@ -110,11 +115,11 @@ fn a_seed_finds_the_same_whatever_the_number_of_workers() {
 fn the_parts_of_a_seed_find_together_what_the_whole_finds() {
     // So few that each is made small.
     let until = Until::Count(100);
-    let whole = campaign(&Known::default(), plan(2, Shard::WHOLE, until)).findings;
+    let whole = campaign(&PlannedMismatches::default(), plan(2, Shard::WHOLE, until)).findings;
     let mut together: BTreeMap<String, Finding> = BTreeMap::new();
     for index in 1..=3 {
         let shard = Shard::new(index, 3).unwrap();
-        for (id, finding) in campaign(&Known::default(), plan(2, shard, until)).findings {
+        for (id, finding) in campaign(&PlannedMismatches::default(), plan(2, shard, until)).findings {
             let best = match together.remove(&id) {
                 Some(known) => known.better(finding),
                 None => finding,
@@ -136,7 +141,13 @@ fn each_finding_is_told_and_what_is_told_last_is_what_is_kept() {
         CampaignEvent::Progress(progress) => programs = progress.programs,
     };
     let plan = plan(3, Shard::WHOLE, Until::Count(500));
-    let summary = run(&plan, &Known::default(), &mut tell, &Cancellation::new()).unwrap();
+    let summary = run(
+        &plan,
+        &PlannedMismatches::default(),
+        &mut tell,
+        &Cancellation::new(),
+    )
+    .unwrap();
     assert_eq!(reported, summary.findings);
     assert_eq!(programs, 500);
 }
@@ -150,7 +161,7 @@ fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
         }
     };
     let endless = plan(2, Shard::WHOLE, Until::Count(u64::MAX));
-    let summary = run(&endless, &Known::default(), &mut tell, &cancel).unwrap();
+    let summary = run(&endless, &PlannedMismatches::default(), &mut tell, &cancel).unwrap();
     assert_eq!(summary.ended, CampaignEnd::Interrupted);
     assert!(!summary.findings.is_empty());
 }
@@ -158,7 +169,7 @@ fn a_campaign_that_is_told_to_stop_keeps_what_it_has() {
 #[test]
 fn a_campaign_ends_when_its_time_is_up() {
     let short = plan(2, Shard::WHOLE, Until::Time(Duration::from_millis(50)));
-    let summary = campaign(&Known::default(), short);
+    let summary = campaign(&PlannedMismatches::default(), short);
     assert_eq!(summary.ended, CampaignEnd::Done);
     assert!(summary.programs > 0);
     assert!(summary.elapsed < Duration::from_secs(5), "{:?}", summary.elapsed);
@@ -200,9 +211,9 @@ fn when_the_time_is_up_each_symptom_has_a_finding_and_the_rest_is_counted() {
 
 #[test]
 fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
-    let oracle = Known {
+    let oracle = PlannedMismatches {
         gone: Some(400),
-        ..Known::default()
+        ..PlannedMismatches::default()
     };
     let summary = campaign(&oracle, plan(2, Shard::WHOLE, Until::Count(u64::MAX)));
     assert_eq!(summary.ended, CampaignEnd::Lost("it does not answer".to_owned()));
@@ -211,9 +222,9 @@ fn an_engine_that_is_lost_ends_the_campaign_and_what_was_found_is_kept() {
 
 #[test]
 fn a_defect_of_stickler_itself_ends_the_campaign_in_words_and_loses_nothing() {
-    let oracle = Known {
+    let oracle = PlannedMismatches {
         panics: Some(401),
-        ..Known::default()
+        ..PlannedMismatches::default()
     };
     let summary = campaign(&oracle, plan(1, Shard::WHOLE, Until::Count(u64::MAX)));
     let CampaignEnd::Lost(reason) = &summary.ended else {

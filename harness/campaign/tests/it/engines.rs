@@ -17,7 +17,7 @@ pub enum Defect {
     DiesEvery(u64),
     /// Dies over every request from the first program with this word on.
     DiesForEverOver(&'static str),
-    /// Nothing.
+    /// No defect.
     None,
 }
 

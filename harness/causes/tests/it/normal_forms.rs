@@ -12,19 +12,19 @@ use stickler_suite::Case;
 use stickler_types::{Code, Diagnostic, DialectName, ElementaryType, Fault, Value};
 
 /// A compiler that runs programs with one defect.
-pub struct Compiler {
+pub struct DefectiveCompiler {
     pub identity: Identity,
     run: fn(&RunRequest<'_>) -> Outcome,
 }
 
-impl Compiler {
-    pub fn new(run: fn(&RunRequest<'_>) -> Outcome) -> Compiler {
+impl DefectiveCompiler {
+    pub fn new(run: fn(&RunRequest<'_>) -> Outcome) -> DefectiveCompiler {
         let identity = identity();
-        Compiler { identity, run }
+        DefectiveCompiler { identity, run }
     }
 }
 
-impl Engine for Compiler {
+impl Engine for DefectiveCompiler {
     fn identity(&self) -> &Identity {
         &self.identity
     }
@@ -80,11 +80,11 @@ fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
     fixtures::case(id, &program, must)
 }
 
-fn causes(compiler: &Compiler, cases: Vec<Case>) -> Vec<Cause> {
+fn causes(compiler: &DefectiveCompiler, cases: Vec<Case>) -> Vec<Cause> {
     causes_within(compiler, cases, SearchLimits::default())
 }
 
-fn causes_within(compiler: &Compiler, cases: Vec<Case>, limits: SearchLimits) -> Vec<Cause> {
+fn causes_within(compiler: &DefectiveCompiler, cases: Vec<Case>, limits: SearchLimits) -> Vec<Cause> {
     let found = fixtures::causes(&suite(cases), compiler, 1, limits);
     for Cause { shown, .. } in &found {
         let reproduction = shown.reproduction.as_ref().expect("a reproduction");
@@ -149,7 +149,7 @@ fn an_operand_with_a_literal_of_its_own_is_not_what_cannot_be_read() {
         ),
         fixtures::case("t::listed", &listed, "into = INT#0"),
     ];
-    let found = causes(&Compiler::new(reads_little), cases);
+    let found = causes(&DefectiveCompiler::new(reads_little), cases);
     assert_eq!(found.len(), 2, "{:?}", titles(&found));
 }
 
@@ -160,7 +160,7 @@ fn an_initial_value_that_fails_alone_is_the_cause_and_not_the_operation_around_i
         case("t::sum", declarations, "into := m + n;", "into = LREAL#5.0"),
         case("t::product", declarations, "into := m * n;", "into = LREAL#-24.0"),
     ];
-    let found = causes(&Compiler::new(without_signs), cases);
+    let found = causes(&DefectiveCompiler::new(without_signs), cases);
     assert_eq!(
         titles(&found),
         [(
@@ -185,7 +185,7 @@ fn the_commands_are_not_run_for_a_program_that_is_not_small() {
             "into := n + 8.0;",
             "into = LREAL#5.0",
         )];
-        let found = causes_within(&Compiler::new(without_signs), cases, limits);
+        let found = causes_within(&DefectiveCompiler::new(without_signs), cases, limits);
         found[0].shown.printed.trim().to_owned()
     };
     assert_eq!(printed(SearchLimits::default()), "shown");
@@ -209,7 +209,7 @@ fn without_signs_of_reals(request: &RunRequest<'_>) -> Outcome {
 fn a_conversion_behind_an_initial_value_that_fails_alone_is_not_shown() {
     let declarations = "data : REAL := -3.0; into : LREAL;";
     let widened = case("t::widened", declarations, "into := data;", "into = LREAL#-3.0");
-    let found = causes(&Compiler::new(without_signs_of_reals), vec![widened]);
+    let found = causes(&DefectiveCompiler::new(without_signs_of_reals), vec![widened]);
     let program = &found[0].shown.program;
     assert!(!program.contains("LREAL"), "{program}");
 }
@@ -243,7 +243,7 @@ fn values_with_a_fraction_and_with_a_sign_are_two_causes_whatever_the_types() {
         of("t::c", "REAL_TO_WORD(7.5)", "WORD#7"),
         of("t::d", "REAL_TO_UINT(-16.0)", "UINT#65520"),
     ];
-    let found = causes(&Compiler::new(rounding), cases);
+    let found = causes(&DefectiveCompiler::new(rounding), cases);
     let numbers: Vec<u64> = found.iter().map(Cause::number).collect();
     assert_eq!(numbers, [3, 1], "{:?}", titles(&found));
 }
@@ -255,7 +255,7 @@ fn a_conversion_by_name_is_the_cause_also_behind_an_operation() {
         case(id, "into : INT; nought : REAL;", &statement, "into = INT#2")
     };
     let cases = vec![of("t::a", "2.75"), of("t::b", "nought + 2.75")];
-    let found = causes(&Compiler::new(rounding), cases);
+    let found = causes(&DefectiveCompiler::new(rounding), cases);
     assert_eq!(titles(&found).len(), 1, "{:?}", titles(&found));
 }
 
@@ -276,7 +276,10 @@ fn what_a_variable_begins_with_is_shown_without_an_assignment() {
         "done := TRUE;",
         "into = REAL#2.0",
     )];
-    let found = causes(&Compiler::new(without_conversion_of_initial_values), cases);
+    let found = causes(
+        &DefectiveCompiler::new(without_conversion_of_initial_values),
+        cases,
+    );
     let title = &found[0].title;
     assert!(title.starts_with("`into : REAL := INT#2`"), "{title}");
 }
@@ -307,7 +310,7 @@ fn an_operand_that_gives_the_same_wrong_value_alone_takes_the_place_of_the_searc
         of("t::c", "IF number = 0 THEN number := 2; END_IF;"),
         of("t::d", "FOR number := 1 TO 2 DO list[0] := number; END_FOR;"),
     ];
-    let found = causes(&Compiler::new(counts_and_rounds), cases);
+    let found = causes(&DefectiveCompiler::new(counts_and_rounds), cases);
     assert_eq!(titles(&found).len(), 1, "{:?}", titles(&found));
     // Each case once, the operand of all of them with its repetitions, and its normal form.
     let run = RUN.load(Ordering::Relaxed);
@@ -321,7 +324,7 @@ fn values_in_lists_that_nobody_checks_are_one_cause_whatever_is_wrong_with_them(
         case(id, &declarations, "done := TRUE;", &format!("3 {code}"))
     };
     let cases = vec![of("t::a", "128", "P2026"), of("t::b", "INT#0", "P4022")];
-    let found = causes(&Compiler::new(dying), cases);
+    let found = causes(&DefectiveCompiler::new(dying), cases);
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
 }
 
@@ -347,7 +350,7 @@ fn a_comparison_that_is_right_when_it_is_turned_round_is_done_in_the_type_of_its
         of("t::a", "INT := -300", "SINT#0", "less = BOOL#FALSE"),
         of("t::b", "LINT := 4294967290", "DINT#0", "less = BOOL#TRUE"),
     ];
-    let found = causes(&Compiler::new(compares_as_the_first), cases);
+    let found = causes(&DefectiveCompiler::new(compares_as_the_first), cases);
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
     assert_eq!(found[0].construct, "comparison in the type of its first operand");
 }
@@ -370,7 +373,7 @@ fn a_program_that_must_be_rejected_and_dies_when_it_runs_was_accepted() {
         "into := from;",
         "5 P4035",
     )];
-    let found = causes(&Compiler::new(dying), cases);
+    let found = causes(&DefectiveCompiler::new(dying), cases);
     assert_eq!(found[0].symptom, "accepted");
     assert_eq!(found[0].shown.got, [Fact::Accepted]);
 }
@@ -385,7 +388,7 @@ fn a_code_that_the_engine_lacks_is_not_asked_for() {
             "5 P4035",
         )]
     };
-    let mut compiler = Compiler::new(dying);
+    let mut compiler = DefectiveCompiler::new(dying);
     let with = causes(&compiler, cases());
     compiler.identity.lacks = vec!["P4035".parse::<Code>().expect("a code")];
     let without = causes(&compiler, cases());
@@ -427,7 +430,7 @@ fn a_value_that_nobody_asked_about_explains_no_other() {
         questions: 0,
         ..SearchLimits::default()
     };
-    let found = causes_within(&Compiler::new(converts_otherwise), cases, limits);
+    let found = causes_within(&DefectiveCompiler::new(converts_otherwise), cases, limits);
     assert_eq!(found.len(), 2, "{:?}", titles(&found));
 }
 
@@ -457,7 +460,7 @@ fn a_program_that_several_groups_ask_for_is_run_once() {
         with("t::quotient", "data / 5 * data", "into = INT#320"),
         with("t::absolute", "ABS(data)", "into = INT#40"),
     ];
-    let found = causes(&Compiler::new(counts_the_operand), cases);
+    let found = causes(&DefectiveCompiler::new(counts_the_operand), cases);
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
     assert_eq!(ALONE.load(Ordering::Relaxed), 1);
 }
@@ -486,7 +489,10 @@ fn a_loop_without_an_end_is_explained_by_the_initial_value_that_was_lost() {
                    count := count + 1;\n    UNTIL finished\n    END_REPEAT;\nEND_FUNCTION_BLOCK\nPROGRAM main\nVAR\n    fb : looping;\n    into : INT;\nEND_VAR\n    \
                    fb();\n    into := fb.count;\nEND_PROGRAM\n";
     let case = fixtures::case("t::loop", program, "into = INT#1");
-    let found = causes(&Compiler::new(without_initial_values_of_blocks), vec![case]);
+    let found = causes(
+        &DefectiveCompiler::new(without_initial_values_of_blocks),
+        vec![case],
+    );
     assert_eq!(
         titles(&found),
         [(
@@ -515,7 +521,7 @@ fn operands_that_no_operator_checks_are_one_cause() {
     let declarations = "t : TIME; w : WORD; b : BOOL;";
     let cases = ["t := t + w;", "b := t < w;", "w := w AND t;"]
         .map(|line| case("t::a", declarations, line, "5 P4049"));
-    let found = causes(&Compiler::new(without_types_of_operands), cases.to_vec());
+    let found = causes(&DefectiveCompiler::new(without_types_of_operands), cases.to_vec());
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
     assert_eq!(found[0].number(), 3);
 }
@@ -540,7 +546,7 @@ fn a_compiler_that_loses_the_places_of_mistakes_has_one_cause_whatever_the_mista
         case("t::a", declarations, "into := from;", "5 P4035"),
         case("t::b", declarations, "into := nobody;", "5 P4007"),
     ];
-    let found = causes(&Compiler::new(without_places), cases);
+    let found = causes(&DefectiveCompiler::new(without_places), cases);
     assert_eq!(found.len(), 1, "{:?}", titles(&found));
     let title = &found[0].title;
     assert!(
@@ -572,7 +578,7 @@ fn without_arguments(request: &RunRequest<'_>) -> Outcome {
 fn a_valid_program_that_is_rejected_like_one_with_a_mistake_is_shown_whole_and_without_its_claim() {
     let declarations = "from : DINT; into : INT;";
     let cases = vec![case("t::a", declarations, "into := ABS(from);", "5 P4035")];
-    let found = causes(&Compiler::new(without_arguments), cases);
+    let found = causes(&DefectiveCompiler::new(without_arguments), cases);
     assert_eq!(found[0].shown.expected, [Fact::Accepted], "{:?}", titles(&found));
     assert!(found[0].shown.is_derived, "the claim is about a mistake");
 }
@@ -589,7 +595,7 @@ fn subranges_twice(request: &RunRequest<'_>) -> Outcome {
 fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
     let program = "TYPE\n    narrow : INT(9..1);\nEND_TYPE\nPROGRAM main\nVAR\n    fine : INT;\nEND_VAR\n    fine := 1;\nEND_PROGRAM\n";
     let cases = vec![fixtures::case("t::a", program, "2 P2002")];
-    let found = causes(&Compiler::new(subranges_twice), cases);
+    let found = causes(&DefectiveCompiler::new(subranges_twice), cases);
     assert!(found[0].symptom.starts_with("surplus"), "{:?}", titles(&found));
     let title = &found[0].title;
     assert!(
@@ -616,6 +622,6 @@ fn adds_too_little(request: &RunRequest<'_>) -> Outcome {
 #[test]
 fn a_wrong_value_stays_what_it_is_while_its_program_becomes_smaller() {
     let sum = case("t::sum", "c : INT := 6; d, x : INT;", "x := c + d;", "x = INT#6");
-    let found = causes(&Compiler::new(adds_too_little), vec![sum]);
+    let found = causes(&DefectiveCompiler::new(adds_too_little), vec![sum]);
     assert!(found[0].shown.program.contains('+'), "{}", found[0].shown.program);
 }

@@ -13,27 +13,27 @@ use stickler_types::{Diagnostic, DialectName, Value};
 /// A compiler that does what the reference does, but for three defects: it cannot read an exponent of three digits, it
 /// assigns a value of every type to every other, and it does not convert integers to REAL.
 #[derive(Default)]
-struct Defective {
+struct ThreeDefects {
     identity: Option<Identity>,
     /// The number of programs that were run.
     asked: AtomicU64,
-    /// Every so many programs are rejected, whatever they are; 0 stands for none.
+    /// The interval at which programs are rejected, whatever they are; 0 stands for none.
     rejects_every: u64,
     /// The operator that it does not implement.
     lacks: Option<&'static str>,
 }
 
-impl Defective {
-    fn new(rejects_every: u64) -> Defective {
-        Defective {
+impl ThreeDefects {
+    fn new(rejects_every: u64) -> ThreeDefects {
+        ThreeDefects {
             identity: Some(identity()),
             rejects_every,
-            ..Defective::default()
+            ..ThreeDefects::default()
         }
     }
 }
 
-impl Engine for Defective {
+impl Engine for ThreeDefects {
     fn identity(&self) -> &Identity {
         self.identity.as_ref().expect("made by new")
     }
@@ -43,7 +43,7 @@ impl Engine for Defective {
     }
 }
 
-struct Compiling<'e>(&'e Defective);
+struct Compiling<'e>(&'e ThreeDefects);
 
 impl Session for Compiling<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
@@ -150,7 +150,7 @@ fn suite() -> Suite {
 
 #[test]
 fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
-    let found = causes(&suite(), &Defective::new(0), 2, SearchLimits::default());
+    let found = causes(&suite(), &ThreeDefects::new(0), 2, SearchLimits::default());
     assert_eq!(
         titles(&found),
         [
@@ -184,13 +184,13 @@ fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
 
 #[test]
 fn the_same_is_found_however_many_threads_there_are() {
-    let found = |jobs| causes(&suite(), &Defective::new(0), jobs, SearchLimits::default());
+    let found = |jobs| causes(&suite(), &ThreeDefects::new(0), jobs, SearchLimits::default());
     assert_eq!(found(1), found(4));
 }
 
 #[test]
 fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
-    let engine = Defective::new(0);
+    let engine = ThreeDefects::new(0);
     let limits = SearchLimits {
         questions: 0,
         ..SearchLimits::default()
@@ -225,7 +225,7 @@ fn without_questions_every_case_still_has_a_cause_with_the_program_of_a_case() {
 
 #[test]
 fn what_comes_by_chance_is_told_as_such() {
-    let found = causes(&suite(), &Defective::new(19), 1, SearchLimits::default());
+    let found = causes(&suite(), &ThreeDefects::new(19), 1, SearchLimits::default());
     let chance = found
         .iter()
         .find(|cause| cause.title.contains("the dice"))
@@ -238,9 +238,9 @@ fn what_comes_by_chance_is_told_as_such() {
 
 #[test]
 fn a_construct_that_a_document_promises_and_that_is_not_implemented_is_a_cause_with_the_smallest_program() {
-    let mut engine = Defective {
+    let mut engine = ThreeDefects {
         lacks: Some(" MOD "),
-        ..Defective::new(0)
+        ..ThreeDefects::new(0)
     };
     // Of a compiler with an adapter, Stickler's own sources say which of them speak for it.
     engine.identity.as_mut().expect("made by new").name = "ironplc".to_owned();

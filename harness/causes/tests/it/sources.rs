@@ -1,7 +1,7 @@
 //! Finds the causes of a compiler for which Stickler's own sources speak: who is cited for them.
 
 use crate::fixtures::{self, titles};
-use crate::normal_forms::{Compiler, as_the_reference, dying};
+use crate::normal_forms::{DefectiveCompiler, as_the_reference, dying};
 use std::path::Path;
 use std::sync::Arc;
 use stickler_causes::SearchLimits;
@@ -12,7 +12,7 @@ use stickler_types::Diagnostic;
 
 /// Returns the causes of IronPLC with a defect, of cases with these bases.
 fn causes(run: fn(&RunRequest<'_>) -> Outcome, cases: Vec<Case>) -> Vec<Cause> {
-    let mut compiler = Compiler::new(run);
+    let mut compiler = DefectiveCompiler::new(run);
     compiler.identity.name = "ironplc".to_owned();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
     let mut suite = Suite::load_files(&folder, &[], |_, _| false);

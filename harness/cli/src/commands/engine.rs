@@ -8,7 +8,7 @@ use anyhow::Context;
 use std::borrow::Cow;
 use std::env;
 use std::io::{self, Write};
-use stickler_configuration::{Configuration, EngineKind};
+use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
 
 const BOLD: Style = Style::new().bold();
@@ -49,7 +49,7 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
 }
 
 /// Returns the command line by which this program serves an engine.
-fn served(name: &str, configuration: &Configuration) -> anyhow::Result<String> {
+fn served(name: &str, configuration: &ConfigurationFile) -> anyhow::Result<String> {
     let program = env::current_exe().context("this program does not know where it is")?;
     let mut words = vec![program.to_string_lossy().into_owned()];
     words.extend(["engine", "--engine", name].map(str::to_owned));

@@ -6,7 +6,7 @@ use crate::{engines, interrupt};
 use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
-use stickler_configuration::{Configuration, EngineKind};
+use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency};
 use stickler_types::wrap;
 use stickler_workers::WorkerPool;
@@ -42,7 +42,7 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
 /// Searches for all engines at once: each asks a compiler for its version, and some compilers take a second to answer.
 fn seek_all<'n>(
     names: &[&'n str],
-    configuration: &'n Configuration,
+    configuration: &'n ConfigurationFile,
 ) -> anyhow::Result<Vec<ListedEngine<'n>>> {
     WorkerPool::new(names.len()).map(
         names.iter(),
@@ -102,7 +102,7 @@ impl From<FoundDependency> for FoundPlace {
 }
 
 impl<'n> ListedEngine<'n> {
-    fn new(name: &'n str, sought: CompilerSearch, configuration: &'n Configuration) -> ListedEngine<'n> {
+    fn new(name: &'n str, sought: CompilerSearch, configuration: &'n ConfigurationFile) -> ListedEngine<'n> {
         let entry = configuration.engine(name);
         let (compiler, project) = match entry.map(|entry| &entry.kind) {
             Some(EngineKind::Compiler { compiler, .. }) => (Some(*compiler), Some(compiler.project())),

@@ -1,19 +1,18 @@
 //! `stickler import`: judges and reports results that were copied out of an editor, like a run of any engine.
 
-mod recorder;
-
 use crate::arguments::ImportArguments;
 use crate::case_folder::{self, CaseFolder};
+use crate::commands::record;
 use crate::exit::{self, Exit};
 use crate::{baselines, output, shell};
 use anyhow::{Context, bail};
 use jiff::tz::TimeZone;
 use jiff::{Timestamp, Unit};
-use recorder::Recorder;
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
+use stickler_conversions::recording::{Recording, RecordingBuilder};
 use stickler_engines::{Ability, Grade, Identity, Outcome, Reference};
 use stickler_export::{CopiedText, Export, Imported, MANIFEST};
 use stickler_report::events;
@@ -21,7 +20,7 @@ use stickler_report::terminal::{self, Surroundings};
 use stickler_report::{Overview, ReportError, Reports};
 use stickler_run::{CaseJudge, Plan};
 use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, RecordingOrigin, counted};
 
 /// Judges the copied results, writes the reports, and shows a summary.
 ///
@@ -230,4 +229,89 @@ fn exit(imported: &Imported) -> Exit {
         _ => exit::of_totals(&summary.totals, summary.outdated > 0),
     };
     judged.worst(whole)
+}
+
+/// Gathers the answers for the file that `--record` names.
+struct Recorder {
+    path: PathBuf,
+    older: Option<Recording>,
+    builder: RecordingBuilder,
+    title: String,
+    /// The number of cases that ask nothing of what a recording holds.
+    others: u64,
+}
+
+impl Recorder {
+    /// Begins a recording; `None` where none is wanted.
+    ///
+    /// # Errors
+    /// A product, version, platform or date that says nothing, or a file that is another recording.
+    fn begin(arguments: &ImportArguments, dialect: DialectName) -> anyhow::Result<Option<Recorder>> {
+        let Some(path) = arguments.record.clone() else {
+            return Ok(None);
+        };
+        let text = |given: &Option<String>| given.as_deref().unwrap_or_default().trim().to_owned();
+        let mut origin = RecordingOrigin {
+            product: text(&arguments.product),
+            version: text(&arguments.product_version),
+            commit: None,
+            platform: text(&arguments.platform),
+            date: arguments.date.clone().unwrap_or_else(record::today),
+        };
+        if let Some(mistake) = origin.mistake() {
+            bail!("nothing can be recorded: {mistake}");
+        }
+        let older = record::older(&path, &origin)?;
+        // The copied texts are of the same version, and do not tell its commit.
+        origin.commit = older.as_ref().and_then(|older| older.origin.commit.clone());
+        let name = path
+            .file_stem()
+            .map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+        Ok(Some(Recorder {
+            older,
+            title: format!("{} {}", origin.product, origin.version),
+            builder: RecordingBuilder::new(&name, origin, dialect),
+            path,
+            others: 0,
+        }))
+    }
+
+    /// Adds what the compiler did with a case.
+    fn take(&mut self, case: &Case, outcome: &Outcome) {
+        if !self.builder.take(&case.source, outcome) {
+            self.others += 1;
+        }
+    }
+
+    /// Writes the file, and shows what is in it.
+    ///
+    /// # Errors
+    /// No answer at all, or a file that cannot be written.
+    fn finish(self, out: &mut dyn Write) -> anyhow::Result<()> {
+        let shown = self.path.display().to_string();
+        if self.builder.number() == 0 {
+            bail!(
+                "{shown} is not written: no result tells what a recording holds; `stickler export --recording` asks for it"
+            );
+        }
+        let answers = counted(self.builder.number() as u64, "answer", "answers");
+        let mut recording = self.builder.finish();
+        let added = match self.older {
+            Some(older) => {
+                recording.complete_from(older);
+                ", added to those that it had"
+            }
+            None => "",
+        };
+        record::write(&recording, &self.path)?;
+        writeln!(out, "{shown}: {answers} of {}{added}", self.title)?;
+        if self.others > 0 {
+            let others = counted(self.others, "case asks", "cases ask");
+            writeln!(
+                out,
+                "  {others} nothing that a recording holds, or showed no value"
+            )?;
+        }
+        Ok(())
+    }
 }

@@ -6,7 +6,7 @@ use crate::exit::Exit;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_engines::Compiler;
-use stickler_suite::{LintFinding, Severity};
+use stickler_suite::{LintFinding, LintSeverity};
 
 const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
@@ -32,21 +32,21 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
     }
     let severities = findings.iter().map(|finding| finding.severity);
     Ok(severities
-        .chain(refused.iter().map(|_| Severity::Error))
+        .chain(refused.iter().map(|_| LintSeverity::Error))
         .map(exit)
         .fold(Exit::AsExpected, Exit::worst))
 }
 
 fn write(finding: &LintFinding, out: &mut dyn Write) -> io::Result<()> {
     match finding.severity {
-        Severity::Error => writeln!(out, "{ERROR}error:{ERROR:#} {}", finding.what),
-        Severity::Warning => writeln!(out, "{WARNING}warning:{WARNING:#} {}", finding.what),
+        LintSeverity::Error => writeln!(out, "{ERROR}error:{ERROR:#} {}", finding.what),
+        LintSeverity::Warning => writeln!(out, "{WARNING}warning:{WARNING:#} {}", finding.what),
     }
 }
 
-fn exit(severity: Severity) -> Exit {
+fn exit(severity: LintSeverity) -> Exit {
     match severity {
-        Severity::Error => Exit::Usage,
-        Severity::Warning => Exit::Failures,
+        LintSeverity::Error => Exit::Usage,
+        LintSeverity::Warning => Exit::Failures,
     }
 }

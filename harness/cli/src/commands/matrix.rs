@@ -1,12 +1,11 @@
 //! `stickler matrix`: shows which types convert implicitly, by the documents and by engines.
 
-mod table;
-
 use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::documented::IMPLICIT_PROBE as PROBE;
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
+use crate::matrix_table::{CellBases, DialectMatrix, Documents, EngineAnswers};
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
@@ -15,7 +14,6 @@ use stickler_conversions::implicit::{self, TypePair};
 use stickler_conversions::recording::Recording;
 use stickler_suite::{Case, MatrixCell};
 use stickler_types::{DialectName, ElementaryType};
-use table::{Bases, DialectMatrix, Documents, EngineAnswers};
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
 const TYPES: [ElementaryType; 20] = [
@@ -113,7 +111,7 @@ fn documents(cases: &[Case], dialect: DialectName) -> Documents {
 }
 
 /// Returns the source and section from which the documents' word for each pair comes.
-fn bases(cases: &[Case], dialect: DialectName) -> Bases {
+fn bases(cases: &[Case], dialect: DialectName) -> CellBases {
     let cases = cases.iter().filter(|case| case.dialect == dialect);
     let of_case = |case: &Case| {
         let cell = case.cell.as_deref().filter(|cell| &*cell.probe == PROBE)?;
@@ -157,7 +155,7 @@ fn gather(
         dialect,
         types,
         documents,
-        bases: Bases::new(),
+        bases: CellBases::new(),
         engines: columns,
     })
 }

@@ -1,9 +1,8 @@
 //! `stickler reduce`: reduces one file to a small program on which an engine still shows the same wrong behaviour.
 
-mod subject;
-
 use crate::arguments::ReduceArguments;
 use crate::exit::Exit;
+use crate::reduction_engine::ReductionEngine;
 use crate::{engines, interrupt, output, source_file};
 use anyhow::{Context, bail};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -17,7 +16,6 @@ use stickler_generate::reduce::{
 };
 use stickler_reference::decoding::decode;
 use stickler_types::DialectName;
-use subject::ReductionEngine;
 
 /// Prints the smallest program that shows the symptom, or writes it to the named file; writes a summary to stderr.
 ///

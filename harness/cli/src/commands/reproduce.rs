@@ -11,7 +11,7 @@ use page::{README, ReproductionPage};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use stickler_configuration::{Configuration, EngineKind};
+use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{
     Ability, Compiler, Description, Engine, NoReproduction, Reproduction, RunRequest, reproduce_and_run,
     shell_quote,
@@ -82,7 +82,7 @@ impl KnownCompiler<'_> {
     ///
     /// # Errors
     /// No engine has the name, or it has no command line of its own.
-    fn named<'c>(name: &str, configuration: &'c Configuration) -> anyhow::Result<KnownCompiler<'c>> {
+    fn named<'c>(name: &str, configuration: &'c ConfigurationFile) -> anyhow::Result<KnownCompiler<'c>> {
         let entry = configuration.engine(name).map(|entry| &entry.kind);
         match (entry, Compiler::from_name(name)) {
             (Some(EngineKind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
@@ -150,7 +150,7 @@ struct Here {
 
 impl Here {
     /// Finds the compiler; says on stderr why not where it is not here.
-    fn find(name: &str, configuration: &Configuration) -> Option<Here> {
+    fn find(name: &str, configuration: &ConfigurationFile) -> Option<Here> {
         match engines::seek(name, name, configuration)?.engine {
             Ok(engine) => Some(Here { engine }),
             Err(error) => {

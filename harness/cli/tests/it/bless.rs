@@ -34,7 +34,7 @@ impl TestFolder {
     }
 
     /// Runs the suite on the engine, which accepts programs that contain `knows`.
-    fn run(&self, knows: &str, more: &[&str]) -> Ended {
+    fn run(&self, knows: &str, more: &[&str]) -> CommandResult {
         let common = [
             "run",
             "--no-causes",
@@ -46,11 +46,11 @@ impl TestFolder {
         self.command(&[&common, more].concat(), knows)
     }
 
-    fn bless(&self, more: &[&str]) -> Ended {
+    fn bless(&self, more: &[&str]) -> CommandResult {
         self.command(&[&["bless", "--cases", SUITE], more].concat(), "")
     }
 
-    fn command(&self, arguments: &[&str], knows: &str) -> Ended {
+    fn command(&self, arguments: &[&str], knows: &str) -> CommandResult {
         let output = stickler(self.path(), arguments)
             .env(
                 "KNOWS",
@@ -61,7 +61,7 @@ impl TestFolder {
                 },
             )
             .output();
-        Ended::of(output.expect("the command runs"))
+        CommandResult::of(output.expect("the command runs"))
     }
 
     fn baseline(&self) -> String {
@@ -77,15 +77,15 @@ impl TestFolder {
 
 const BASELINE: &str = "reports/baselines/grumpy.toml";
 
-struct Ended {
+struct CommandResult {
     code: Option<i32>,
     stdout: String,
     stderr: String,
 }
 
-impl Ended {
-    fn of(output: Output) -> Ended {
-        Ended {
+impl CommandResult {
+    fn of(output: Output) -> CommandResult {
+        CommandResult {
             code: output.status.code(),
             stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
             stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
@@ -94,7 +94,7 @@ impl Ended {
 
     /// Asserts that the command ended with an exit code and printed all of the given texts.
     #[track_caller]
-    fn with(self, code: i32, said: &[&str]) -> Ended {
+    fn with(self, code: i32, said: &[&str]) -> CommandResult {
         let all = format!("{}\n{}", self.stdout, self.stderr);
         assert_eq!(self.code, Some(code), "{all}");
         for part in said {

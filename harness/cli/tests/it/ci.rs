@@ -12,13 +12,13 @@ use yaml_rust2::{Yaml, YamlLoader};
 const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
 /// A job of GitHub in an empty folder.
-struct Job {
+struct CiJob {
     folder: TempDir,
 }
 
-impl Job {
-    fn new() -> Job {
-        Job {
+impl CiJob {
+    fn new() -> CiJob {
+        CiJob {
             folder: tempfile::tempdir().expect("a folder"),
         }
     }
@@ -55,7 +55,7 @@ impl Job {
 
 #[test]
 fn the_action_runs_cases_annotates_and_leaves_summary_and_outputs() {
-    let job = Job::new();
+    let job = CiJob::new();
     let run = job.run(&[
         ("CASES", SUITE),
         ("DIALECT", " matiec \n\nironplc-ed2\n"),
@@ -78,7 +78,7 @@ fn the_action_runs_cases_annotates_and_leaves_summary_and_outputs() {
 
 #[test]
 fn no_input_of_the_action_is_taken_for_a_command() {
-    let job = Job::new();
+    let job = CiJob::new();
     let run = job.run(&[
         ("CASES", SUITE),
         ("FILTER", "$(touch made) `touch made`; touch made"),
@@ -93,7 +93,7 @@ fn no_input_of_the_action_is_taken_for_a_command() {
 
 #[test]
 fn the_action_joins_the_parts_that_it_ran() {
-    let job = Job::new();
+    let job = CiJob::new();
     for part in ["1", "2"] {
         let (shard, report) = (format!("{part}/2"), format!("parts/{part}"));
         job.run(&[("CASES", SUITE), ("SHARD", &shard), ("REPORT", &report)]);
@@ -339,7 +339,7 @@ fn the_examples_give_the_action_inputs_that_it_has_and_the_script_reads_all_of_t
 
 #[test]
 fn the_script_of_the_site_keeps_the_newest_runs_of_each_version_and_what_was_handed_in() {
-    let job = Job::new();
+    let job = CiJob::new();
     let reports = |name: &str, version: &str, day: u32| {
         let run = Command::new(STICKLER)
             .args(["run", "--cases", SUITE, "--report", name])

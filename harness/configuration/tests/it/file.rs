@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::Path;
-use stickler_configuration::{Configuration, EngineEntry, EngineKind};
+use stickler_configuration::{ConfigurationFile, EngineEntry, EngineKind};
 use stickler_engines::{Compiler, DependencyPaths};
 
 use super::{mistake, read};
@@ -13,7 +13,7 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
     let text = "# Ours.\n[engines.ironplc]\nironplcc = \"bin/ironplcc\"\n\n[engines.old]\nadapter = \"ironplc\"\n\
                 ironplcvm = \"/opt/old/ironplcvm\"\n";
     fs::write(folder.path().join("stickler.toml"), text).unwrap();
-    let configuration = Configuration::find(folder.path()).unwrap();
+    let configuration = ConfigurationFile::find(folder.path()).unwrap();
     let Some(EngineEntry {
         written,
         kind: EngineKind::Compiler { compiler, places },
@@ -63,7 +63,7 @@ fn the_file_of_a_folder_above_counts_and_none_is_none() {
         "[engines.mine]\ncommand = \"x\"\n",
     )
     .unwrap();
-    let configuration = Configuration::find(&inside).unwrap();
+    let configuration = ConfigurationFile::find(&inside).unwrap();
     let written = &configuration.engine("mine").unwrap().written;
     assert!(
         written.ends_with("stickler.toml:1") && Path::new(written).is_absolute(),
@@ -140,12 +140,12 @@ fn a_mistake_is_told_with_its_place_and_what_was_meant() {
 
 #[test]
 fn a_file_that_cannot_be_read_is_named() {
-    let error = Configuration::read(Path::new("no/such/file.toml")).unwrap_err();
+    let error = ConfigurationFile::read(Path::new("no/such/file.toml")).unwrap_err();
     assert_eq!(error.to_string(), "cannot read no/such/file.toml");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("stickler.toml");
     fs::write(&path, b"\xff\xfe").unwrap();
-    assert!(Configuration::read(&path).is_err());
+    assert!(ConfigurationFile::read(&path).is_err());
 }
 
 #[test]

@@ -4,13 +4,13 @@ mod dialects;
 mod file;
 
 use std::fs;
-use stickler_configuration::Configuration;
+use stickler_configuration::ConfigurationFile;
 
 /// Returns the configuration of a temporary folder whose file has this text.
-fn read(text: &str) -> Result<Configuration, String> {
+fn read(text: &str) -> Result<ConfigurationFile, String> {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("stickler.toml"), text).unwrap();
-    Configuration::find(folder.path()).map_err(|error| error.to_string())
+    ConfigurationFile::find(folder.path()).map_err(|error| error.to_string())
 }
 
 fn mistake(text: &str) -> String {

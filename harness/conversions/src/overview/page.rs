@@ -53,7 +53,7 @@ impl OverviewPage<'_> {
     /// # Errors
     /// Errors of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
-        let mut notes = Notes::default();
+        let mut notes = Footnotes::default();
         for results in self.results {
             self.write_signature(results, &mut notes, out)?;
             writeln!(out)?;
@@ -80,7 +80,7 @@ impl OverviewPage<'_> {
     fn write_signature(
         &self,
         results: &SignatureResults,
-        notes: &mut Notes,
+        notes: &mut Footnotes,
         out: &mut dyn Write,
     ) -> io::Result<()> {
         let signature = &results.signature;
@@ -118,7 +118,12 @@ impl OverviewPage<'_> {
     }
 
     /// Returns the table column of a group of dialects whose results are equal.
-    fn column(&self, group: &[&DialectResults], result: ElementaryType, notes: &mut Notes) -> table::Column {
+    fn column(
+        &self,
+        group: &[&DialectResults],
+        result: ElementaryType,
+        notes: &mut Footnotes,
+    ) -> table::Column {
         let first = group.first();
         let engine = first.and_then(|column| match self.engines {
             [_] => None,
@@ -191,14 +196,14 @@ impl OverviewPage<'_> {
 
 /// The footnotes of the page: the letters that stand for the bases of results.
 #[derive(Default)]
-struct Notes {
+struct Footnotes {
     bases: Vec<Arc<str>>,
     open: bool,
     contradicted: bool,
     disputed: bool,
 }
 
-impl Notes {
+impl Footnotes {
     fn of(&mut self, compared: &ComparedResult) -> String {
         let is_disputed = compared.expected.otherwise.is_some();
         let mark = match (compared.contradicts(), is_disputed) {

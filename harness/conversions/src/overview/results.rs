@@ -28,7 +28,7 @@ pub enum AnswerSource<'a> {
 }
 
 /// Gives the results of calls in a dialect.
-type Answers<'a> =
+type CallEvaluator<'a> =
     Box<dyn FnMut(DialectName, &Signature, &[CallOperands]) -> Vec<Result<Value, Refusal>> + 'a>;
 
 /// The results of one engine in one dialect.
@@ -142,7 +142,7 @@ impl SignatureResults {
         &mut self,
         engine: usize,
         dialect: DialectName,
-        answers: &mut Answers<'_>,
+        answers: &mut CallEvaluator<'_>,
         asserted: &[AssertedResult],
     ) {
         let SignatureResults { signature, calls, .. } = &*self;
@@ -196,7 +196,7 @@ pub fn gather(
         })
         .collect();
     for (index, (source, dialects)) in sources.iter().enumerate() {
-        let mut answers: Answers<'_> = match source {
+        let mut answers: CallEvaluator<'_> = match source {
             AnswerSource::Engine(engine) => {
                 let mut session = FunctionSession::open(*engine)?;
                 Box::new(move |dialect, signature, calls| session.results(dialect, signature, calls))

@@ -26,12 +26,12 @@ pub struct RecordingError {
 struct File {
     recording: Spanned<RecordingOrigin>,
     #[serde(default)]
-    answers: Vec<Spanned<Answers>>,
+    answers: Vec<Spanned<AnswerSection>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Answers {
+struct AnswerSection {
     dialects: Vec<String>,
     #[serde(default)]
     implicit: WordRows,
@@ -40,7 +40,7 @@ struct Answers {
     #[serde(default)]
     comparisons: WordRows,
     #[serde(default)]
-    functions: BTreeMap<Spanned<String>, Row>,
+    functions: BTreeMap<Spanned<String>, RecordedRow>,
 }
 
 /// Rows by the type of their value; in a row, the words of answers, each with a list of those that it is the answer to.
@@ -48,13 +48,13 @@ type WordRows = BTreeMap<Spanned<String>, BTreeMap<String, String>>;
 
 #[derive(Deserialize)]
 #[serde(untagged)]
-enum Row {
+enum RecordedRow {
     Refused(String),
     Calls(Vec<Vec<String>>),
 }
 
 /// A mistake: where it stands in the text, and the message.
-type Mistake = (usize, String);
+type LocatedMistake = (usize, String);
 
 impl Recording {
     /// Reads the text of a file; `file` is its path in messages.
@@ -72,7 +72,7 @@ impl Recording {
     }
 }
 
-fn read(name: String, text: &str) -> Result<Recording, Mistake> {
+fn read(name: String, text: &str) -> Result<Recording, LocatedMistake> {
     let File { recording, answers } = toml::from_str(text).map_err(|error| {
         let offset = error.span().map_or(0, |span| span.start);
         let message = error.message().trim_end().replace('\n', "; ");
@@ -94,9 +94,9 @@ fn read(name: String, text: &str) -> Result<Recording, Mistake> {
     Ok(read)
 }
 
-fn add(recording: &mut Recording, answers: Spanned<Answers>) -> Result<(), Mistake> {
+fn add(recording: &mut Recording, answers: Spanned<AnswerSection>) -> Result<(), LocatedMistake> {
     let offset = answers.span().start;
-    let Answers {
+    let AnswerSection {
         dialects,
         implicit,
         bits,
@@ -156,7 +156,7 @@ fn word_row<C, A: Copy>(
     columns: &BTreeMap<String, String>,
     answer_of: fn(&str) -> Result<A, String>,
     column_of: fn(&str) -> Result<C, String>,
-) -> Result<impl Iterator<Item = (ElementaryType, C, A)> + use<C, A>, Mistake> {
+) -> Result<impl Iterator<Item = (ElementaryType, C, A)> + use<C, A>, LocatedMistake> {
     let at = |message| (row.span().start, message);
     let from = type_of(row.get_ref()).map_err(at)?;
     let mut read = Vec::new();
@@ -200,18 +200,18 @@ fn part_of(text: &str) -> Result<String, String> {
     }
 }
 
-fn function_row(key: &str, row: &Row) -> Result<FunctionAnswers, String> {
+fn function_row(key: &str, row: &RecordedRow) -> Result<FunctionAnswers, String> {
     let no_signature = || format!("`{key}` is no signature such as `REAL_TO_INT(REAL) : INT`");
     let (call, result) = key.split_once(") : ").ok_or_else(no_signature)?;
     let (_, operands) = call.split_once('(').ok_or_else(no_signature)?;
     let operands: Vec<ElementaryType> = operands.split(", ").map(type_of).collect::<Result<_, _>>()?;
     let result = type_of(result)?;
     let calls = match row {
-        Row::Refused(word) => {
+        RecordedRow::Refused(word) => {
             let kind = RefusalKind::from_word(word);
             return Ok(FunctionAnswers::Refused(kind.ok_or_else(|| no_answer(word))?));
         }
-        Row::Calls(calls) => calls,
+        RecordedRow::Calls(calls) => calls,
     };
     let call = |texts: &Vec<String>| match texts.split_last() {
         Some((answer, given)) if given.len() == operands.len() => {

@@ -31,10 +31,10 @@ pub struct RecordedTables {
 }
 
 /// A row: its name in the ids of cases, the program, and the word or value that must come.
-type TableRow = (String, ConversionProgram, String);
+type CaseRow = (String, ConversionProgram, String);
 
 /// The fate of an answer: a word or value that a case expects, or the reason why there is no case.
-type Expected = Result<String, &'static str>;
+type PromotedAnswer = Result<String, &'static str>;
 
 impl Recording {
     /// Makes tables of cases of the answers of a dialect. The cases belong to `owner`, the same dialect or one that extends it.
@@ -44,7 +44,7 @@ impl Recording {
     #[must_use]
     pub fn case_tables(&self, dialect: DialectName, owner: &str) -> RecordedTables {
         let mut made = RecordedTables::default();
-        let mut rows: BTreeMap<RecordedSection, Vec<TableRow>> = BTreeMap::new();
+        let mut rows: BTreeMap<RecordedSection, Vec<CaseRow>> = BTreeMap::new();
         for question in Question::all(dialect) {
             let Some((section, answer)) = self.expected(dialect, &question) else {
                 continue;
@@ -58,7 +58,7 @@ impl Recording {
                 Err(reason) => *made.left_out.entry(reason).or_default() += 1,
             }
         }
-        let table = |(section, rows): (RecordedSection, Vec<TableRow>)| RecordedTable {
+        let table = |(section, rows): (RecordedSection, Vec<CaseRow>)| RecordedTable {
             section,
             rows: rows.len(),
             text: self.table(section, owner, &rows),
@@ -68,7 +68,11 @@ impl Recording {
     }
 
     /// Returns what a case expects of a question; `None` where it was not asked.
-    fn expected(&self, dialect: DialectName, question: &Question) -> Option<(RecordedSection, Expected)> {
+    fn expected(
+        &self,
+        dialect: DialectName,
+        question: &Question,
+    ) -> Option<(RecordedSection, PromotedAnswer)> {
         match question {
             Question::Implicit(pair) => {
                 let answer = self.implicit(dialect, *pair)?;
@@ -130,7 +134,7 @@ impl Recording {
         )
     }
 
-    fn table(&self, section: RecordedSection, owner: &str, rows: &[TableRow]) -> String {
+    fn table(&self, section: RecordedSection, owner: &str, rows: &[CaseRow]) -> String {
         let product = format!("{} {}", self.origin.product, self.origin.version);
         let product = product.replace('{', "{{").replace('}', "}}");
         let (probe, code, observe) = match section {
@@ -180,7 +184,7 @@ impl Recording {
 /// The reason for which a crash, a time-out and the like assert nothing.
 const NO_ANSWER: &str = "no answer: a crash, a time-out, or a program that the engine does not support";
 
-fn accepted_or_not(answer: MatrixAnswer) -> Expected {
+fn accepted_or_not(answer: MatrixAnswer) -> PromotedAnswer {
     match answer {
         MatrixAnswer::Accepts | MatrixAnswer::Warns => Ok("accepted".to_owned()),
         MatrixAnswer::Rejects => Ok("no".to_owned()),

@@ -8,7 +8,7 @@ use stickler_types::{DialectName, ElementaryType};
 use toml::Value as Toml;
 
 /// A section: the dialects of its answers, and the text of each row by the kind and key of the row.
-type Sections<'r> = BTreeMap<Vec<&'r str>, BTreeMap<(&'static str, String), String>>;
+type WrittenSections<'r> = BTreeMap<Vec<&'r str>, BTreeMap<(&'static str, String), String>>;
 
 /// A row: its kind, its key, and its text.
 type WrittenRow = (&'static str, String, String);
@@ -46,7 +46,7 @@ impl Recording {
         Ok(())
     }
 
-    fn sections(&self) -> Sections<'_> {
+    fn sections(&self) -> WrittenSections<'_> {
         // The dialects of each row with the same text.
         let mut equal: BTreeMap<(&str, String, String), Vec<&str>> = BTreeMap::new();
         for dialect in &self.dialects {
@@ -59,7 +59,7 @@ impl Recording {
                 equal.entry(row).or_default().push(dialect.as_str());
             }
         }
-        let mut sections = Sections::new();
+        let mut sections = WrittenSections::new();
         for ((kind, key, row), dialects) in equal {
             sections.entry(dialects).or_default().insert((kind, key), row);
         }

@@ -85,7 +85,7 @@ pub enum FoundBy {
     Configuration(String),
     /// On PATH.
     Path,
-    /// At its usual place beside another dependency.
+    /// The usual place beside another dependency.
     Beside,
 }
 

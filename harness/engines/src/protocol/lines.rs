@@ -9,7 +9,7 @@ pub(super) enum Line {
     Whole,
     /// The line was longer than the limit and is gone.
     TooLong,
-    /// There is no further line.
+    /// The end of the input.
     End,
 }
 

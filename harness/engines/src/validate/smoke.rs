@@ -6,7 +6,7 @@
 use crate::Ability;
 
 /// One question, and the answer that must come back.
-pub(super) struct Question {
+pub(super) struct SmokeQuestion {
     /// The rule that must hold, as a sentence without its full stop.
     pub(super) rule: &'static str,
     pub(super) ask: Ask,
@@ -48,7 +48,7 @@ pub(super) enum SmokeExpectation {
     Error,
 }
 
-impl Question {
+impl SmokeQuestion {
     /// Returns the abilities that an engine needs to be asked this question.
     pub(super) fn needs(&self) -> &'static [Ability] {
         match self.ask {
@@ -66,35 +66,35 @@ pub(super) const PLAIN: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x 
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := unknown;\nEND_PROGRAM\n";
 
 /// Every question, in the order in which they are asked.
-pub(super) const QUESTIONS: &[Question] = &[
-    Question {
+pub(super) const QUESTIONS: &[SmokeQuestion] = &[
+    SmokeQuestion {
         rule: "`check` of a plain program is answered by `accepted`",
         ask: Ask::Check(PLAIN),
         expect: SmokeExpectation::Accepted,
     },
-    Question {
+    SmokeQuestion {
         rule: "a variable that is not declared is rejected, on its line",
         ask: Ask::Check(UNDECLARED),
         expect: SmokeExpectation::Rejected(Some(5)),
     },
-    Question {
+    SmokeQuestion {
         rule: "a statement that is not finished is rejected",
         ask: Ask::Check("PROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := ;\nEND_PROGRAM\n"),
         expect: SmokeExpectation::Rejected(None),
     },
-    Question {
+    SmokeQuestion {
         rule: "comments may have any characters, and none of them moves a line",
         ask: Ask::Check(
             "(* ä € 𝄞 \"quotes\" \\backslash *)\nPROGRAM main\nVAR\n    x : INT;\nEND_VAR\n    x := unknown;\nEND_PROGRAM\n",
         ),
         expect: SmokeExpectation::Rejected(Some(6)),
     },
-    Question {
+    SmokeQuestion {
         rule: "a program after a rejected one is accepted",
         ask: Ask::Check(PLAIN),
         expect: SmokeExpectation::Accepted,
     },
-    Question {
+    SmokeQuestion {
         rule: "`run` gives the value of a sum",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    x : INT := 2;\nEND_VAR\n    x := x + 3;\nEND_PROGRAM\n",
@@ -103,7 +103,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Values(&[("x", "INT#5")]),
     },
-    Question {
+    SmokeQuestion {
         rule: "`run` gives values of every kind, as typed literals",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    yes : BOOL := TRUE;\n    below : DINT := -100000;\n    bits : WORD := 16#00FF;\n    \
@@ -125,7 +125,7 @@ pub(super) const QUESTIONS: &[Question] = &[
             ("pause", "TIME#1500ms"),
         ]),
     },
-    Question {
+    SmokeQuestion {
         rule: "a text keeps its quotes and blanks",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    s : STRING := 'it$'s  so';\n    n : INT;\nEND_VAR\n    n := 1;\nEND_PROGRAM\n",
@@ -134,7 +134,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Values(&[("s", "STRING#'it$'s  so'")]),
     },
-    Question {
+    SmokeQuestion {
         rule: "an element of an array is observed by its path",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    a : ARRAY[1..3] OF INT;\nEND_VAR\n    a[2] := 7;\nEND_PROGRAM\n",
@@ -143,7 +143,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Values(&[("a[2]", "INT#7"), ("a[3]", "INT#0")]),
     },
-    Question {
+    SmokeQuestion {
         rule: "a variable keeps its value from scan to scan, and can be looked at after each",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := n + 1;\nEND_PROGRAM\n",
@@ -152,7 +152,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Values(&[("n", "INT#3"), ("n@1", "INT#1")]),
     },
-    Question {
+    SmokeQuestion {
         rule: "`run` starts each program anew",
         ask: Ask::Run {
             source: "PROGRAM main\nVAR\n    n : INT;\nEND_VAR\n    n := n + 1;\nEND_PROGRAM\n",
@@ -161,7 +161,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Values(&[("n", "INT#1")]),
     },
-    Question {
+    SmokeQuestion {
         rule: "`run` of a program that must be rejected is answered by `rejected`",
         ask: Ask::Run {
             source: UNDECLARED,
@@ -170,7 +170,7 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Rejected(Some(5)),
     },
-    Question {
+    SmokeQuestion {
         rule: "a variable that is not there is refused, and no value is made up",
         ask: Ask::Run {
             source: PLAIN,
@@ -179,32 +179,32 @@ pub(super) const QUESTIONS: &[Question] = &[
         },
         expect: SmokeExpectation::Refused,
     },
-    Question {
+    SmokeQuestion {
         rule: "`render` of a plain program is answered by `rendered`",
         ask: Ask::Render(PLAIN),
         expect: SmokeExpectation::Rendered,
     },
-    Question {
+    SmokeQuestion {
         rule: "a dialect that it does not speak is refused, and its `id` repeated",
         ask: Ask::NoDialect,
         expect: SmokeExpectation::Refused,
     },
-    Question {
+    SmokeQuestion {
         rule: "a key that it does not know is passed over",
         ask: Ask::FurtherKey,
         expect: SmokeExpectation::Accepted,
     },
-    Question {
+    SmokeQuestion {
         rule: "a line that is no JSON is answered by `error`",
         ask: Ask::Line("this is no request"),
         expect: SmokeExpectation::Error,
     },
-    Question {
+    SmokeQuestion {
         rule: "a request of no known type is answered by `error`",
         ask: Ask::Line("{\"type\":\"sing\",\"id\":1000000}"),
         expect: SmokeExpectation::Error,
     },
-    Question {
+    SmokeQuestion {
         rule: "after such lines it lives on and answers the next request",
         ask: Ask::Check(PLAIN),
         expect: SmokeExpectation::Accepted,

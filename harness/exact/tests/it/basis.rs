@@ -24,13 +24,13 @@ const NOT_FINITE: Option<&str> = Some("rule: not-finite-to-zero");
 const OPEN: Option<&str> = None;
 
 /// The bases of a call in `ironplc-ed3`, `matiec` and `plcnext`.
-type Bases = [Option<&'static str>; 3];
+type BasesByDialect = [Option<&'static str>; 3];
 
 /// The bases of a call that is open in all three dialects, for a type that matiec does not have.
-const EVERYWHERE_OPEN: Bases = [OPEN; 3];
-const ONLY_MATIEC_NAMING: Bases = [OPEN, NAMING, OPEN];
+const EVERYWHERE_OPEN: BasesByDialect = [OPEN; 3];
+const ONLY_MATIEC_NAMING: BasesByDialect = [OPEN, NAMING, OPEN];
 /// The bases of whole milliseconds.
-const IN_MILLISECONDS: Bases = [TIME, NAMING, MILLISECONDS];
+const IN_MILLISECONDS: BasesByDialect = [TIME, NAMING, MILLISECONDS];
 
 fn basis(
     function: &str,
@@ -46,7 +46,7 @@ fn basis(
 }
 
 #[track_caller]
-fn check(rows: &[(&str, &str, Bases)]) {
+fn check(rows: &[(&str, &str, BasesByDialect)]) {
     for (function, operand, bases) in rows {
         // `=> BYTE` behind a function that gives several types says which.
         let (function, to) = match function.split_once(" => ") {

@@ -27,10 +27,10 @@ const FILES: [&str; 17] = [
     "iec-ed3",
 ];
 
-type Cell = (ElementaryType, ElementaryType, DialectName);
+type ImplicitCell = (ElementaryType, ElementaryType, DialectName);
 
 /// Returns every cell of the tables, with its file and its word.
-fn cells() -> HashMap<Cell, (&'static str, MatrixWord)> {
+fn cells() -> HashMap<ImplicitCell, (&'static str, MatrixWord)> {
     let mut cells = HashMap::new();
     for file in FILES {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases/widening");
@@ -54,7 +54,7 @@ fn cells() -> HashMap<Cell, (&'static str, MatrixWord)> {
 
 /// Adds one matrix: a line of columns, then a line for each row.
 fn add(
-    cells: &mut HashMap<Cell, (&'static str, MatrixWord)>,
+    cells: &mut HashMap<ImplicitCell, (&'static str, MatrixWord)>,
     file: &'static str,
     matrix: &str,
     names: Option<&toml::Value>,

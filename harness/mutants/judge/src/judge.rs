@@ -5,18 +5,18 @@
 #[path = "../../../run/src/judge/bodies.rs"]
 mod bodies;
 
-use crate::prepared::{Acceptance, Case, Expectation};
+use crate::prepared::{PreparedAcceptance, PreparedCase, PreparedExpectation};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_reference::{Limits, render, run};
 use stickler_types::{Diagnostic, DialectName, Observation, Outcome, RunRequest, Setting, Value};
 
 /// Returns what is wrong with the reference's answer to a case; `None` where it is right. A panic is a wrong answer.
 #[must_use]
-pub fn complaint(case: &Case<'_>) -> Option<String> {
+pub fn complaint(case: &PreparedCase<'_>) -> Option<String> {
     catch_unwind(AssertUnwindSafe(|| wrong(case))).unwrap_or_else(|_| Some("it panics".to_owned()))
 }
 
-fn wrong(case: &Case<'_>) -> Option<String> {
+fn wrong(case: &PreparedCase<'_>) -> Option<String> {
     let answer = match answer(case, case.source) {
         Ok(answer) => answer,
         Err(error) => return Some(error),
@@ -44,7 +44,7 @@ fn wrong(case: &Case<'_>) -> Option<String> {
 }
 
 /// Returns the reference's answer to `source`, with all that the case asks and sets.
-fn answer(case: &Case<'_>, source: &str) -> Result<Outcome, String> {
+fn answer(case: &PreparedCase<'_>, source: &str) -> Result<Outcome, String> {
     let dialect = case.dialect.parse().map_err(|_| "it does not know the dialect")?;
     let observe: Vec<_> = case
         .observe
@@ -76,7 +76,10 @@ fn observation(name: &str, after: u32) -> Observation {
 }
 
 /// Returns the lines and codes of diagnostics, sorted, and whether one names a clean line.
-fn reported<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) -> (Vec<(u32, &'d str)>, bool) {
+fn reported<'d>(
+    expectation: &PreparedExpectation<'_>,
+    diagnostics: &'d [Diagnostic],
+) -> (Vec<(u32, &'d str)>, bool) {
     let mut found: Vec<(u32, &str)> = diagnostics
         .iter()
         .filter_map(|found| Some((found.line?, found.code.as_deref()?)))
@@ -89,18 +92,18 @@ fn reported<'d>(expectation: &Expectation<'_>, diagnostics: &'d [Diagnostic]) ->
 }
 
 /// Returns what is wrong with the warnings of a program that was accepted: one is missing, or names a clean line.
-fn warnings_differ(expectation: &Expectation<'_>, warnings: &[Diagnostic]) -> Option<String> {
+fn warnings_differ(expectation: &PreparedExpectation<'_>, warnings: &[Diagnostic]) -> Option<String> {
     let (found, on_clean_line) = reported(expectation, warnings);
     let all_given = expectation.warnings.iter().all(|wanted| found.contains(wanted));
     (!all_given || on_clean_line).then(|| format!("warnings: {found:?}"))
 }
 
-fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
+fn rejected(expectation: &PreparedExpectation<'_>, diagnostics: &[Diagnostic]) -> Option<String> {
     let (found, on_clean_line) = reported(expectation, diagnostics);
     let right = match expectation.acceptance {
-        Acceptance::Required => false,
-        Acceptance::Observed => true,
-        Acceptance::Rejected => {
+        PreparedAcceptance::Required => false,
+        PreparedAcceptance::Observed => true,
+        PreparedAcceptance::Rejected => {
             let mut expected = expectation.diagnostics.clone();
             expected.sort_unstable();
             expected == found
@@ -109,21 +112,21 @@ fn rejected(expectation: &Expectation<'_>, diagnostics: &[Diagnostic]) -> Option
     (!right || on_clean_line).then(|| format!("rejected: {found:?}"))
 }
 
-fn faulted(expectation: &Expectation<'_>, found: (u32, &str)) -> Option<String> {
+fn faulted(expectation: &PreparedExpectation<'_>, found: (u32, &str)) -> Option<String> {
     let right = match expectation.fault {
         Some(expected) => expected == found,
         // Where acceptance itself is open, how the program ends is open as well.
-        None => expectation.acceptance == Acceptance::Observed,
+        None => expectation.acceptance == PreparedAcceptance::Observed,
     };
     (!right).then(|| format!("faulted: {found:?}"))
 }
 
-fn executed(expectation: &Expectation<'_>) -> Option<String> {
-    let may_run = expectation.acceptance != Acceptance::Rejected && expectation.fault.is_none();
+fn executed(expectation: &PreparedExpectation<'_>) -> Option<String> {
+    let may_run = expectation.acceptance != PreparedAcceptance::Rejected && expectation.fault.is_none();
     (!may_run).then(|| "accepted".to_owned())
 }
 
-fn values_differ(expectation: &Expectation<'_>, values: &[(String, Value)]) -> Option<String> {
+fn values_differ(expectation: &PreparedExpectation<'_>, values: &[(String, Value)]) -> Option<String> {
     expectation.values.iter().find_map(|(key, expected)| {
         let Some((_, value)) = values.iter().find(|(name, _)| name == key) else {
             return Some(format!("{key} is missing"));
@@ -139,7 +142,7 @@ fn values_differ(expectation: &Expectation<'_>, values: &[(String, Value)]) -> O
 
 /// The bodies must be the expected lines, rendering again must change nothing, and the rendered program must do what the
 /// program did.
-fn rendering(case: &Case<'_>, wanted: &[&str], answer: &Outcome) -> Option<String> {
+fn rendering(case: &PreparedCase<'_>, wanted: &[&str], answer: &Outcome) -> Option<String> {
     let dialect: DialectName = case.dialect.parse().ok()?;
     let Ok(text) = render(case.source, dialect) else {
         return Some("not rendered".to_owned());
@@ -176,8 +179,8 @@ mod tests {
 
     const SOURCE: &str = "PROGRAM main\nVAR a : INT := 1; d : INT; END_VAR\na := a / d;\nEND_PROGRAM\n";
 
-    fn case(source: &'static str, expectation: Expectation<'static>) -> Case<'static> {
-        Case {
+    fn case(source: &'static str, expectation: PreparedExpectation<'static>) -> PreparedCase<'static> {
+        PreparedCase {
             key: "k",
             dialect: "ironplc-ed3",
             source,
@@ -188,16 +191,16 @@ mod tests {
         }
     }
 
-    fn reported(source: &'static str, expectation: Expectation<'static>) -> String {
+    fn reported(source: &'static str, expectation: PreparedExpectation<'static>) -> String {
         complaint(&case(source, expectation)).unwrap_or_default()
     }
 
     #[test]
     fn a_value_must_be_the_expected_one_of_the_expected_type() {
         const PLAIN: &str = "PROGRAM main VAR a : INT := 1; END_VAR END_PROGRAM";
-        let values = |value| Expectation {
+        let values = |value| PreparedExpectation {
             values: vec![("a", value)],
-            ..Expectation::default()
+            ..PreparedExpectation::default()
         };
         assert_eq!(reported(PLAIN, values("INT#1")), "");
         assert_eq!(reported(PLAIN, values("INT#2")), "a = INT#1");
@@ -206,38 +209,38 @@ mod tests {
 
     #[test]
     fn a_fault_must_be_the_expected_one_on_its_line() {
-        let fault = |line, kind| Expectation {
+        let fault = |line, kind| PreparedExpectation {
             fault: Some((line, kind)),
-            ..Expectation::default()
+            ..PreparedExpectation::default()
         };
         assert_eq!(reported(SOURCE, fault(3, "division-by-zero")), "");
         assert_ne!(reported(SOURCE, fault(2, "division-by-zero")), "");
         assert_ne!(reported(SOURCE, fault(3, "subrange")), "");
-        assert_ne!(reported(SOURCE, Expectation::default()), "");
+        assert_ne!(reported(SOURCE, PreparedExpectation::default()), "");
     }
 
     #[test]
     fn a_rejection_must_be_right_to_the_code_and_line_and_name_no_clean_line() {
         const WRONG: &str = "PROGRAM main\nVAR a : INT; END_VAR\na := TRUE;\nb := 1;\nEND_PROGRAM";
-        let rejected = |diagnostics: &[(u32, &'static str)], clean_lines: &[u32]| Expectation {
-            acceptance: Acceptance::Rejected,
+        let rejected = |diagnostics: &[(u32, &'static str)], clean_lines: &[u32]| PreparedExpectation {
+            acceptance: PreparedAcceptance::Rejected,
             diagnostics: diagnostics.to_vec(),
             clean_lines: clean_lines.to_vec(),
-            ..Expectation::default()
+            ..PreparedExpectation::default()
         };
         assert_eq!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[])), "");
         assert_ne!(reported(WRONG, rejected(&[(4, "P4007")], &[])), "");
         assert_ne!(reported(WRONG, rejected(&[(4, "P4007"), (3, "P4035")], &[3])), "");
-        assert_ne!(reported(WRONG, Expectation::default()), "");
+        assert_ne!(reported(WRONG, PreparedExpectation::default()), "");
         assert_ne!(reported(SOURCE, rejected(&[], &[])), "");
     }
 
     #[test]
     fn a_rendered_program_must_have_the_expected_lines() {
-        let rendered = |line| Expectation {
+        let rendered = |line| PreparedExpectation {
             fault: Some((3, "division-by-zero")),
             rendered: Some(vec![line]),
-            ..Expectation::default()
+            ..PreparedExpectation::default()
         };
         assert_eq!(reported(SOURCE, rendered("a := a / d;")), "");
         assert_ne!(reported(SOURCE, rendered("a := a * d;")), "");

@@ -10,7 +10,7 @@ const FORM: &str = "stickler prepared cases 1\n";
 
 /// One program in one dialect, and what must happen.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Case<'a> {
+pub struct PreparedCase<'a> {
     /// `id@dialect`.
     pub key: &'a str,
     /// The name of the dialect.
@@ -24,14 +24,14 @@ pub struct Case<'a> {
     /// The variables that are set: before which scan, the name, the value as a typed literal.
     pub set: Vec<(u32, &'a str, &'a str)>,
     /// The result that must come.
-    pub expectation: Expectation<'a>,
+    pub expectation: PreparedExpectation<'a>,
 }
 
 /// The result that must come: a `stickler_suite::Expectation` in texts.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Expectation<'a> {
+pub struct PreparedExpectation<'a> {
     /// Whether the program must be accepted.
-    pub acceptance: Acceptance,
+    pub acceptance: PreparedAcceptance,
     /// The line and code of each diagnostic that must be there.
     pub diagnostics: Vec<(u32, &'a str)>,
     /// The line and code of each warning that must be there.
@@ -48,7 +48,7 @@ pub struct Expectation<'a> {
 
 /// Whether a program must be accepted; see `stickler_suite::Acceptance`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Acceptance {
+pub enum PreparedAcceptance {
     /// The program must be accepted.
     #[default]
     Required,
@@ -79,8 +79,8 @@ impl std::error::Error for Unreadable {}
 
 /// Writes cases as [`read`] reads them. A text or a list of 2^32 and more would be cut; there is none.
 #[must_use]
-pub fn write<'a>(cases: impl ExactSizeIterator<Item = Case<'a>>) -> Vec<u8> {
-    let mut writer = Writer(FORM.as_bytes().to_vec());
+pub fn write<'a>(cases: impl ExactSizeIterator<Item = PreparedCase<'a>>) -> Vec<u8> {
+    let mut writer = ByteWriter(FORM.as_bytes().to_vec());
     writer.length(cases.len());
     cases.for_each(|case| writer.case(&case));
     writer.0
@@ -90,18 +90,18 @@ pub fn write<'a>(cases: impl ExactSizeIterator<Item = Case<'a>>) -> Vec<u8> {
 ///
 /// # Errors
 /// [`Unreadable`] where it is anything else.
-pub fn read(bytes: &[u8]) -> Result<Vec<Case<'_>>, Unreadable> {
-    let mut reader = Reader { bytes, offset: 0 };
-    let cases = reader.form().and_then(|()| reader.list(Reader::case));
+pub fn read(bytes: &[u8]) -> Result<Vec<PreparedCase<'_>>, Unreadable> {
+    let mut reader = ByteReader { bytes, offset: 0 };
+    let cases = reader.form().and_then(|()| reader.list(ByteReader::case));
     let offset = reader.offset;
     cases
         .filter(|_| offset == bytes.len())
         .ok_or(Unreadable { offset })
 }
 
-struct Writer(Vec<u8>);
+struct ByteWriter(Vec<u8>);
 
-impl Writer {
+impl ByteWriter {
     fn number(&mut self, number: u32) {
         self.0.extend(number.to_le_bytes());
     }
@@ -115,7 +115,7 @@ impl Writer {
         self.0.extend(text.as_bytes());
     }
 
-    fn list<T>(&mut self, list: &[T], mut item: impl FnMut(&mut Writer, &T)) {
+    fn list<T>(&mut self, list: &[T], mut item: impl FnMut(&mut ByteWriter, &T)) {
         self.length(list.len());
         list.iter().for_each(|entry| item(self, entry));
     }
@@ -125,7 +125,7 @@ impl Writer {
         self.text(text);
     }
 
-    fn case(&mut self, case: &Case<'_>) {
+    fn case(&mut self, case: &PreparedCase<'_>) {
         self.text(case.key);
         self.text(case.dialect);
         self.text(case.source);
@@ -142,32 +142,32 @@ impl Writer {
         self.expectation(&case.expectation);
     }
 
-    fn expectation(&mut self, expectation: &Expectation<'_>) {
+    fn expectation(&mut self, expectation: &PreparedExpectation<'_>) {
         self.number(match expectation.acceptance {
-            Acceptance::Required => 0,
-            Acceptance::Rejected => 1,
-            Acceptance::Observed => 2,
+            PreparedAcceptance::Required => 0,
+            PreparedAcceptance::Rejected => 1,
+            PreparedAcceptance::Observed => 2,
         });
-        self.list(&expectation.diagnostics, Writer::line_and_text);
-        self.list(&expectation.warnings, Writer::line_and_text);
+        self.list(&expectation.diagnostics, ByteWriter::line_and_text);
+        self.list(&expectation.warnings, ByteWriter::line_and_text);
         self.list(&expectation.clean_lines, |writer, line| writer.number(*line));
         self.list(&expectation.values, |writer, (key, value)| {
             writer.text(key);
             writer.text(value);
         });
-        self.list(expectation.fault.as_slice(), Writer::line_and_text);
+        self.list(expectation.fault.as_slice(), ByteWriter::line_and_text);
         self.list(expectation.rendered.as_slice(), |writer, lines| {
             writer.list(lines, |writer, line| writer.text(line));
         });
     }
 }
 
-struct Reader<'a> {
+struct ByteReader<'a> {
     bytes: &'a [u8],
     offset: usize,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ByteReader<'a> {
     fn form(&mut self) -> Option<()> {
         (self.take(FORM.len())? == FORM.as_bytes()).then_some(())
     }
@@ -188,7 +188,7 @@ impl<'a> Reader<'a> {
         std::str::from_utf8(self.take(usize::try_from(length).ok()?)?).ok()
     }
 
-    fn list<T>(&mut self, mut item: impl FnMut(&mut Reader<'a>) -> Option<T>) -> Option<Vec<T>> {
+    fn list<T>(&mut self, mut item: impl FnMut(&mut ByteReader<'a>) -> Option<T>) -> Option<Vec<T>> {
         (0..self.number()?).map(|_| item(self)).collect()
     }
 
@@ -196,8 +196,8 @@ impl<'a> Reader<'a> {
         Some((self.number()?, self.text()?))
     }
 
-    fn case(&mut self) -> Option<Case<'a>> {
-        Some(Case {
+    fn case(&mut self) -> Option<PreparedCase<'a>> {
+        Some(PreparedCase {
             key: self.text()?,
             dialect: self.text()?,
             source: self.text()?,
@@ -208,20 +208,20 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn expectation(&mut self) -> Option<Expectation<'a>> {
-        Some(Expectation {
+    fn expectation(&mut self) -> Option<PreparedExpectation<'a>> {
+        Some(PreparedExpectation {
             acceptance: match self.number()? {
-                0 => Acceptance::Required,
-                1 => Acceptance::Rejected,
-                2 => Acceptance::Observed,
+                0 => PreparedAcceptance::Required,
+                1 => PreparedAcceptance::Rejected,
+                2 => PreparedAcceptance::Observed,
                 _ => return None,
             },
-            diagnostics: self.list(Reader::line_and_text)?,
-            warnings: self.list(Reader::line_and_text)?,
-            clean_lines: self.list(Reader::number)?,
+            diagnostics: self.list(ByteReader::line_and_text)?,
+            warnings: self.list(ByteReader::line_and_text)?,
+            clean_lines: self.list(ByteReader::number)?,
             values: self.list(|reader| Some((reader.text()?, reader.text()?)))?,
-            fault: self.list(Reader::line_and_text)?.pop(),
-            rendered: self.list(|reader| reader.list(Reader::text))?.pop(),
+            fault: self.list(ByteReader::line_and_text)?.pop(),
+            rendered: self.list(|reader| reader.list(ByteReader::text))?.pop(),
         })
     }
 }
@@ -230,16 +230,16 @@ impl<'a> Reader<'a> {
 mod tests {
     use super::*;
 
-    fn case() -> Case<'static> {
-        Case {
+    fn case() -> PreparedCase<'static> {
+        PreparedCase {
             key: "folder/file@matiec",
             dialect: "matiec",
             source: "PROGRAM main (* ä *) END_PROGRAM",
             scans: 3,
             observe: vec![("q", 0), ("q", 2)],
             set: vec![(2, "q", "INT#5")],
-            expectation: Expectation {
-                acceptance: Acceptance::Observed,
+            expectation: PreparedExpectation {
+                acceptance: PreparedAcceptance::Observed,
                 diagnostics: vec![(4, "P4035")],
                 warnings: vec![(5, "C0195")],
                 clean_lines: vec![1, 2],
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn cases_are_read_as_they_were_written() {
-        let cases = [case(), Case::default()];
+        let cases = [case(), PreparedCase::default()];
         assert_eq!(read(&write(cases.clone().into_iter())), Ok(cases.to_vec()));
     }
 

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use stickler_mutants_judge::judge::complaint;
 use stickler_mutants_judge::lookout::Lookout;
-use stickler_mutants_judge::prepared::{self, Case};
+use stickler_mutants_judge::prepared::{self, PreparedCase};
 
 fn main() -> ExitCode {
     match judge_all() {
@@ -56,7 +56,7 @@ fn judge_all() -> Result<(), String> {
 }
 
 /// The cases that killed last, then all others in the order of the file.
-fn order(cases: &[Case<'_>], killers: &Path) -> Vec<usize> {
+fn order(cases: &[PreparedCase<'_>], killers: &Path) -> Vec<usize> {
     let text = std::fs::read_to_string(killers).unwrap_or_default();
     let killed = text.lines().rev().filter_map(|line| line.parse().ok());
     let mut seen = HashSet::new();

@@ -21,9 +21,9 @@ pub struct Saboteur {
 /// The place in which a saboteur breaks its rule.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum BrokenPlace {
-    /// Where a value comes from.
+    /// The origin of a value.
     Source(&'static str),
-    /// Where a value goes to.
+    /// The destination of a value.
     Target(&'static str),
     /// The statement or body around.
     Surrounding(&'static str),

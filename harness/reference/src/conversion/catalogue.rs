@@ -88,16 +88,16 @@ const BCD_BITS: &[ElementaryType] = &[ElementaryType::Byte, ElementaryType::Word
 const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::Dint];
 
 /// The types that the overloaded `TO_<DST>` takes, for each target in the order of [`ElementaryType::ALL`].
-type Sources = [Vec<ElementaryType>; ElementaryType::ALL.len()];
+type SourceTypes = [Vec<ElementaryType>; ElementaryType::ALL.len()];
 
 /// The types that `TO_<DST>` takes where a number counts milliseconds, seconds or days.
-static COMMON_SOURCES: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Seconds));
+static COMMON_SOURCES: LazyLock<SourceTypes> = LazyLock::new(|| sources(MomentUnits::Seconds));
 
 /// The types that `TO_<DST>` takes where each duration, date and time of day is a number of its own and converts to each other.
-static SOURCES_OF_COUNTS: LazyLock<Sources> = LazyLock::new(|| sources(MomentUnits::Counts));
+static SOURCES_OF_COUNTS: LazyLock<SourceTypes> = LazyLock::new(|| sources(MomentUnits::Counts));
 
 /// Returns the types that `TO_<DST>` takes by the units in which numbers count moments, the only choice that decides which pairs convert.
-fn sources(moment_units: MomentUnits) -> Sources {
+fn sources(moment_units: MomentUnits) -> SourceTypes {
     let choices = ConversionChoices {
         moment_units,
         ..COMMON_CHOICES

@@ -187,11 +187,11 @@ pub const fn parts(value: f64) -> (u64, i32) {
 /// `0 <= rest < 1`. What is computed in this form is rounded only once, when it is taken out.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact {
-    /// The sign.
+    /// Whether the sign is negative.
     pub negative: bool,
     /// The leading bits.
     pub magnitude: u128,
-    /// The rest is not zero.
+    /// Whether the rest is not zero.
     pub inexact: bool,
     /// The power of two.
     pub exponent: i32,

@@ -24,7 +24,7 @@ pub(super) enum Callee {
     Conversion(ConversionFunction),
     /// A type conversion function of two arguments.
     Concatenation(Concatenation),
-    /// Nothing that can be called: the code and the reason.
+    /// A name that cannot be called: the code and the reason.
     Nothing(Code, &'static str),
     /// An expression whose mistake is reported elsewhere.
     Silent,

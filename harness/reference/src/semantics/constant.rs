@@ -54,7 +54,7 @@ pub(super) enum Constant {
     Missing,
     /// A variable.
     Variable,
-    /// Nothing has this name.
+    /// The name is not declared.
     Unknown,
 }
 

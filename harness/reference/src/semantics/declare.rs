@@ -32,7 +32,7 @@ pub(super) struct Declarer<'u, 'r> {
     pub(super) current: Option<usize>,
     /// Variables whose types need no size of their own: VAR_IN_OUT and VAR_EXTERNAL.
     pub(super) deferred: Vec<Deferred<'u>>,
-    /// A type of a later edition has been met.
+    /// Whether a type of a later edition has been met.
     pub(super) later: bool,
     /// Room for the inferred types of constant expressions, which are lowered one by one.
     pub(super) inferred: Vec<Inferred>,

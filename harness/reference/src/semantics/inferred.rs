@@ -6,7 +6,7 @@ use stickler_types::ElementaryType;
 /// The knowledge of an expression's type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Inferred {
-    /// Not looked at yet.
+    /// An expression that was not inferred yet.
     Pending,
     /// Something is wrong with the expression. Lowering it says what; nothing else is said about it.
     Error,

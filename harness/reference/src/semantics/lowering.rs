@@ -27,9 +27,9 @@ pub(super) struct Lowering<'m> {
     pub(super) inferred: Vec<Inferred>,
     /// The POU whose code is being made; `None` for what belongs to the top level.
     pub(super) pou: Option<u32>,
-    /// In an initial value, variables of its own scope are known up to here.
+    /// The position up to which an initial value knows the variables of its own scope.
     pub(super) visible: u32,
-    /// The variables of the POU are not where the code is run, so that only its constants are known.
+    /// Whether only the constants of the POU are known, since its variables do not exist where the code is run.
     pub(super) constants_only: bool,
     /// The loops around the statement, the innermost last.
     pub(super) loops: Vec<Loop>,

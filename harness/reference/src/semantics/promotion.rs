@@ -1,7 +1,7 @@
 //! Operands that are promoted: the types in which a dialect computes with integers and bit strings, and those that results have
 //! for the checker.
 //!
-//! Basis: rule: mixed-operands; the pages of the systems that promote operands, which dialect/built_in.rs names.
+//! Basis: rule: mixed-operands; the pages of the systems that promote operands, which built_in_dialects.rs names.
 
 use super::common::TypeRules;
 use super::inferred::Inferred;
@@ -72,12 +72,12 @@ pub(super) struct PromotedOperands {
     pub(super) result: ElementaryType,
     /// The type in which it is computed.
     pub(super) computed: ElementaryType,
-    /// Where bits are combined, the result has no sign.
+    /// Whether the result has no sign where bits are combined.
     gives_up_sign: bool,
 }
 
 impl PromotedOperands {
-    /// Returns the same for an operation on bits.
+    /// Returns the types for an operation on bits.
     pub(super) fn bits(self) -> PromotedOperands {
         let is_signed = self.result.is_signed() && !self.gives_up_sign;
         PromotedOperands {

@@ -32,7 +32,7 @@ impl TypeId {
 /// The kind of a type.
 #[derive(Debug)]
 pub(super) enum TypeKind {
-    /// Nothing is known about it.
+    /// A type that is not known.
     Error,
     /// An elementary type that is no text.
     Elementary(ElementaryType),
@@ -173,7 +173,7 @@ pub(super) struct Extent {
     pub(super) text_units: u64,
     /// The depth of the types nested in it.
     pub(super) depth: u32,
-    /// A function block is part of it.
+    /// Whether a function block is part of it.
     pub(super) has_block: bool,
     /// The value without an initial value.
     pub(super) default: DefaultValue,

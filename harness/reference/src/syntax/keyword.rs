@@ -14,7 +14,7 @@ const MAX_LEN: usize = 18;
 
 const SLOTS: usize = 256;
 
-/// For each hash, the keyword in [`KEYWORDS`] that has it, or `u8::MAX`.
+/// The index in [`KEYWORDS`] of the keyword with each hash, or `u8::MAX`.
 const TABLE: [u8; SLOTS] = table();
 
 /// A hash of a word's length and of three of its letters, without regard to case. The factors were found by

@@ -87,15 +87,15 @@ const PIECES: [&str; 40] = [
     "^",
 ];
 
-struct Random(SplitMix64);
+struct TokenChoices(SplitMix64);
 
-impl Random {
+impl TokenChoices {
     fn below(&mut self, bound: usize) -> usize {
         (self.0.draw() >> 33) as usize % bound.max(1)
     }
 }
 
-/// Where the words and marks of `text` begin and end, roughly.
+/// Returns the positions at which the words and marks of `text` begin and end, roughly.
 fn boundaries(text: &str) -> Vec<usize> {
     let mut cuts: Vec<usize> = text
         .char_indices()
@@ -109,7 +109,7 @@ fn boundaries(text: &str) -> Vec<usize> {
 }
 
 /// Cuts, doubles, swaps or replaces a piece of `text`.
-fn mutate_tokens(text: &str, random: &mut Random) -> String {
+fn mutate_tokens(text: &str, random: &mut TokenChoices) -> String {
     let cuts = boundaries(text);
     let mut from = random.below(cuts.len());
     let mut to = (from + 1 + random.below(4)).min(cuts.len() - 1);
@@ -131,7 +131,7 @@ fn mutate_tokens(text: &str, random: &mut Random) -> String {
 }
 
 /// Changes single bytes, which may leave no UTF-8.
-fn mutate_bytes(text: &str, random: &mut Random) -> Vec<u8> {
+fn mutate_bytes(text: &str, random: &mut TokenChoices) -> Vec<u8> {
     let mut bytes = text.as_bytes().to_vec();
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -211,7 +211,7 @@ fn the_samples_are_accepted_and_keep_their_trees() {
 
 #[test]
 fn damaged_tokens_are_diagnosed() {
-    let mut random = Random(SplitMix64::new(0x5EED_0001));
+    let mut random = TokenChoices(SplitMix64::new(0x5EED_0001));
     let mut accepted = 0;
     for round in 0..4000 {
         let mut text = SAMPLES[round % SAMPLES.len()].to_owned();
@@ -231,7 +231,7 @@ fn damaged_tokens_are_diagnosed() {
 
 #[test]
 fn damaged_bytes_are_diagnosed() {
-    let mut random = Random(SplitMix64::new(0x5EED_0002));
+    let mut random = TokenChoices(SplitMix64::new(0x5EED_0002));
     for round in 0..4000 {
         let bytes = mutate_bytes(SAMPLES[round % SAMPLES.len()], &mut random);
         let (text, diagnostics) = decode(&bytes);
@@ -245,7 +245,7 @@ fn damaged_bytes_are_diagnosed() {
 
 #[test]
 fn shuffled_pieces_are_diagnosed() {
-    let mut random = Random(SplitMix64::new(0x5EED_0003));
+    let mut random = TokenChoices(SplitMix64::new(0x5EED_0003));
     for round in 0..3000 {
         let mut text = String::from("PROGRAM p VAR x : INT; END_VAR ");
         for _ in 0..random.below(60) {

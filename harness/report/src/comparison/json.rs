@@ -14,7 +14,7 @@ struct ComparisonDocument<'c> {
     old: &'c Header,
     new: &'c Header,
     engines: Vec<EnginePair<'c>>,
-    counts: Counts,
+    counts: ChangeCounts,
     changes: &'c [Change],
     added: &'c [UnmatchedCase],
     gone: &'c [UnmatchedCase],
@@ -29,7 +29,7 @@ struct EnginePair<'c> {
 
 /// The number of cases of each kind of change.
 #[derive(Serialize)]
-struct Counts {
+struct ChangeCounts {
     crashed: usize,
     broken: usize,
     fixed: usize,
@@ -55,7 +55,7 @@ pub fn write_json(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()
             .iter()
             .map(|(old, new)| EnginePair { old, new })
             .collect(),
-        counts: Counts {
+        counts: ChangeCounts {
             crashed: count(Kind::Crashed),
             broken: count(Kind::Broken),
             fixed: count(Kind::Fixed),

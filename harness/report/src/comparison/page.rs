@@ -1,6 +1,6 @@
 //! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result.
 
-use super::{Change, Comparison, Detail, Kind, UnmatchedCase};
+use super::{Change, ComparedTexts, Comparison, Kind, UnmatchedCase};
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
@@ -161,7 +161,7 @@ fn write_whole(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> 
     writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&detail.rerun))
 }
 
-fn write_texts(out: &mut dyn Write, change: &Change, detail: &Detail) -> io::Result<()> {
+fn write_texts(out: &mut dyn Write, change: &Change, detail: &ComparedTexts) -> io::Result<()> {
     let then = detail.old.as_deref().unwrap_or("what was expected then");
     if let Some(expected) = detail.expected.as_deref().filter(|expected| *expected != then) {
         let changed = match change.expectation_changed {

@@ -54,7 +54,7 @@ struct CauseData<'o> {
     cases: &'o [ExplainedCases],
     types: &'o [String],
     reduction: Reduced,
-    /// In how many of how many runs it came, where the engine does not do the same each time.
+    /// The number of runs that showed it and of all runs, where the engine does not do the same each time.
     flaky: Option<(u32, u32)>,
     shown: WitnessData<'o>,
     second: Option<WitnessData<'o>>,

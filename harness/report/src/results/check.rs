@@ -15,7 +15,7 @@ pub(super) fn check(document: &ResultsDocument<'_>) -> Result<Vec<Totals>, Resul
         let found = quoted(&document.started);
         return wrong("started", "a time such as 2026-09-01T12:00:00Z", found);
     }
-    let mut counter = Counter::new(&document.engines)?;
+    let mut counter = CaseCounter::new(&document.engines)?;
     for (at, case) in document.cases.iter().enumerate() {
         let path = format!("cases[{at}]");
         if case.verdict == Verdict::Pass {
@@ -49,14 +49,14 @@ pub(super) fn check(document: &ResultsDocument<'_>) -> Result<Vec<Totals>, Resul
 }
 
 /// Counts the cases of each engine, and notices those that stand twice.
-struct Counter<'d> {
+struct CaseCounter<'d> {
     numbers: HashMap<&'d str, usize>,
     totals: Vec<Totals>,
     known: HashSet<String>,
 }
 
-impl<'d> Counter<'d> {
-    fn new(engines: &'d [EngineResult<'_>]) -> Result<Counter<'d>, ResultsError> {
+impl<'d> CaseCounter<'d> {
+    fn new(engines: &'d [EngineResult<'_>]) -> Result<CaseCounter<'d>, ResultsError> {
         let mut numbers = HashMap::new();
         for (number, engine) in engines.iter().enumerate() {
             let path = format!("engines[{number}].name");
@@ -71,7 +71,7 @@ impl<'d> Counter<'d> {
         if engines.is_empty() {
             return wrong("engines", "at least one engine", "none");
         }
-        Ok(Counter {
+        Ok(CaseCounter {
             totals: vec![Totals::default(); engines.len()],
             numbers,
             known: HashSet::new(),

@@ -17,13 +17,13 @@ pub(super) struct Passed {
 /// The cases of one group, each by its arguments.
 #[derive(Default)]
 struct GroupCases {
-    durations_us: Entries<u64>,
-    got: Entries<Vec<Fact>>,
-    observed: BTreeMap<String, Entries<String>>,
+    durations_us: ValuesByArguments<u64>,
+    got: ValuesByArguments<Vec<Fact>>,
+    observed: BTreeMap<String, ValuesByArguments<String>>,
 }
 
 /// Values of cases by their arguments, in the order of the run.
-type Entries<T> = Vec<(Box<str>, T)>;
+type ValuesByArguments<T> = Vec<(Box<str>, T)>;
 
 impl Passed {
     /// Adds a case.
@@ -175,7 +175,7 @@ impl<'a, T> SharedCases<'a, T> {
 /// Joins the entries of several groups by their arguments, and makes one list of those that occur in the same groups.
 fn shared<'a, T: 'a>(
     members: &[GroupNumber],
-    of: impl Fn(&GroupNumber) -> Option<&'a Entries<T>>,
+    of: impl Fn(&GroupNumber) -> Option<&'a ValuesByArguments<T>>,
 ) -> Vec<SharedCases<'a, T>> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut cases: Vec<(&str, Vec<GroupNumber>, Vec<&T>)> = Vec::new();

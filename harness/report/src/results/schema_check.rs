@@ -4,14 +4,14 @@ use serde_json::{Map, Value};
 
 /// Returns the first misfit of a value with its place; `None` where the value fits.
 pub(super) fn misfit(root: &Value, value: &Value) -> Option<String> {
-    Check { root }.misfit(root, value, "")
+    SchemaCheck { root }.misfit(root, value, "")
 }
 
-struct Check<'s> {
+struct SchemaCheck<'s> {
     root: &'s Value,
 }
 
-impl Check<'_> {
+impl SchemaCheck<'_> {
     fn misfit(&self, schema: &Value, value: &Value, at: &str) -> Option<String> {
         let Value::Object(keywords) = schema else {
             return (*schema == Value::Bool(false)).then(|| format!("{at}: nothing may stand here"));

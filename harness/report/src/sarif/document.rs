@@ -33,21 +33,21 @@ pub(super) struct SarifRun {
 /// A `tool`.
 #[derive(Serialize)]
 pub(super) struct Tool {
-    pub(super) driver: Driver,
+    pub(super) driver: SarifDriver,
 }
 
 /// A `toolComponent`.
 #[derive(Serialize)]
-pub(super) struct Driver {
+pub(super) struct SarifDriver {
     pub(super) name: &'static str,
     pub(super) version: String,
-    pub(super) rules: Vec<Rule>,
+    pub(super) rules: Vec<SarifRule>,
 }
 
 /// A `reportingDescriptor`.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Rule {
+pub(super) struct SarifRule {
     pub(super) id: String,
     pub(super) short_description: Message,
     pub(super) full_description: Message,
@@ -97,7 +97,7 @@ pub(super) struct SarifResult {
     pub(super) rule_index: Option<usize>,
     pub(super) level: Level,
     pub(super) message: Message,
-    pub(super) locations: Vec<Location>,
+    pub(super) locations: Vec<SarifLocation>,
     pub(super) partial_fingerprints: Fingerprints,
 }
 
@@ -112,7 +112,7 @@ pub(super) struct Fingerprints {
 /// A `location`.
 #[derive(Serialize)]
 #[serde(rename_all = "camelCase")]
-pub(super) struct Location {
+pub(super) struct SarifLocation {
     physical_location: PhysicalLocation,
 }
 
@@ -136,10 +136,10 @@ pub(super) struct Region {
     pub(super) start_line: u32,
 }
 
-impl Location {
+impl SarifLocation {
     /// Returns the location of a file, or of a line of it.
-    pub(super) fn of(uri: String, region: Option<Region>) -> Location {
-        Location {
+    pub(super) fn of(uri: String, region: Option<Region>) -> SarifLocation {
+        SarifLocation {
             physical_location: PhysicalLocation {
                 artifact_location: ArtifactLocation { uri },
                 region,

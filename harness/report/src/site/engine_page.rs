@@ -1,7 +1,7 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
 use super::functions::{Functions, file};
-use super::history::{History, Step};
+use super::history::{History, VersionStep};
 use super::html::{chart, escaped, page as whole, share};
 use super::versions::VersionRun;
 use crate::comparison::{Change, Kind};
@@ -68,7 +68,7 @@ fn run_row(engine: &str, run: &VersionRun<'_>) -> String {
     )
 }
 
-fn write_step(step: &Step<'_>) -> String {
+fn write_step(step: &VersionStep<'_>) -> String {
     let kinds = [
         (Kind::Crashed, "Crashed"),
         (Kind::Broken, "Broken"),

@@ -1,6 +1,6 @@
 //! `feed.xml`: what each new version of an engine fixed and broke, as an Atom feed. Basis: RFC 4287.
 
-use super::history::{History, Step};
+use super::history::{History, VersionStep};
 use jiff::Timestamp;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
@@ -19,7 +19,7 @@ pub(super) const TITLE: &str = "Stickler: what new versions fixed and broke";
 /// Returns the error of writing XML.
 pub(super) fn feed(histories: &[History<'_>]) -> io::Result<Vec<u8>> {
     let each = histories.iter();
-    let mut steps: Vec<(&History<'_>, &Step<'_>)> = each
+    let mut steps: Vec<(&History<'_>, &VersionStep<'_>)> = each
         .flat_map(|history| history.steps.iter().map(move |step| (history, step)))
         .collect();
     steps.sort_by_key(|(_, step)| std::cmp::Reverse(step.new.run.number));
@@ -48,7 +48,7 @@ pub(super) fn feed(histories: &[History<'_>]) -> io::Result<Vec<u8>> {
     Ok(xml.into_inner())
 }
 
-fn entry(xml: &mut Writer<Vec<u8>>, history: &History<'_>, step: &Step<'_>) -> io::Result<()> {
+fn entry(xml: &mut Writer<Vec<u8>>, history: &History<'_>, step: &VersionStep<'_>) -> io::Result<()> {
     let [engine, old, new] = [history.name, step.old.version, step.new.version];
     let id = [engine, old, new].map(percent_encoded).join(":");
     xml.create_element("entry").write_inner_content(|xml| {

@@ -1,6 +1,6 @@
 //! The page of a conversion function: a row a value; a column for the documents, for each engine and for each recorded compiler.
 
-use super::functions::{AnswerColumn, AnswerOrigin, Functions, file};
+use super::functions::{AnswerOrigin, FunctionColumn, Functions, file};
 use super::html::{escaped, page as whole};
 use crate::basis::Basis;
 use std::fmt::Write;
@@ -9,7 +9,7 @@ use stickler_types::counted;
 
 /// The sources that a page cites, in the order in which they are first cited; a note is their number.
 #[derive(Default)]
-struct Notes<'s> {
+struct CitedSources<'s> {
     bases: Vec<&'s str>,
 }
 
@@ -20,7 +20,7 @@ const OPEN: &str = "<td class=\"number dim\">open</td>";
 const NOT_ASKED: &str = "<td class=\"number dim\">·</td>";
 
 /// A column of a table: its head, and a cell for each row.
-struct Column {
+struct CallColumn {
     origin: String,
     dialects: Vec<String>,
     cells: Vec<String>,
@@ -28,7 +28,7 @@ struct Column {
 
 /// Returns the page of a function.
 pub(super) fn page(name: &str, tables: &[FunctionTable<'_>], functions: &Functions<'_>) -> String {
-    let mut notes = Notes::default();
+    let mut notes = CitedSources::default();
     let mut sections = String::new();
     for table in tables {
         sections.push_str(&section(table, functions, &mut notes));
@@ -62,8 +62,8 @@ fn contents(tables: &[FunctionTable<'_>]) -> String {
     format!("<p>{}</p>\n", links.join(" · "))
 }
 
-fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut Notes<'s>) -> String {
-    let columns: Vec<&AnswerColumn<'_>> = functions
+fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut CitedSources<'s>) -> String {
+    let columns: Vec<&FunctionColumn<'_>> = functions
         .columns
         .iter()
         .filter(|column| table.dialects.contains(&column.dialect.as_str()))
@@ -78,7 +78,7 @@ fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut
     };
     let shown: Vec<&FunctionCall<'s>> = table.calls.iter().filter(is_shown).collect();
     let stated = (0..table.dialects.len()).map(|dialect| documents(table, dialect, &shown, notes));
-    let mut all: Vec<Column> = stated.collect();
+    let mut all: Vec<CallColumn> = stated.collect();
     all.extend(columns.into_iter().map(|column| answers(table, column, &shown)));
     let all = folded(all);
     let title = escaped(&title(table));
@@ -114,7 +114,7 @@ fn section<'s>(table: &FunctionTable<'s>, functions: &Functions<'_>, notes: &mut
     html
 }
 
-fn head(column: &Column) -> String {
+fn head(column: &CallColumn) -> String {
     // A variant is named by its dialect and an option of the compiler: `ironplc-ed2+partial-access`.
     let is_variant = |dialect: &&String| {
         let options = column
@@ -146,20 +146,20 @@ fn documents<'s>(
     table: &FunctionTable<'s>,
     dialect: usize,
     shown: &[&FunctionCall<'s>],
-    notes: &mut Notes<'s>,
-) -> Column {
+    notes: &mut CitedSources<'s>,
+) -> CallColumn {
     let mut cell = |call: &&FunctionCall<'s>| match &call.stated[dialect] {
         None => OPEN.to_owned(),
         Some(stated) => format!("<td class=\"number\">{}</td>", stated_value(stated, notes)),
     };
-    Column {
+    CallColumn {
         origin: "documents".to_owned(),
         dialects: vec![table.dialects[dialect].to_owned()],
         cells: shown.iter().map(&mut cell).collect(),
     }
 }
 
-fn stated_value<'s>(stated: &StatedResult<'s>, notes: &mut Notes<'s>) -> String {
+fn stated_value<'s>(stated: &StatedResult<'s>, notes: &mut CitedSources<'s>) -> String {
     let mut html = format!("{} {}", escaped(bare(stated.value)), notes.mark(stated.basis));
     if let Some((value, basis)) = stated.otherwise {
         // Writing to a String cannot fail.
@@ -174,7 +174,11 @@ fn stated_value<'s>(stated: &StatedResult<'s>, notes: &mut Notes<'s>) -> String 
 }
 
 /// Returns the column of an engine's answers; one that is as stated repeats the value.
-fn answers(table: &FunctionTable<'_>, column: &AnswerColumn<'_>, shown: &[&FunctionCall<'_>]) -> Column {
+fn answers(
+    table: &FunctionTable<'_>,
+    column: &FunctionColumn<'_>,
+    shown: &[&FunctionCall<'_>],
+) -> CallColumn {
     let dialect = table
         .dialects
         .iter()
@@ -214,7 +218,7 @@ fn answers(table: &FunctionTable<'_>, column: &AnswerColumn<'_>, shown: &[&Funct
             format!("{named}<div class=\"dim\">recorded {}</div>", escaped(date))
         }
     };
-    Column {
+    CallColumn {
         origin,
         dialects: vec![column.dialect.clone()],
         cells: shown.iter().map(cell).collect(),
@@ -222,12 +226,12 @@ fn answers(table: &FunctionTable<'_>, column: &AnswerColumn<'_>, shown: &[&Funct
 }
 
 /// Joins the columns of one origin with the same cells, and leaves out those in which no source speaks or nothing was asked.
-fn folded(columns: Vec<Column>) -> Vec<Column> {
-    let mut kept: Vec<Column> = Vec::new();
+fn folded(columns: Vec<CallColumn>) -> Vec<CallColumn> {
+    let mut kept: Vec<CallColumn> = Vec::new();
     let is_silent = |cell: &String| cell == OPEN || cell == NOT_ASKED;
-    let speaks = |column: &Column| !column.cells.iter().all(is_silent);
+    let speaks = |column: &CallColumn| !column.cells.iter().all(is_silent);
     for column in columns.into_iter().filter(speaks) {
-        let same = |one: &&mut Column| one.origin == column.origin && one.cells == column.cells;
+        let same = |one: &&mut CallColumn| one.origin == column.origin && one.cells == column.cells;
         match kept.iter_mut().find(same) {
             Some(one) => one.dialects.extend(column.dialects),
             None => kept.push(column),
@@ -251,7 +255,7 @@ fn bare(literal: &str) -> &str {
     }
 }
 
-impl<'s> Notes<'s> {
+impl<'s> CitedSources<'s> {
     /// Returns the mark of a source, which leads to its place in the list.
     fn mark(&mut self, basis: &'s str) -> String {
         let known = self.bases.iter().position(|other| *other == basis);

@@ -15,13 +15,13 @@ use stickler_run::{Event, SourceHeader};
 pub(super) struct Functions<'s> {
     /// The tables of each function, by its name, in the order of the names.
     pub(super) tables: BTreeMap<&'s str, Vec<FunctionTable<'s>>>,
-    pub(super) columns: Vec<AnswerColumn<'s>>,
+    pub(super) columns: Vec<FunctionColumn<'s>>,
     /// The sources of all runs, by key.
     pub(super) sources: BTreeMap<&'s str, &'s SourceHeader>,
 }
 
 /// The answers of an engine, or of a recorded compiler, in one dialect.
-pub(super) struct AnswerColumn<'s> {
+pub(super) struct FunctionColumn<'s> {
     /// The name of the engine or of the product.
     pub(super) name: &'s str,
     pub(super) version: &'s str,
@@ -30,7 +30,7 @@ pub(super) struct AnswerColumn<'s> {
     pub(super) answers: HashMap<QuestionNumber, ComparedAnswer>,
 }
 
-/// Where the answers of a column come from.
+/// The origin of the answers of a column.
 #[derive(Clone, Copy)]
 pub(super) enum AnswerOrigin<'s> {
     /// A run of the site.
@@ -78,7 +78,7 @@ impl<'s> Functions<'s> {
     /// Returns the functions for which an engine has other answers than sources state, each with the number of calls.
     pub(super) fn departures(&self, engine: &str) -> Vec<(&'s str, usize)> {
         let of_run = self.columns.iter().filter(|column| column.is_of_run());
-        let columns: Vec<&AnswerColumn<'_>> = of_run.filter(|column| column.name == engine).collect();
+        let columns: Vec<&FunctionColumn<'_>> = of_run.filter(|column| column.name == engine).collect();
         let departing = |(name, tables): (&&'s str, &Vec<FunctionTable<'s>>)| {
             let calls = tables.iter().flat_map(|table| &table.calls);
             let number = calls.filter(|call| columns.iter().any(|column| column.departs(call)));
@@ -89,7 +89,7 @@ impl<'s> Functions<'s> {
     }
 }
 
-impl AnswerColumn<'_> {
+impl FunctionColumn<'_> {
     /// Returns whether the answers are of a run of the site.
     pub(super) const fn is_of_run(&self) -> bool {
         matches!(self.origin, AnswerOrigin::Run(_))
@@ -110,7 +110,7 @@ pub(super) fn file(function: &str) -> String {
 fn of_engine<'s>(
     history: &'s History<'s>,
     statements: &Statements,
-) -> Result<Vec<AnswerColumn<'s>>, SiteError> {
+) -> Result<Vec<FunctionColumn<'s>>, SiteError> {
     let newest = history.newest();
     let file = &newest.run.file;
     let mut by_dialect: BTreeMap<String, HashMap<QuestionNumber, ComparedAnswer>> = BTreeMap::new();
@@ -128,7 +128,7 @@ fn of_engine<'s>(
             }
         }
     }
-    let columns = by_dialect.into_iter().map(|(dialect, answers)| AnswerColumn {
+    let columns = by_dialect.into_iter().map(|(dialect, answers)| FunctionColumn {
         name: history.name,
         version: newest.version,
         dialect,
@@ -142,10 +142,10 @@ fn of_engine<'s>(
 fn recorded<'s>(
     statements: &'s Statements,
     histories: &[History<'_>],
-) -> impl Iterator<Item = AnswerColumn<'s>> {
+) -> impl Iterator<Item = FunctionColumn<'s>> {
     let others = statements.recorded().iter();
     let others = others.filter(|recorded| !histories.iter().any(|history| recorded.is_of(history.name)));
-    others.map(|recorded| AnswerColumn {
+    others.map(|recorded| FunctionColumn {
         name: &recorded.origin.product,
         version: &recorded.origin.version,
         dialect: recorded.dialect.as_str().to_owned(),

@@ -17,11 +17,11 @@ pub(super) struct History<'r> {
     /// The run of each version that counts, oldest version first.
     pub(super) counted: Vec<VersionRun<'r>>,
     /// The steps from version to version, oldest first.
-    pub(super) steps: Vec<Step<'r>>,
+    pub(super) steps: Vec<VersionStep<'r>>,
 }
 
 /// The changes of an engine from one version to the next.
-pub(super) struct Step<'r> {
+pub(super) struct VersionStep<'r> {
     pub(super) old: VersionRun<'r>,
     pub(super) new: VersionRun<'r>,
     /// The changes; the reason where the two runs cannot be compared.
@@ -79,7 +79,7 @@ impl<'r> History<'r> {
     }
 }
 
-impl Step<'_> {
+impl VersionStep<'_> {
     /// Returns the changes of one kind.
     pub(super) fn of_kind(&self, kind: Kind) -> impl Iterator<Item = &Change> {
         let changes = self.changes.iter().flatten();
@@ -116,10 +116,10 @@ fn page_name(engine: &str, taken: &mut BTreeSet<String>) -> String {
     free.next().expect("there is always a further number")
 }
 
-fn steps<'r>(engine: &str, counted: &[VersionRun<'r>]) -> Result<Vec<Step<'r>>, SiteError> {
+fn steps<'r>(engine: &str, counted: &[VersionRun<'r>]) -> Result<Vec<VersionStep<'r>>, SiteError> {
     let pairs = counted.iter().zip(counted.iter().skip(1));
     let step = |(old, new): (&VersionRun<'r>, &VersionRun<'r>)| {
-        Ok(Step {
+        Ok(VersionStep {
             old: *old,
             new: *new,
             changes: changes(engine, old.run, new.run)?,

@@ -56,7 +56,7 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
 }
 
 /// A row of the table.
-struct Line {
+struct DocumentRow {
     /// The first cells: the name, and what the run tells of its source.
     names: Vec<Cell>,
     /// The results of each engine.
@@ -64,7 +64,7 @@ struct Line {
 }
 
 /// Returns a line for each source, and below it those of its sections that an engine does not meet.
-fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
+fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<DocumentRow> {
     let is_shown = |row: &&Row<'_>| row.sum || (row.failed() && !row.section.is_empty());
     let line = |row: &Row<'_>| {
         let mut names = vec![name(row, "  ")];
@@ -72,7 +72,7 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
             let source = overview.source(row.source).filter(|_| row.sum);
             names.push(Cell::left(source.map_or("", |source| &source.kind)));
         }
-        Line {
+        DocumentRow {
             names,
             standings: row.standings.clone(),
         }
@@ -82,7 +82,7 @@ fn by_source(overview: &Overview, rows: &[Row<'_>]) -> Vec<Line> {
 
 /// Returns a line for each kind of source, and below it the first sources and sections that an engine does not meet; and the number of
 /// those that have no line.
-fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<Line>, usize) {
+fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<DocumentRow>, usize) {
     let kind = |row: &Row<'_>| overview.source(row.source).map_or("other", |source| &source.kind);
     let mut kinds: BTreeMap<&str, Vec<&Row<'_>>> = BTreeMap::new();
     rows.iter()
@@ -97,7 +97,7 @@ fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<Line>, usize) {
             sums.zip(&row.standings)
                 .for_each(|(sum, standing)| sum.add(*standing));
         }
-        lines.push(Line {
+        lines.push(DocumentRow {
             names: vec![Cell::left(format!("  {kind}")), Cell::plain(sources.len())],
             standings,
         });
@@ -105,7 +105,7 @@ fn by_kind(overview: &Overview, rows: &[Row<'_>]) -> (Vec<Line>, usize) {
         for row in failed.filter(|row| row.sum || !row.section.is_empty()) {
             named += 1;
             if named <= MAX_NAMED {
-                lines.push(Line {
+                lines.push(DocumentRow {
                     names: vec![name(row, "    "), Cell::plain("")],
                     standings: row.standings.clone(),
                 });
@@ -127,7 +127,7 @@ fn name(row: &Row<'_>, indent: &str) -> Cell {
 }
 
 /// Adds engines as columns.
-fn of_several_engines(table: &mut AlignedTable, lines: &[Line], engines: &[&str]) {
+fn of_several_engines(table: &mut AlignedTable, lines: &[DocumentRow], engines: &[&str]) {
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
@@ -152,7 +152,7 @@ fn standing_cell(standing: Standing) -> Cell {
 }
 
 /// Adds a column for each result that some claim has.
-fn of_one_engine(table: &mut AlignedTable, lines: &[Line]) {
+fn of_one_engine(table: &mut AlignedTable, lines: &[DocumentRow]) {
     let any = |count: fn(&Standing) -> u64| {
         lines
             .iter()

@@ -27,7 +27,7 @@ pub fn rendered_bodies(text: &str) -> Vec<&str> {
 enum Room {
     /// Outside all POUs.
     Outside,
-    /// In a configuration, whose PROGRAM lines declare instances instead of POUs.
+    /// Inside a configuration, whose PROGRAM lines declare instances instead of POUs.
     Configuration,
     /// In a variable block of a POU.
     Variables,

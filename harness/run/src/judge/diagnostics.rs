@@ -10,7 +10,7 @@ use stickler_suite::{Expectation, ExpectedDiagnostic};
 const MAX_UNEXPECTED: usize = 50;
 
 /// A step of the merge walk.
-enum Step<'a> {
+enum MergeStep<'a> {
     /// A diagnostic that is expected and was given.
     Met(ExpectedDiagnostic),
     /// A diagnostic that was given and is not expected.
@@ -21,7 +21,7 @@ enum Step<'a> {
 
 /// The expected and the actual diagnostics side by side, by line and code.
 pub(super) struct DiagnosticMatching<'a> {
-    steps: Vec<Step<'a>>,
+    steps: Vec<MergeStep<'a>>,
     exact: bool,
     same_lines: bool,
 }
@@ -67,13 +67,13 @@ pub(super) fn matching<'a>(expected: &[ExpectedDiagnostic], got: &'a [Diagnostic
             (order != Ordering::Less).then(|| found.next()).flatten(),
         );
         match (wanted, found) {
-            (Some(&wanted), Some(_)) => steps.push(Step::Met(wanted)),
-            (Some(_), None) => steps.push(Step::Missing),
-            (None, Some(found)) => steps.push(Step::Unexpected(found)),
+            (Some(&wanted), Some(_)) => steps.push(MergeStep::Met(wanted)),
+            (Some(_), None) => steps.push(MergeStep::Missing),
+            (None, Some(found)) => steps.push(MergeStep::Unexpected(found)),
             (None, None) => break,
         }
     }
-    let exact = steps.iter().all(|step| matches!(step, Step::Met(_)));
+    let exact = steps.iter().all(|step| matches!(step, MergeStep::Met(_)));
     DiagnosticMatching {
         steps,
         exact,
@@ -191,21 +191,21 @@ impl DiagnosticMatching<'_> {
         let mut unexpected = 0;
         for step in &self.steps {
             match step {
-                Step::Met(met) => findings.add(expected_fact(*met)),
-                Step::Unexpected(diagnostic) => {
+                MergeStep::Met(met) => findings.add(expected_fact(*met)),
+                MergeStep::Unexpected(diagnostic) => {
                     unexpected += 1;
                     if unexpected <= MAX_UNEXPECTED {
                         findings.add(Fact::Diagnostic((*diagnostic).clone()));
                     }
                 }
-                Step::Missing => {}
+                MergeStep::Missing => {}
             }
         }
         if unexpected > MAX_UNEXPECTED {
             let number = unexpected - MAX_UNEXPECTED;
             findings.add(Fact::MoreDiagnostics { number });
         }
-        if self.steps.iter().all(|step| matches!(step, Step::Missing)) {
+        if self.steps.iter().all(|step| matches!(step, MergeStep::Missing)) {
             findings.add(Fact::RejectedSilently);
         }
     }

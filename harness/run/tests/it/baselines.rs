@@ -41,13 +41,13 @@ fn entry(case: &str, verdict: &str, more: &str) -> String {
     format!("[[expected]]\ncase = \"{case}\"\nverdict = \"{verdict}\"\nreason = \"why\"\n{more}\n")
 }
 
-struct Ended {
+struct JudgedRun {
     header: Header,
     cases: Vec<CaseEvent>,
     summary: RunSummary,
 }
 
-impl Ended {
+impl JudgedRun {
     fn verdicts(&self) -> Vec<Verdict> {
         self.cases.iter().map(|case| case.verdict).collect()
     }
@@ -60,11 +60,11 @@ impl Ended {
     }
 }
 
-fn go(plan: Plan, suite: &Suite, engine: &dyn Engine) -> Ended {
+fn go(plan: Plan, suite: &Suite, engine: &dyn Engine) -> JudgedRun {
     let mut events = Vec::new();
     let mut sink = |event| events.push(event);
     let summary = run(&plan, suite, &[engine], &mut sink, &Cancellation::new()).unwrap();
-    let mut ended = Ended {
+    let mut ended = JudgedRun {
         header: Header::default(),
         cases: Vec::new(),
         summary,
@@ -79,7 +79,7 @@ fn go(plan: Plan, suite: &Suite, engine: &dyn Engine) -> Ended {
     ended
 }
 
-fn held(text: &str, ids: &[&str]) -> Ended {
+fn held(text: &str, ids: &[&str]) -> JudgedRun {
     let plan = Plan {
         baselines: vec![baseline(text)],
         today: jiff::civil::date(2026, 11, 21),

@@ -188,13 +188,13 @@ impl Engine for Puppet {
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         (self.open)()?;
-        Ok(Box::new(Strings(self)))
+        Ok(Box::new(PuppetSession(self)))
     }
 }
 
-struct Strings<'e>(&'e Puppet);
+struct PuppetSession<'e>(&'e Puppet);
 
-impl Session for Strings<'_> {
+impl Session for PuppetSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         (self.0.answer)(request)
     }

@@ -13,11 +13,11 @@ use crate::files::{self, RECORDINGS};
 struct RecordingHead {
     recording: RecordingOrigin,
     #[serde(default)]
-    answers: Vec<Answers>,
+    answers: Vec<RecordedDialects>,
 }
 
 #[derive(Deserialize)]
-struct Answers {
+struct RecordedDialects {
     dialects: Vec<String>,
 }
 

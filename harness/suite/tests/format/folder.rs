@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::common::{folder, load, sources, write};
-use stickler_suite::{FileKind, Severity, Suite, lint, load_file};
+use stickler_suite::{FileKind, LintSeverity, Suite, lint, load_file};
 
 const PROGRAM: &str =
     "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [\"matiec\"]\n*)\nx; (*! ok *)\n";
@@ -167,7 +167,7 @@ fn the_same_mistake_in_a_thousand_cells_is_not_said_a_thousand_times() {
     );
 }
 
-fn findings(files: &[(&str, &str)]) -> Vec<(Severity, String)> {
+fn findings(files: &[(&str, &str)]) -> Vec<(LintSeverity, String)> {
     let folder = folder(files);
     let found = lint(&folder.path().join("cases"), &[]);
     found
@@ -213,7 +213,10 @@ fn lint_says_what_only_a_reader_would_notice() {
         ),
     ] {
         let found = findings(&[(path, &text)]);
-        assert!(found.len() == 1 && found[0].0 == Severity::Warning, "{found:?}");
+        assert!(
+            found.len() == 1 && found[0].0 == LintSeverity::Warning,
+            "{found:?}"
+        );
         assert!(found[0].1.starts_with(said), "{said}: {found:?}");
     }
 }
@@ -253,7 +256,7 @@ fn a_case_that_asserts_something_cites_a_source_that_there_is() {
     ] {
         let text = PROGRAM.replace(basis, basis_then);
         let found = findings(&[("a/f.st", &text), ("sources.toml", &sources(&[("", PROGRAM)]))]);
-        assert!(found.len() == 1 && found[0].0 == Severity::Error, "{found:?}");
+        assert!(found.len() == 1 && found[0].0 == LintSeverity::Error, "{found:?}");
         assert!(found[0].1.contains(said), "{said}: {found:?}");
     }
 }
@@ -265,7 +268,7 @@ fn a_case_cites_a_source_that_speaks_for_its_dialect() {
     let text = PROGRAM.replace("iec-61131-3: 6", "page: s");
     let found = findings(&[("a/f.st", &text), ("sources.toml", page)]);
     assert_eq!(found.len(), 1);
-    assert_eq!(found[0].0, Severity::Error);
+    assert_eq!(found[0].0, LintSeverity::Error);
     assert_eq!(
         found[0].1,
         "cases/a/f.st:3: `basis`: `page: s` does not speak for matiec (cite what says it of this dialect; where nothing does, leave it open)"

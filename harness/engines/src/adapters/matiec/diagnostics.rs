@@ -8,7 +8,7 @@ use crate::process::Ended;
 use crate::{Diagnostic, Outcome, Severity};
 use stickler_types::Code;
 
-/// What the compiler says of a program that it cannot read at all.
+/// The message of the compiler for a program that it cannot read at all.
 const GAVE_UP: &str = "Parsing failed because of too many consecutive syntax errors. Bailing out!";
 
 /// Returns the warnings of a program that is accepted.

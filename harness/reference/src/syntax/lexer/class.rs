@@ -17,7 +17,7 @@ pub(super) enum ByteClass {
     Mark,
     /// Punctuation that may have to be read together with what follows.
     Punctuation,
-    /// Nothing: control characters, other ASCII characters, everything beyond ASCII.
+    /// Characters that begin no token: control characters, other ASCII characters, everything beyond ASCII.
     Unknown,
 }
 

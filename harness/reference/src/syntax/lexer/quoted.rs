@@ -7,11 +7,11 @@ use stickler_types::Code;
 
 /// The end of a quoted text.
 pub(super) enum QuotedText {
-    /// With its quote.
+    /// A text that ends with its quote.
     Closed,
-    /// With its quote, but something in it has been diagnosed.
+    /// A text that ends with its quote and has a mistake, which is reported.
     Malformed,
-    /// With the line; this has been diagnosed.
+    /// A text that ends with its line, which is reported.
     Open,
 }
 

@@ -30,7 +30,7 @@ pub(in crate::syntax) struct Lexer<'s, 'd> {
     pub(in crate::syntax) diagnostics: Diagnostics,
     /// The text did not end where it seems to: a comment ran to its end, or a limit was met.
     pub(in crate::syntax) truncated: bool,
-    /// The token at the end has been given.
+    /// Whether the token at the end has been given.
     ended: bool,
     /// The number of tokens that have been dropped.
     dropped: usize,

@@ -65,7 +65,7 @@ pub(super) struct Parser<'s, 'd> {
     pub(super) late_sections: Vec<VariableBlock<'s>>,
     /// The END_VAR of the section that is being read, where an error made it worth looking for.
     pub(super) section_end: Option<usize>,
-    /// Something in the POU that is being read has been left out of the tree.
+    /// Whether something in the POU that is being read has been left out of the tree.
     pub(super) incomplete: bool,
     depth: usize,
     reported: Option<usize>,
@@ -133,7 +133,7 @@ impl<'s, 'd> Parser<'s, 'd> {
         result
     }
 
-    /// Nothing may be nested any deeper.
+    /// Returns whether the depth is reached beyond which nothing may be nested.
     pub(super) fn at_limit(&self) -> bool {
         self.depth >= MAX_NESTING
     }

@@ -10,10 +10,10 @@ use rustc_hash::FxHashMap;
 /// The knowledge of the type of a name or of an expression.
 #[derive(Clone, Copy, Default)]
 pub(super) enum NameShape<'u, 's> {
-    /// Nothing.
+    /// A name that is not declared.
     #[default]
     Unknown,
-    /// A variable of this type.
+    /// A variable of a type.
     Typed(&'u TypeSpecification<'s>),
     /// A POU, or a variable that is an instance of one.
     Pou(&'u Pou<'s>),

@@ -33,7 +33,7 @@ pub(super) struct Writer<'u, 's> {
     pub(super) names: Names<'u, 's>,
     pub(super) out: String,
     pub(super) indent: usize,
-    /// Between brackets, where no spaces are written.
+    /// Whether the place is between brackets, where no spaces are written.
     pub(super) dense: bool,
     /// The start of the POU whose variables are in scope.
     pub(super) pou: Option<u32>,

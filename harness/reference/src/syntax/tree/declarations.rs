@@ -70,7 +70,7 @@ pub enum VariableKind {
 pub struct VariableBlock<'s> {
     /// The kind of section.
     pub kind: VariableKind,
-    /// CONSTANT stands behind the section's keyword.
+    /// Whether CONSTANT stands behind the section's keyword.
     pub constant: bool,
     /// RETAIN or NON_RETAIN as written; it has no effect on a run, and is kept for the renderer.
     pub retention: Option<&'s str>,

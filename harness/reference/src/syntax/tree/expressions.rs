@@ -97,7 +97,7 @@ pub enum Argument<'s> {
     Output {
         /// The output parameter.
         name: Name<'s>,
-        /// NOT stands before the name.
+        /// Whether NOT stands before the name.
         negated: bool,
         /// The variable that takes it.
         target: ExpressionId,

@@ -1,6 +1,6 @@
 //! The rules of each built-in dialect: the one place where the name of a dialect becomes behaviour.
 
-use super::{COMMON_CHOICES, Dialect};
+use crate::dialect::{COMMON_CHOICES, Dialect};
 use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
 use stickler_types::{
     BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ComparedTypes, ConstantTypes, ConversionChoices,
@@ -10,7 +10,7 @@ use stickler_types::{
 
 impl Dialect {
     /// Returns the rules of a built-in dialect.
-    pub(super) const fn built_in(name: BuiltIn) -> Dialect {
+    pub(crate) const fn built_in(name: BuiltIn) -> Dialect {
         match name {
             BuiltIn::IronplcEd2 => Dialect::ironplc_ed2(),
             BuiltIn::IronplcEd3 => Dialect::ironplc_ed3(),

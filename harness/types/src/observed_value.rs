@@ -1,8 +1,8 @@
 //! Values as engines give them: durations and dates that 64 bits of nanoseconds do not hold, and texts that are too long.
 
-use super::Value;
 use crate::elementary::ElementaryType;
 use crate::literal::{LiteralError, wide_duration};
+use crate::value::Value;
 
 /// The maximum number of bytes of a value that an engine gives, so that reports stay small whatever it prints. A `STRING` of 5000
 /// characters that are all written as escapes fits.

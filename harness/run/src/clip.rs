@@ -1,6 +1,6 @@
 //! Clips what an engine said, which may have any length, and states how much is left out.
 
-use super::Fact;
+use crate::fact::Fact;
 use std::fmt::Write;
 
 /// The maximum number of characters of a text of an engine, such as a message, that an event keeps. What follows is counted.

@@ -23,7 +23,7 @@ const HEAD: usize = 8;
 pub type Documents = BTreeMap<TypePair, MatrixWord>;
 
 /// The source and section from which the word for each pair comes.
-pub type Bases = BTreeMap<TypePair, Arc<str>>;
+pub type CellBases = BTreeMap<TypePair, Arc<str>>;
 
 /// The maximum number of recorded contradictions that are described below a table.
 const MAX_DESCRIBED: usize = 4;
@@ -37,7 +37,7 @@ pub struct DialectMatrix {
     /// The words of the documents.
     pub documents: Documents,
     /// The sources of these words.
-    pub bases: Bases,
+    pub bases: CellBases,
     /// The answers of each engine that speaks the dialect, in the order of the engines.
     pub engines: Vec<EngineAnswers>,
 }
@@ -247,7 +247,7 @@ fn sign(answer: MatrixAnswer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{Bases, DialectMatrix, Documents, EngineAnswers};
+    use super::{CellBases, DialectMatrix, Documents, EngineAnswers};
     use stickler_conversions::implicit::MatrixAnswer;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -296,7 +296,7 @@ mod tests {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
-            bases: Bases::from([(WIDENING, "here: there".into())]),
+            bases: CellBases::from([(WIDENING, "here: there".into())]),
             engines: vec![EngineAnswers {
                 recorded: recorded.map(str::to_owned),
                 ..always("e", MatrixAnswer::Fails)
@@ -320,7 +320,7 @@ mod tests {
             dialect: DialectName::Matiec,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
-            bases: Bases::from([(WIDENING, "here: there".into())]),
+            bases: CellBases::from([(WIDENING, "here: there".into())]),
             engines: vec![
                 always("a", MatrixAnswer::Accepts),
                 always("b", MatrixAnswer::Rejects),

@@ -1,5 +1,6 @@
 //! The cases that the program carries, for places where no clone is: unpacked into the user's cache folder when they are first needed.
 
+use crate::case_folder;
 use anyhow::Context;
 use flate2::read::GzDecoder;
 use std::fs;
@@ -48,7 +49,7 @@ pub fn unpacked() -> anyhow::Result<PathBuf> {
         clean(&editions, &edition, SystemTime::now());
     }
     note_use(&edition, SystemTime::now());
-    Ok(UNPACKED.get_or_init(|| edition.join(super::NAME)).clone())
+    Ok(UNPACKED.get_or_init(|| edition.join(case_folder::NAME)).clone())
 }
 
 /// Removes the cases that were not used for a long time, but not those that were just unpacked: an old note of their use may have outlived
@@ -72,7 +73,7 @@ fn unpack(edition: &Path) -> io::Result<()> {
     let made = tempfile::tempdir_in(parent)?;
     let mut archive = Archive::new(GzDecoder::new(ARCHIVE));
     archive.set_preserve_mtime(false);
-    archive.unpack(made.path().join(super::NAME))?;
+    archive.unpack(made.path().join(case_folder::NAME))?;
     if edition.exists() {
         fs::remove_dir_all(edition)?;
     }
