@@ -1,6 +1,7 @@
 //! Fixtures: cases made by hand, and an engine whose answers the test states.
 
-use std::sync::Arc;
+use std::path::Path;
+use std::sync::{Arc, LazyLock};
 use stickler_engines::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
 };
@@ -10,6 +11,10 @@ use stickler_suite::{
 };
 use stickler_types::{DialectName, Observation, Value};
 use stickler_workers::Cancellation;
+
+/// The cases of this repository, which take seconds to load.
+pub static SHIPPED: LazyLock<Suite> =
+    LazyLock::new(|| Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")));
 
 /// Returns the events of a run, without their durations.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {

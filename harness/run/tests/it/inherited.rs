@@ -25,7 +25,13 @@ fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
     })
     .unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
-    let mut suite = Suite::load_with(&root, &[dialect]);
+    let is_wanted = |id: &str, _| {
+        ["language/comments", "conversion/idiom-round", "widening/bool"]
+            .iter()
+            .any(|begin| id.starts_with(begin))
+            || id.ends_with("real-to-integer")
+    };
+    let mut suite = Suite::load_files(&root, &[dialect], is_wanted);
     let plan = Plan {
         filters: [
             "language/comments*",
