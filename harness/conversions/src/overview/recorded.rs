@@ -108,11 +108,12 @@ impl<'r> RecordedColumn<'r> {
         first: QuestionNumber,
         signature: &Signature,
         calls: &[Vec<Value>],
-        expected: Vec<ExpectedResult>,
+        expected: &[ExpectedResult],
     ) {
         let results = self.recording.results(self.answers.dialect, signature, calls);
         let compared = results.into_iter().zip(expected).zip(first..);
         let answers = compared.filter_map(|((got, expected), question)| {
+            let expected = expected.clone();
             let answer = called(ComparedResult { got, expected })?;
             Some((question, answer))
         });

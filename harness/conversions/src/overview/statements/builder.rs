@@ -170,13 +170,17 @@ impl StatementsBuilder {
         for function in &self.functions {
             let first = all.calls.operands.len();
             first_calls.push(first);
+            // By the dialects of the function, the results of its calls, of which each takes exact arithmetic.
+            let expected: Vec<Vec<ExpectedResult>> = function
+                .dialects
+                .iter()
+                .map(|index| function.expected((*index, self.dialects[*index])))
+                .collect();
             for column in &mut recorded {
-                if function.dialects.contains(&column.dialect()) {
-                    let dialect = (column.dialect(), self.dialects[column.dialect()]);
-                    let calls = 0..function.calls.len();
-                    let expected = calls.map(|call| function.expected(call, dialect)).collect();
+                let dialects = &mut function.dialects.iter();
+                if let Some(at) = dialects.position(|index| *index == column.dialect()) {
                     let first = number(first_call + first);
-                    column.add_calls(first, &function.signature, &function.calls, expected);
+                    column.add_calls(first, &function.signature, &function.calls, &expected[at]);
                 }
             }
             let signature = &function.signature;
@@ -193,10 +197,10 @@ impl StatementsBuilder {
             for (number, call) in function.calls.iter().enumerate() {
                 let texts = call.iter().map(|value| self.words.number(&value.to_string()));
                 all.calls.operands.push(texts.collect());
-                let (bases, values) = function.stated(number, &self.dialects, &mut self.words);
-                for dialect in &function.dialects {
-                    let expected = function.expected(number, (*dialect, self.dialects[*dialect]));
-                    if let Some(other) = expected.otherwise {
+                let expected = expected.iter().map(|of_dialect| &of_dialect[number]);
+                let (bases, values) = stated(expected.clone(), &mut self.words);
+                for (dialect, expected) in function.dialects.iter().zip(expected) {
+                    if let Some(other) = &expected.otherwise {
                         let value = self.words.number(&other.value.to_string());
                         let basis = self.words.number(&other.basis);
                         all.disputed.push((first + number, *dialect, value, basis));
@@ -270,34 +274,34 @@ impl StatedFunction {
         number
     }
 
-    /// Returns the expected result of a call in a dialect, which is given with its index.
-    fn expected(&self, number: usize, (index, dialect): (usize, DialectName)) -> ExpectedResult {
-        let asserted = self.asserted.get(&(number, index));
-        let asserted = asserted.map(|(value, basis)| (value, basis));
-        ExpectedResult::of(&self.signature, &self.calls[number], dialect, asserted)
+    /// Returns the expected results of the calls in a dialect, which is given with its index.
+    fn expected(&self, (index, dialect): (usize, DialectName)) -> Vec<ExpectedResult> {
+        let of_call = |(number, call): (usize, &Vec<Value>)| {
+            let asserted = self.asserted.get(&(number, index));
+            let asserted = asserted.map(|(value, basis)| (value, basis));
+            ExpectedResult::of(&self.signature, call, dialect, asserted)
+        };
+        self.calls.iter().enumerate().map(of_call).collect()
     }
+}
 
-    /// Returns the basis of a call by dialect, and the stated values: one where all are equal.
-    fn stated(
-        &self,
-        number: usize,
-        dialects: &[DialectName],
-        words: &mut WordTable,
-    ) -> (Vec<Option<u32>>, Vec<u32>) {
-        let mut values = Vec::new();
-        let mut bases = Vec::with_capacity(self.dialects.len());
-        for dialect in &self.dialects {
-            let stated = self.expected(number, (*dialect, dialects[*dialect]));
-            bases.push(stated.basis.as_ref().map(|basis| words.number(basis)));
-            if stated.basis.is_some() {
-                values.push(words.number(&stated.value.to_string()));
-            }
+/// Returns the words of the bases of a call by dialect, and of the stated values: one where all are equal.
+fn stated<'e>(
+    expected: impl Iterator<Item = &'e ExpectedResult>,
+    words: &mut WordTable,
+) -> (Vec<Option<u32>>, Vec<u32>) {
+    let mut values = Vec::new();
+    let mut bases = Vec::new();
+    for stated in expected {
+        bases.push(stated.basis.as_ref().map(|basis| words.number(basis)));
+        if stated.basis.is_some() {
+            values.push(words.number(&stated.value.to_string()));
         }
-        if let [first, rest @ ..] = &values[..]
-            && rest.iter().all(|value| value == first)
-        {
-            values.truncate(1);
-        }
-        (bases, values)
     }
+    if let [first, rest @ ..] = &values[..]
+        && rest.iter().all(|value| value == first)
+    {
+        values.truncate(1);
+    }
+    (bases, values)
 }
