@@ -17,7 +17,7 @@ const LANGUAGE: &str = "iec-61131-3: 7.3";
 pub fn basis(program: &Program) -> String {
     let mut proposals = Proposals::default();
     each_expression(program, &mut |expression| {
-        proposals.look(expression, program.dialect)
+        proposals.add(expression, program.dialect)
     });
     let Proposals {
         conversion,
@@ -38,7 +38,7 @@ struct Proposals {
 }
 
 impl Proposals {
-    fn look(&mut self, expression: &Expression, dialect: DialectName) {
+    fn add(&mut self, expression: &Expression, dialect: DialectName) {
         match &expression.kind {
             ExpressionKind::Convert(signature, operand) if self.conversion.is_none() => {
                 self.conversion = of_conversion(signature, operand, dialect);

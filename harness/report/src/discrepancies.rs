@@ -175,11 +175,11 @@ impl EngineClusters {
             fail.into_iter().partition(|cause| cause.is_partly_reduced());
         let mut index = cause_page::index(name, about, fail.len(), unexplained);
         index.push_str(&cause_page::list(&fail));
-        let apart = [
+        let separate = [
             (UNREDUCED, partly, cause_page::UNREDUCED),
             (DIFFERS, differ, cause_page::DIFFERS),
         ];
-        for (kind, causes, words) in apart.into_iter().filter(|(_, causes, _)| !causes.is_empty()) {
+        for (kind, causes, words) in separate.into_iter().filter(|(_, causes, _)| !causes.is_empty()) {
             index.push_str(&words.link(kind, &causes));
             let folder = folder.join(kind);
             fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;

@@ -55,7 +55,7 @@ impl Sarif {
 fn document(header: &Header, overview: &Overview) -> Document {
     let rules = rules(overview);
     let unexpected: Vec<Unexpected> = Unexpected::all(overview).collect();
-    let told: u64 = unexpected.iter().map(|one| one.cases).sum();
+    let described: u64 = unexpected.iter().map(|one| one.cases).sum();
     let results = unexpected.into_iter().map(|one| result(one, &rules)).collect();
     Document::of(SarifRun {
         tool: Tool {
@@ -70,7 +70,7 @@ fn document(header: &Header, overview: &Overview) -> Document {
             command_line: header.command.clone(),
             start_time_utc: header.started.clone(),
             tool_configuration_notifications: mistakes(header, overview),
-            tool_execution_notifications: left_out(overview.failed.saturating_sub(told)),
+            tool_execution_notifications: left_out(overview.failed.saturating_sub(described)),
         }],
         results,
     })

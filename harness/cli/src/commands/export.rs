@@ -163,11 +163,11 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
     if exported.cases > 0 {
         let folder = shell::quote(&arguments.folder.to_string_lossy()).into_owned();
         if let Some(project) = &arguments.plcopen {
-            let apart = match exported.compiled_only {
+            let pages = match exported.compiled_only {
                 0 => "all pages",
                 _ => "all pages but those that are only compiled",
             };
-            writeln!(out, "{}: {apart}, as one PLCopen XML project", project.display())?;
+            writeln!(out, "{}: {pages}, as one PLCopen XML project", project.display())?;
         }
         let start = match arguments.plcopen {
             Some(_) => "import the project, let it run, copy the array `results` of each program",

@@ -37,13 +37,13 @@ pub(super) fn play<M>(
     most: usize,
     answers: &mut [Packed],
     place: impl Fn(&M) -> usize,
-    mut look: impl FnMut(&[M]) -> Round,
+    mut run_round: impl FnMut(&[M]) -> Round,
 ) {
     for _ in 0..most {
         if members.len() < 2 {
             break;
         }
-        match look(&members) {
+        match run_round(&members) {
             Round::Ran(outcomes) => {
                 for (member, outcome) in members.drain(..).zip(outcomes) {
                     answers[place(&member)] = Packed::Answered(outcome);

@@ -68,7 +68,7 @@ impl Child {
     /// Returns the memory that the process and all that it started hold, in bytes; 0 where the system does not tell, or the
     /// last measurement was too short a time ago.
     pub(super) fn memory(&mut self) -> u64 {
-        self.usage.look(self.group.number()).unwrap_or_default().memory
+        self.usage.measure(self.group.number()).unwrap_or_default().memory
     }
 
     /// Waits up to [`EXIT_TIMEOUT`] for the end of a process that has nothing more to say, kills what is left of it, and

@@ -139,8 +139,8 @@ impl ProcessGroup {
     pub(super) fn wait_until(&mut self, deadline: Instant) -> Option<ExitStatus> {
         let mut pauses = Pauses::new();
         loop {
-            let look = lock(&self.wrapped).try_wait();
-            match look {
+            let ended = lock(&self.wrapped).try_wait();
+            match ended {
                 Ok(Some(status)) => {
                     drop(goes_on());
                     return Some(status);

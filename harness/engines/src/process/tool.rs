@@ -201,7 +201,7 @@ fn flooded(limits: &ToolLimits) -> Outcome {
 
 fn within(group: &ProcessGroup, usage: &mut Watch, limits: &ToolLimits) -> Result<(), Outcome> {
     let crashed = |reason: String| Err(Outcome::Crashed { reason });
-    match usage.look(group.number()) {
+    match usage.measure(group.number()) {
         Some(usage) if usage.memory > limits.memory => {
             crashed(format!("it held more than {} MiB of memory", limits.memory >> 20))
         }
@@ -221,11 +221,11 @@ fn end(
     limits: &ToolLimits,
 ) -> Result<ExitStatus, Outcome> {
     loop {
-        let look = deadline.min(Instant::now() + POLL_INTERVAL);
-        if let Some(status) = group.wait_until(look) {
+        let next = deadline.min(Instant::now() + POLL_INTERVAL);
+        if let Some(status) = group.wait_until(next) {
             return Ok(status);
         }
-        if look == deadline {
+        if next == deadline {
             return Err(timed_out(limits));
         }
         within(group, usage, limits)?;

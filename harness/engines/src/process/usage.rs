@@ -35,7 +35,7 @@ impl Watch {
 
     /// Measures a group; `None` where the last measurement was too short a time ago for its duration, or the system does not
     /// tell.
-    pub(super) fn look(&mut self, group: u32) -> Option<Usage> {
+    pub(super) fn measure(&mut self, group: u32) -> Option<Usage> {
         let begun = Instant::now();
         if begun < self.next {
             return None;

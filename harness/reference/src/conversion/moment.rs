@@ -79,8 +79,8 @@ pub fn to_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: 
 }
 
 /// Returns so many units, modulo 2^64 nanoseconds. A bit string, BOOL and an unsigned integer count as such: their
-/// product modulo 2^64 is the same.
-#[inline]
+/// product modulo 2^64 is the same. Inlined, so that a loop over operands chooses the unit once.
+#[inline(always)]
 #[must_use]
 pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
     match (units, to) {

@@ -56,14 +56,14 @@ struct CauseData<'o> {
     reduction: Reduced,
     /// The number of runs that showed it and of all runs, where the engine does not do the same each time.
     flaky: Option<(u32, u32)>,
-    shown: WitnessData<'o>,
-    second: Option<WitnessData<'o>>,
+    shown: ReproducerData<'o>,
+    second: Option<ReproducerData<'o>>,
     /// The text for the tracker of the engine, in Markdown.
     report: String,
 }
 
 #[derive(Serialize)]
-struct WitnessData<'o> {
+struct ReproducerData<'o> {
     case: &'o str,
     dialect: &'o str,
     basis: &'o str,
@@ -161,10 +161,10 @@ fn engine<'o>(overview: &'o Overview, cause: &Cause) -> Option<&'o EngineHeader>
     engines.find(|engine| engine.name == cause.engine)
 }
 
-fn reproducer(reproducer: &Reproducer) -> WitnessData<'_> {
+fn reproducer(reproducer: &Reproducer) -> ReproducerData<'_> {
     let facts = |facts: &[Fact]| visible(&Fact::text(&clip_facts(facts, MAX_LINES)));
     let reproduction = reproducer.reproduction.as_ref();
-    WitnessData {
+    ReproducerData {
         case: &reproducer.case,
         dialect: &reproducer.dialect,
         basis: &reproducer.basis,

@@ -85,17 +85,21 @@ impl Folding<'_> {
                 cases: all,
             }];
         }
-        let apart: Vec<Folded> = dialects
+        let by_dialect: Vec<Folded> = dialects
             .into_iter()
             .flat_map(|dialect| self.one_dialect(ids, prefix, dialect))
             .collect();
         if ids.len() == 1 {
-            return apart;
+            return by_dialect;
         }
         let deeper: Vec<Folded> = parts(ids, prefix)
             .flat_map(|(part, prefix)| self.all_dialects(part, prefix))
             .collect();
-        if apart.len() < deeper.len() { apart } else { deeper }
+        if by_dialect.len() < deeper.len() {
+            by_dialect
+        } else {
+            deeper
+        }
     }
 
     fn one_dialect(&self, ids: &[&str], prefix: usize, dialect: DialectName) -> Vec<Folded> {

@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
     /// The number of cells or rows that may still be visited.
-    pub(crate) looks: u64,
+    pub(crate) visits: u64,
     /// The number of bytes of programs that may still be written.
     pub(crate) bytes: u64,
 }
@@ -12,7 +12,7 @@ pub(crate) struct Budget {
 impl Default for Budget {
     fn default() -> Self {
         Budget {
-            looks: 20_000_000,
+            visits: 20_000_000,
             bytes: 512 << 20,
         }
     }
@@ -23,8 +23,8 @@ impl Budget {
     ///
     /// # Errors
     /// A message, if the limit is exceeded.
-    pub(crate) fn look(&mut self) -> Result<(), String> {
-        take(&mut self.looks, 1).ok_or_else(|| "the table expands into too many cells".to_owned())
+    pub(crate) fn visit(&mut self) -> Result<(), String> {
+        take(&mut self.visits, 1).ok_or_else(|| "the table expands into too many cells".to_owned())
     }
 
     /// Counts a program of `bytes` bytes and the case around it.
@@ -50,11 +50,11 @@ mod tests {
     #[test]
     fn a_budget_comes_to_an_end() {
         let mut budget = Budget {
-            looks: 1,
+            visits: 1,
             bytes: 1000,
         };
-        assert_eq!(budget.look(), Ok(()));
-        assert!(budget.look().is_err());
+        assert_eq!(budget.visit(), Ok(()));
+        assert!(budget.visit().is_err());
         assert_eq!(budget.program(600), Ok(()));
         assert!(budget.program(0).is_err());
     }

@@ -189,7 +189,7 @@ impl MatrixExpander<'_, '_> {
             );
             for (column, word) in columns.iter().zip(&row.words) {
                 self.budget
-                    .look()
+                    .visit()
                     .map_err(|message| Mistake::new(row.line, message))?;
                 if let Some(word) = word {
                     for (said, dialects) in words(&probe.probe, &row.name, column, *word, &dialects) {

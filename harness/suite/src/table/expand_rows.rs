@@ -141,7 +141,7 @@ impl RowExpander<'_, '_> {
             for (number, row) in self.table.file.rows.iter().flatten().enumerate() {
                 let line = self.table.context.lines.line(row.span().start);
                 self.budget
-                    .look()
+                    .visit()
                     .map_err(|message| Mistake::new(line, message))?;
                 self.row(probe, (number, row), line, &own)?;
                 if self.harvest.mistakes.len() > MAX_MISTAKES {

@@ -122,7 +122,7 @@ mod tests {
             for (budget, said) in [
                 (
                     Budget {
-                        looks: 1,
+                        visits: 1,
                         ..Budget::default()
                     },
                     "too many cells",

@@ -138,13 +138,13 @@ pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> V
     let members: Vec<PackMember<'_>> = requests.iter().enumerate().filter_map(member).collect();
     let place = |member: &PackMember<'_>| member.place;
     rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
-        look(session, members)
+        run_round(session, members)
     });
     answers
 }
 
 /// Translates, builds and runs programs in one text.
-fn look(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
+fn run_round(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
     let joined = Joined::of(members);
     let ended = match session.compile(&joined.text) {
         Ok(ended) => ended,

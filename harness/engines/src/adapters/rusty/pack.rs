@@ -23,13 +23,13 @@ pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Ve
     let programs: Vec<PackedProgram<'_>> = requests.iter().enumerate().filter_map(program).collect();
     let place = |program: &PackedProgram<'_>| program.place;
     rounds::play(programs, MAX_ROUNDS, &mut answers, place, |programs| {
-        look(session, programs)
+        run_round(session, programs)
     });
     answers
 }
 
 /// Compiles, builds and runs programs together.
-fn look(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
+fn run_round(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
     let subjects: Vec<RustySubject<'_>> = programs.iter().map(PackedProgram::subject).collect();
     let first_file = programs
         .first()
