@@ -60,7 +60,7 @@ fn a_defect_is_found_judged_again_merged_and_promoted() {
     let [one, two, all] = ["1", "2", "all"].map(|name| folder.path().join(name));
     let engine = defective("");
     for (part, own) in [("1/2", &one), ("2/2", &two)] {
-        let (code, shown) = campaign(&engine, text(own), &["--shard", part, "--no-survey"]);
+        let (code, shown) = campaign(&engine, text(own), &["--shard", part]);
         assert!(code == Some(1) || code == Some(0), "{shown}");
         assert!(shown.contains("60 programs in "), "{shown}");
     }
