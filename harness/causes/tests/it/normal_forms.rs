@@ -73,6 +73,11 @@ pub fn as_the_reference(request: &RunRequest<'_>) -> Outcome {
         .expect("observed variables are there")
 }
 
+/// Returns what the reference does with another program in the place of the one that is asked for.
+fn as_the_reference_runs(request: &RunRequest<'_>, source: &str) -> Outcome {
+    as_the_reference(&RunRequest { source, ..*request })
+}
+
 /// Returns a case with a program of these declarations and statements, which must end with a value (`into = REAL#5.0`) or be
 /// rejected (`6 P4035`).
 fn case(id: &str, declarations: &str, statements: &str, must: &str) -> Case {
@@ -108,10 +113,7 @@ fn causes_within(compiler: &DefectiveCompiler, cases: Vec<Case>, limits: SearchL
 /// Begins LREAL variables without the sign of their initial value.
 fn without_signs(request: &RunRequest<'_>) -> Outcome {
     let source = request.source.replace("LREAL := -", "LREAL := ");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 /// Reads neither typed literals with a sign nor lists of initial values.
@@ -199,10 +201,7 @@ fn the_commands_are_not_run_for_a_program_that_is_not_small() {
 /// Begins REAL variables without the sign of their initial value.
 fn without_signs_of_reals(request: &RunRequest<'_>) -> Outcome {
     let source = request.source.replace(": REAL := -", ": REAL := ");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -224,10 +223,7 @@ fn rounding(request: &RunRequest<'_>) -> Outcome {
         .replace("2.75", "3.0")
         .replace("7.5", "8.0")
         .replace("1.5", "2.0");
-    as_the_reference(&RunRequest {
-        source: &rounded,
-        ..*request
-    })
+    as_the_reference_runs(request, &rounded)
 }
 
 #[test]
@@ -262,10 +258,7 @@ fn a_conversion_by_name_is_the_cause_also_behind_an_operation() {
 /// Begins REAL variables with the bits of an integer literal.
 fn without_conversion_of_initial_values(request: &RunRequest<'_>) -> Outcome {
     let source = request.source.replace("REAL := INT#2", "REAL := 3.0E-45");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -291,10 +284,7 @@ static RUN: AtomicU32 = AtomicU32::new(0);
 fn counts_and_rounds(request: &RunRequest<'_>) -> Outcome {
     RUN.fetch_add(1, Ordering::Relaxed);
     let source = request.source.replace("3.5", "4.0");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -334,10 +324,7 @@ fn compares_as_the_first(request: &RunRequest<'_>) -> Outcome {
         .source
         .replace("SINT#0 < wide", "NOT (SINT#0 < wide)")
         .replace("DINT#0 < wide", "NOT (DINT#0 < wide)");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -404,10 +391,7 @@ fn a_code_that_the_engine_lacks_is_not_asked_for() {
 fn converts_otherwise(request: &RunRequest<'_>) -> Outcome {
     let source = request.source.replace("LINT(r)", "LINT(r + 0.5)");
     let source = source.replace("r : REAL := 1.0E20", "r : REAL := 9.0E18");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -443,10 +427,7 @@ fn counts_the_operand(request: &RunRequest<'_>) -> Outcome {
         ALONE.fetch_add(1, Ordering::Relaxed);
     }
     let source = request.source.replace(":= 40", ":= 41");
-    as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    })
+    as_the_reference_runs(request, &source)
 }
 
 #[test]
@@ -470,10 +451,7 @@ fn without_initial_values_of_blocks(request: &RunRequest<'_>) -> Outcome {
     let source = request
         .source
         .replace("finished : BOOL := TRUE", "finished : BOOL");
-    let outcome = as_the_reference(&RunRequest {
-        source: &source,
-        ..*request
-    });
+    let outcome = as_the_reference_runs(request, &source);
     match outcome {
         Outcome::Faulted {
             fault: Fault::StepLimit,

@@ -10,11 +10,21 @@ use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
 };
 use stickler_types::{DialectName, Observation, Value};
-use stickler_workers::Cancellation;
+use stickler_workers::{Cancellation, Shard};
 
 /// The cases of this repository, which take seconds to load.
-pub static SHIPPED: LazyLock<Suite> =
+static SHIPPED: LazyLock<Suite> =
     LazyLock::new(|| Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")));
+
+/// Returns the events of a run of one part in twenty of the cases of this repository, which is quick and covers every kind of case.
+pub fn events_of_a_twentieth(engine: &dyn Engine, jobs: usize) -> Vec<Event> {
+    let plan = Plan {
+        jobs,
+        shard: Some(Shard::new(1, 20).unwrap()),
+        ..Plan::default()
+    };
+    timeless_events(&plan, &SHIPPED, &[engine])
+}
 
 /// Returns the events of a run, without their durations.
 pub fn timeless_events(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> Vec<Event> {

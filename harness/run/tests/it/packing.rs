@@ -1,6 +1,8 @@
 //! Tests of runs in which an engine is given several programs at a time: only the duration may change.
 
-use crate::fixtures::{Puppet, SHIPPED, case, executed, rejected, rejection, suite, timeless_events};
+use crate::fixtures::{
+    Puppet, case, events_of_a_twentieth, executed, rejected, rejection, suite, timeless_events,
+};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Packed, Reference, RunRequest, Session};
@@ -142,14 +144,10 @@ fn numbered(count: usize, make: impl Fn(usize, Case) -> Case) -> Suite {
 
 #[test]
 fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
-    // One case of twenty has nearly every table and every kind of case in it, and is quick.
-    let mut suite = Suite::default();
-    suite.cases = SHIPPED.cases.iter().step_by(20).cloned().collect();
-    suite.sources = SHIPPED.sources.clone();
-    let unpacked = events(&suite, &[&Reference::new()], 0);
+    let unpacked = events_of_a_twentieth(&Reference::new(), 0);
     for sure in [of_all_or_none as Sure, of_what_is_told] {
         let packing = Packing::new(Reference::new(), 64, sure);
-        let packed = events(&suite, &[&packing], 0);
+        let packed = events_of_a_twentieth(&packing, 0);
         assert_eq!(unpacked.len(), packed.len());
         for (unpacked, packed) in unpacked.iter().zip(&packed) {
             assert_eq!(unpacked, packed);
