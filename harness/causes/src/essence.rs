@@ -16,7 +16,7 @@ use crate::twins::value_features;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 
-/// The properties by which two small programs show the same defect.
+/// The properties that small programs with the same defect have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Essence {
     /// The class of the engine's behaviour; causes with different classes are different.

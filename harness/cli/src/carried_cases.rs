@@ -1,6 +1,5 @@
 //! The cases that the program carries, for places where no clone is: unpacked into the user's cache folder when they are first needed.
 
-use crate::case_folder;
 use anyhow::Context;
 use flate2::read::GzDecoder;
 use std::fs;
@@ -32,11 +31,11 @@ const USED: &str = "used";
 /// The folder with the cases, once this process has looked for it: commands ask several times.
 static UNPACKED: OnceLock<PathBuf> = OnceLock::new();
 
-/// Returns the folder with the cases of the program, in the user's cache folder. Unpacks them unless they are there.
+/// Returns the folder with the cases of the program, which is called `name`, in the user's cache folder. Unpacks them unless they are there.
 ///
 /// # Errors
 /// No cache folder, or one that cannot be written to.
-pub fn unpacked() -> anyhow::Result<PathBuf> {
+pub fn unpacked(name: &str) -> anyhow::Result<PathBuf> {
     if let Some(folder) = UNPACKED.get() {
         return Ok(folder.clone());
     }
@@ -45,11 +44,12 @@ pub fn unpacked() -> anyhow::Result<PathBuf> {
     let editions = cache.join("stickler").join("cases");
     let edition = editions.join(EDITION);
     if !is_complete(&edition) {
-        unpack(&edition).with_context(|| format!("cannot unpack into {}: {hint}", edition.display()))?;
+        unpack(&edition, name)
+            .with_context(|| format!("cannot unpack into {}: {hint}", edition.display()))?;
         clean(&editions, &edition, SystemTime::now());
     }
     note_use(&edition, SystemTime::now());
-    Ok(UNPACKED.get_or_init(|| edition.join(case_folder::NAME)).clone())
+    Ok(UNPACKED.get_or_init(|| edition.join(name)).clone())
 }
 
 /// Removes the cases that were not used for a long time, but not those that were just unpacked: an old note of their use may have outlived
@@ -67,13 +67,13 @@ fn is_complete(edition: &Path) -> bool {
 }
 
 /// Unpacks the archive beside the folder and moves it there, so that another process never meets a part of it.
-fn unpack(edition: &Path) -> io::Result<()> {
+fn unpack(edition: &Path, name: &str) -> io::Result<()> {
     let parent = edition.parent().unwrap_or(Path::new("."));
     fs::create_dir_all(parent)?;
     let made = tempfile::tempdir_in(parent)?;
     let mut archive = Archive::new(GzDecoder::new(ARCHIVE));
     archive.set_preserve_mtime(false);
-    archive.unpack(made.path().join(case_folder::NAME))?;
+    archive.unpack(made.path().join(name))?;
     if edition.exists() {
         fs::remove_dir_all(edition)?;
     }

@@ -18,7 +18,7 @@ use stickler_types::DialectName;
 use stickler_workers::Shard;
 
 /// The name of the folder of cases.
-pub const NAME: &str = "conformance-cases";
+const NAME: &str = "conformance-cases";
 
 /// The file of the dialects in a folder of cases.
 const DIALECTS: &str = "dialects.toml";
@@ -55,7 +55,7 @@ impl CaseFolder {
                 match CaseFolder::search(&here, program.ok().as_deref()) {
                     Some(found) => Ok(found),
                     None => Ok(CaseFolder {
-                        path: carried_cases::unpacked()?,
+                        path: carried_cases::unpacked(NAME)?,
                         root: PathBuf::new(),
                         is_carried: true,
                     }),

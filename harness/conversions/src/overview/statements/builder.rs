@@ -174,13 +174,13 @@ impl StatementsBuilder {
             let expected: Vec<Vec<ExpectedResult>> = function
                 .dialects
                 .iter()
-                .map(|index| function.expected((*index, self.dialects[*index])))
+                .map(|index| function.expected(*index, self.dialects[*index]))
                 .collect();
             for column in &mut recorded {
-                let dialects = &mut function.dialects.iter();
-                if let Some(at) = dialects.position(|index| *index == column.dialect()) {
+                let mut of_dialects = function.dialects.iter().zip(&expected);
+                if let Some((_, expected)) = of_dialects.find(|(index, _)| **index == column.dialect()) {
                     let first = number(first_call + first);
-                    column.add_calls(first, &function.signature, &function.calls, &expected[at]);
+                    column.add_calls(first, &function.signature, &function.calls, expected);
                 }
             }
             let signature = &function.signature;
@@ -274,8 +274,8 @@ impl StatedFunction {
         number
     }
 
-    /// Returns the expected results of the calls in a dialect, which is given with its index.
-    fn expected(&self, (index, dialect): (usize, DialectName)) -> Vec<ExpectedResult> {
+    /// Returns the expected results of the calls in a dialect; `index` is that of the dialect among all.
+    fn expected(&self, index: usize, dialect: DialectName) -> Vec<ExpectedResult> {
         let of_call = |(number, call): (usize, &Vec<Value>)| {
             let asserted = self.asserted.get(&(number, index));
             let asserted = asserted.map(|(value, basis)| (value, basis));

@@ -13,7 +13,7 @@ pub(super) enum NameShape<'u, 's> {
     /// A name that is not declared.
     #[default]
     Unknown,
-    /// A variable of a type.
+    /// A variable; holds its type.
     Typed(&'u TypeSpecification<'s>),
     /// A POU, or a variable that is an instance of one.
     Pou(&'u Pou<'s>),

@@ -118,7 +118,7 @@ impl Streams {
 enum Read {
     /// All bytes that there were.
     Short,
-    /// The number of bytes that are read at a time; more may wait.
+    /// As many bytes as are read at a time; more may wait.
     Full,
     /// More bytes than are allowed, together with those that came before.
     Flooded,
