@@ -10,6 +10,7 @@
 
 mod cancellation;
 mod pool;
+mod queue;
 mod reorder;
 mod shard;
 

@@ -1,12 +1,11 @@
 //! Threads that do tasks, under a supervisor on the caller's thread.
 
 use crate::Reorder;
+use crate::queue::Queue;
 use rayon::{ThreadPoolBuildError, ThreadPoolBuilder};
 use std::any::Any;
 use std::num::NonZero;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::mpsc::{self, Receiver, Sender};
-use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 /// The stack of a thread: an engine in this process may recurse as deep as its own limits allow, for which the usual two
@@ -90,15 +89,12 @@ impl WorkerPool {
             .stack_size(STACK_SIZE)
             .build()
             .map_err(SpawnError)?;
-        let (give, tasks) = mpsc::channel::<T>();
-        let tasks = Mutex::new(tasks);
-        let (send, messages) = mpsc::channel();
-        let (open, work, tasks) = (&open, &work, &tasks);
+        let (tasks, messages) = (Queue::default(), Queue::default());
         threads.in_place_scope(|scope| {
-            // The threads end when it is dropped, however this closure ends.
-            let give = give;
-            scope.spawn_broadcast(move |_, _| work_until_closed(open, work, tasks, &send));
-            self.supervise(supervisor, &give, &messages)
+            // The threads end when the tasks are closed, however this closure ends.
+            let _closing = tasks.close_on_drop();
+            scope.spawn_broadcast(|_, _| work_until_closed(&open, &work, &tasks, &messages));
+            self.supervise(supervisor, &tasks, &messages)
         })
     }
 
@@ -106,13 +102,13 @@ impl WorkerPool {
     fn supervise<T, R, E>(
         self,
         supervisor: &mut dyn Supervisor<T, R>,
-        give: &Sender<T>,
-        messages: &Receiver<WorkerMessage<R, E>>,
+        tasks: &Queue<T>,
+        messages: &Queue<WorkerMessage<R, E>>,
     ) -> Result<(), E> {
         // To open a worker is the first thing that each thread does.
         let (mut opening, mut under_way) = (self.threads, self.threads);
         while under_way > 0
-            && let Ok(message) = messages.recv()
+            && let Some(message) = messages.pop()
         {
             under_way -= 1;
             match message {
@@ -126,8 +122,8 @@ impl WorkerPool {
             while opening == 0
                 && under_way < self.threads * MAX_TASKS_PER_THREAD
                 && let Some(task) = supervisor.next_task()
-                && give.send(task).is_ok()
             {
+                tasks.push(task);
                 under_way += 1;
             }
         }
@@ -190,27 +186,22 @@ impl WorkerPool {
 fn work_until_closed<W, T, R, E>(
     open: &(impl Fn() -> Result<W, E> + Sync),
     work: &(impl Fn(&mut W, T) -> R + Sync),
-    tasks: &Mutex<Receiver<T>>,
-    send: &Sender<WorkerMessage<R, E>>,
+    tasks: &Queue<T>,
+    messages: &Queue<WorkerMessage<R, E>>,
 ) {
-    let next = || tasks.lock().unwrap_or_else(PoisonError::into_inner).recv();
     // Nothing of the worker is used any more after a panic.
     let life = catch_unwind(AssertUnwindSafe(|| {
-        let (mut worker, opened) = match open() {
-            Ok(worker) => (Some(worker), Ok(())),
-            Err(error) => (None, Err(error)),
+        let mut worker = match open() {
+            Ok(worker) => worker,
+            Err(error) => return messages.push(WorkerMessage::Opened(Err(error))),
         };
-        let mut is_heard = send.send(WorkerMessage::Opened(opened)).is_ok();
-        while is_heard
-            && let Some(worker) = &mut worker
-            && let Ok(task) = next()
-        {
-            is_heard = send.send(WorkerMessage::Done(work(worker, task))).is_ok();
+        messages.push(WorkerMessage::Opened(Ok(())));
+        while let Some(task) = tasks.pop() {
+            messages.push(WorkerMessage::Done(work(&mut worker, task)));
         }
     }));
     if let Err(panic) = life {
-        // The supervisor is gone where this is not heard.
-        let _ = send.send(WorkerMessage::Panicked(panic));
+        messages.push(WorkerMessage::Panicked(panic));
     }
 }
 
