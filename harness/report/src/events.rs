@@ -9,7 +9,6 @@ use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
 use record::{CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
-use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
@@ -47,9 +46,9 @@ impl Encoder {
     /// Adds the lines of an event, and returns the group of a case.
     fn encode(&mut self, event: &Event) -> serde_json::Result<Option<GroupNumber>> {
         match event {
-            Event::Header(header) => self.line(&RunLine::Header(Cow::Borrowed(header)))?,
-            Event::Cause(cause) => self.line(&RunLine::Cause(Box::new(Cow::Borrowed(cause))))?,
-            Event::Footer(footer) => self.line(&RunLine::Footer(Cow::Borrowed(footer)))?,
+            Event::Header(header) => self.line(&RunLine::Header(header))?,
+            Event::Cause(cause) => self.line(&RunLine::Cause(cause))?,
+            Event::Footer(footer) => self.line(&RunLine::Footer(footer))?,
             Event::Case(case) => {
                 let (number, is_new) = self.groups.number(case);
                 if is_new {

@@ -6,18 +6,18 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, Observed, Verdict};
 
-/// A line that is not about a case.
-#[derive(Serialize, Deserialize)]
+/// A line that is not about a case, to be written.
+#[derive(Serialize)]
 #[serde(tag = "type", rename_all = "lowercase")]
 pub(super) enum RunLine<'r> {
     /// The first line.
-    Header(Cow<'r, Header>),
+    Header(&'r Header),
     /// The common properties of the cases of a group, before the first of them.
     Group(GroupLine<'r>),
     /// A cause of failing cases, after all cases.
-    Cause(Box<Cow<'r, Cause>>),
+    Cause(&'r Cause),
     /// The last line of a complete run.
-    Footer(Cow<'r, Footer>),
+    Footer(&'r Footer),
 }
 
 /// A group and the number by which the lines of its cases name it.
@@ -167,19 +167,23 @@ impl Decoder {
             return self.case(record.whole(), number);
         }
         let Tag { kind } = serde_json::from_slice(line).map_err(broken)?;
-        if !matches!(&*kind, "header" | "group" | "cause" | "footer") {
-            let record: CaseObject<'_> = serde_json::from_slice(line).map_err(broken)?;
-            return self.case(record, number);
-        }
-        match serde_json::from_slice(line).map_err(broken)? {
-            RunLine::Header(header) => Ok(Some(Event::Header(header.into_owned()))),
-            RunLine::Cause(cause) => Ok(Some(Event::Cause((*cause).into_owned()))),
-            RunLine::Footer(footer) => Ok(Some(Event::Footer(footer.into_owned()))),
-            RunLine::Group(record) if record.number == self.groups.len() => {
+        // The kind is known, so each line is read once more as what it is, and what is wrong in it has its place in the line.
+        match &*kind {
+            "header" => Ok(Some(Event::Header(serde_json::from_slice(line).map_err(broken)?))),
+            "cause" => Ok(Some(Event::Cause(serde_json::from_slice(line).map_err(broken)?))),
+            "footer" => Ok(Some(Event::Footer(serde_json::from_slice(line).map_err(broken)?))),
+            "group" => {
+                let record: GroupLine<'_> = serde_json::from_slice(line).map_err(broken)?;
+                if record.number != self.groups.len() {
+                    return Err(LogError::Group { line: number });
+                }
                 self.groups.push(record.group.into_owned());
                 Ok(None)
             }
-            RunLine::Group(_) => Err(LogError::Group { line: number }),
+            _ => {
+                let record: CaseObject<'_> = serde_json::from_slice(line).map_err(broken)?;
+                self.case(record, number)
+            }
         }
     }
 
