@@ -10,7 +10,8 @@ use stickler_types::{ElementaryType, Family, MomentUnits, Rounding};
 
 const DAY: i64 = 86_400_000_000_000;
 
-/// Nanoseconds in the unit that a type is counted in.
+/// Nanoseconds in the unit that a type is counted in. Inlined, so that it is the same for all operands of a loop.
+#[inline(always)]
 const fn unit(ty: ElementaryType, units: MomentUnits) -> i64 {
     match (ty.family(), units) {
         (_, MomentUnits::Counts) if ty.is_third_edition() => 1,
@@ -95,8 +96,8 @@ pub fn from_units(raw: u64, to: ElementaryType, units: MomentUnits) -> u64 {
 }
 
 /// Returns so many units, rounded to the nearest nanosecond, ties to even, modulo 2^64 nanoseconds; NaN and the
-/// infinities give 0.
-#[inline]
+/// infinities give 0. Inlined as [`from_units`] is.
+#[inline(always)]
 #[must_use]
 pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units: MomentUnits) -> u64 {
     let value = real::decode(raw, from);
@@ -110,6 +111,8 @@ pub fn from_real_units(raw: u64, from: ElementaryType, to: ElementaryType, units
     whole(nanoseconds.cast_signed(), to)
 }
 
+/// Returns so many units of any number; not inlined, so that the loop for REAL stays small.
+#[inline(never)]
 fn from_long_real_units(value: f64, unit: i64) -> u64 {
     if !value.is_finite() {
         return 0;
