@@ -5,7 +5,9 @@ use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_mai
 use std::hint::black_box;
 use std::time::Duration;
 use stickler_reference::conversion::{Conversion, Parameter, function};
-use stickler_reference::{Dialect, Limits, check, run, syntax};
+use stickler_reference::{Limits, check, run};
+use stickler_syntax as syntax;
+use stickler_types::Dialect;
 use stickler_types::{DialectName, Observation, Outcome, RunRequest};
 
 const DIALECT: DialectName = DialectName::IronplcEd3;

@@ -4,9 +4,9 @@
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::time::Duration;
-use stickler_reference::Dialect;
-use stickler_reference::source::LineIndex;
-use stickler_reference::syntax::{parse, render};
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::{parse, render};
+use stickler_types::Dialect;
 use stickler_types::DialectName;
 
 const LENGTH: usize = 10_000_000;

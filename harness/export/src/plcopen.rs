@@ -14,10 +14,10 @@ use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, Event};
 use std::io;
 use std::path::PathBuf;
-use stickler_reference::Dialect;
-use stickler_reference::source::{LineIndex, Span};
-use stickler_reference::syntax::parse;
-use stickler_reference::syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
+use stickler_syntax::parse;
+use stickler_syntax::source::{LineIndex, Span};
+use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
+use stickler_types::Dialect;
 use stickler_types::{BuiltIn, DialectName};
 use xml::{TextElement, Xml, attribute, empty, fits, formatted, nested};
 

@@ -11,7 +11,7 @@ const TOPICS: [(&str, &[(&str, &str)]); 3] = [
     (
         "bit access",
         &[
-            ("reference/src/syntax/parser/partial_access.rs", ""),
+            ("syntax/src/parser/partial_access.rs", ""),
             ("reference/src/semantics/places.rs", ""),
             ("reference/src/semantics/infer.rs", "infer_part"),
             ("reference/src/semantics/locations.rs", "store_part"),

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 const INSTALL: &str = "cargo install cargo-mutants --locked";
 
 /// The crates that are mutated: the implementation that the suite is run on.
-const MUTATED: [&str; 2] = ["stickler-reference", "stickler-types"];
+const MUTATED: [&str; 3] = ["stickler-syntax", "stickler-reference", "stickler-types"];
 
 /// The name by which `tests/suite.rs` of the judge finds its cases.
 const PREPARED: &str = "STICKLER_PREPARED";

@@ -8,7 +8,8 @@
 //! of two arguments are those of [`concatenation()`].
 //!
 //! ```
-//! use stickler_reference::{Dialect, conversion};
+//! use stickler_types::Dialect;
+//! use stickler_reference::conversion;
 //! use stickler_types::{DialectName, ElementaryType};
 //!
 //! let dialect = Dialect::of(DialectName::Matiec);

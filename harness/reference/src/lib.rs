@@ -1,17 +1,16 @@
 //! The reference implementation of Structured Text that Stickler judges its own cases with.
 //!
-//! A source text takes these steps, one module each; none of them panics on any input, and each returns its
-//! result and its diagnostics:
+//! A source text takes these steps; none of them panics on any input, and each returns its result and its diagnostics:
 //!
-//! - [`syntax::parse`] reads it to a [tree](syntax::tree::SourceUnit), which [`syntax::render`] writes back;
+//! - [`stickler_syntax::parse`] reads it to a [tree](stickler_syntax::tree::SourceUnit), which [`stickler_syntax::render`]
+//!   writes back;
 //! - [`semantics::check`] checks the tree and lowers it to a [`CheckedProgram`](semantics::CheckedProgram), whose
 //!   instructions are in [`instruction`];
 //! - [`execution::Machine`] runs that program.
 //!
 //! [`conversion`] holds every rule about values that change their type: [`implicit`](conversion::implicit) and the
-//! catalogue of conversion [functions](conversion::function). [`Dialect`] is the one place where a dialect's name
-//! becomes behaviour. Errors are [`SpannedDiagnostic`](diagnostic::SpannedDiagnostic)s, with [`Span`](source::Span)s of bytes;
-//! [`check`] and [`run`] give them with lines and columns instead.
+//! catalogue of conversion [functions](conversion::function). What dialects choose differently is asked of a
+//! [`Dialect`](stickler_types::Dialect).
 //!
 //! [`check`], [`run`] and [`render`] take these steps in order:
 //!
@@ -31,18 +30,10 @@
 //! Architecture Invariant: this crate knows no files, no threads, no cases and no engines.
 
 mod api;
-mod built_in_dialects;
 pub mod conversion;
-pub mod decoding;
-pub mod diagnostic;
-pub mod dialect;
 pub mod execution;
 pub mod instruction;
-mod options;
 mod raw;
 pub mod semantics;
-pub mod source;
-pub mod syntax;
 
 pub use api::{Limits, RequestError, check, check_bytes, errors, execute, locate, render, run, variables};
-pub use dialect::{COMMON_CHOICES, Dialect};

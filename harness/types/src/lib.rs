@@ -17,10 +17,12 @@
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
 pub mod boundaries;
+mod built_in_dialects;
 pub mod choices;
 pub mod code;
 pub mod definition;
 pub mod diagnostic;
+pub mod dialect;
 pub mod dialect_name;
 pub mod elementary;
 pub mod fault;
@@ -29,6 +31,7 @@ pub mod literal;
 mod numbers;
 mod observed_value;
 pub mod operators;
+mod options;
 pub mod outcome;
 mod random;
 mod recording_origin;
@@ -47,6 +50,7 @@ pub use choices::{
 pub use code::{Code, UnknownCode};
 pub use definition::{Definition, Stated};
 pub use diagnostic::{Diagnostic, Severity};
+pub use dialect::Dialect;
 pub use dialect_name::{BuiltIn, DefinedDialect, DialectName, UnknownDialect};
 pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};

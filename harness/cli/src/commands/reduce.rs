@@ -14,7 +14,7 @@ use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
 use stickler_generate::reduce::{
     self, Interestingness, OutcomeSymptom, Reduction, ReductionBudget, StopReason,
 };
-use stickler_reference::decoding::decode;
+use stickler_syntax::decoding::decode;
 use stickler_types::DialectName;
 
 /// Prints the smallest program that shows the symptom, or writes it to the named file; writes a summary to stderr.

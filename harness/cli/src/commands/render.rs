@@ -4,7 +4,7 @@ use crate::arguments::SourceArguments;
 use crate::exit::Exit;
 use crate::{output, snippet, source_file};
 use std::io::Write;
-use stickler_reference::decoding::decode;
+use stickler_syntax::decoding::decode;
 
 /// Prints the normalized source; for a file that cannot be parsed, writes the diagnostics to stderr.
 ///

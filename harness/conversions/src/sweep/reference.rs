@@ -2,8 +2,8 @@
 
 use crate::sweep::converter::Converter;
 use stickler_exact::Signature;
-use stickler_reference::Dialect;
 use stickler_reference::conversion::{Concatenation, Conversion, concatenation, function};
+use stickler_types::Dialect;
 use stickler_types::{DialectName, ElementaryType, Value};
 
 /// A conversion function of the reference between fixed types, with the rules of a dialect.

@@ -3,7 +3,7 @@
 use super::PageSource;
 use super::xml::{Xml, attribute, empty, nested};
 use std::io;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::tree::{
     ArrayElement, ExpressionId, Initializer, InitializerKind, TypeSpecification, TypeSpecificationKind,
     VariableBlock, VariableGroup, VariableKind,
 };

@@ -107,8 +107,8 @@ fn beremiz_reads_a_project_where_it_is_installed() {
     let generated = fs::read_to_string(&st).expect("a program");
     let programs = text.matches("pouType=\"program\"").count();
     assert_eq!(generated.matches("END_PROGRAM").count(), programs);
-    let dialect = stickler_reference::Dialect::of(DialectName::Matiec);
-    let (_, diagnostics) = stickler_reference::syntax::parse(&generated, &dialect);
+    let dialect = stickler_types::Dialect::of(DialectName::Matiec);
+    let (_, diagnostics) = stickler_syntax::parse(&generated, &dialect);
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
 }
 

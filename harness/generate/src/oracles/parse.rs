@@ -3,14 +3,14 @@
 use super::spans::{check_spans, is_inside};
 use super::words::{census, missing};
 use super::{InputOutcome, OracleFailure};
-use stickler_reference::decoding::decode;
-use stickler_reference::diagnostic::SpannedDiagnostic;
-use stickler_reference::dialect::Dialect;
 use stickler_reference::semantics;
-use stickler_reference::source::LineIndex;
-use stickler_reference::syntax::tree::SourceUnit;
-use stickler_reference::syntax::{parse, render};
+use stickler_syntax::decoding::decode;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::tree::SourceUnit;
+use stickler_syntax::{parse, render};
 use stickler_types::DialectName;
+use stickler_types::dialect::Dialect;
 
 /// The dialect of a text that names none.
 const DIALECT: DialectName = DialectName::IronplcEd3;

@@ -1,7 +1,7 @@
 //! Spans in a syntax tree: every span lies in the text and in that of its parent, and covers the text of its node.
 
-use stickler_reference::source::Span;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     Argument, CaseLabel, Configuration, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
     InitializerKind, Name, Pou, SourceUnit, Statement, StatementKind, TypeSpecification,
     TypeSpecificationKind, VariableBlock, VariableGroup,
@@ -310,9 +310,9 @@ impl SpanChecker<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::check_spans;
-    use stickler_reference::Dialect;
-    use stickler_reference::syntax::parse;
-    use stickler_reference::syntax::tree::SourceUnit;
+    use stickler_syntax::parse;
+    use stickler_syntax::tree::SourceUnit;
+    use stickler_types::Dialect;
     use stickler_types::DialectName;
 
     const TEXT: &str =

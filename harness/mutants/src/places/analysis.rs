@@ -1,12 +1,11 @@
 //! A program as the reference checks it, with a record of where its values meet types.
 
 use super::standing::Standings;
-use stickler_reference::Dialect;
-use stickler_reference::diagnostic::{SpannedDiagnostic, has_errors};
 use stickler_reference::semantics::{CheckedProgram, TracedUse, check_traced};
-use stickler_reference::source::LineIndex;
-use stickler_reference::syntax::tree::{Expression, ExpressionId, SourceUnit};
-use stickler_reference::syntax::{self};
+use stickler_syntax::diagnostic::{SpannedDiagnostic, has_errors};
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::tree::{Expression, ExpressionId, SourceUnit};
+use stickler_types::Dialect;
 
 /// A program, checked.
 #[derive(Debug)]
@@ -31,7 +30,7 @@ impl<'s> Analysis<'s> {
     /// Reads and checks a program.
     pub fn new(source: &'s str, dialect: &Dialect) -> Analysis<'s> {
         let lines = LineIndex::new(source);
-        let (unit, mut diagnostics) = syntax::parse(source, dialect);
+        let (unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
         let (program, found, uses) = check_traced(&unit, source, &lines, dialect);
         diagnostics.extend(found);
         let standings = Standings::new(&unit, &lines);

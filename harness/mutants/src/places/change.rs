@@ -1,10 +1,10 @@
 //! Changes to what the reference made of a program: its errors, its instructions, its tree.
 
 use super::analysis::Analysis;
-use stickler_reference::diagnostic::SpannedDiagnostic;
 use stickler_reference::instruction::{Instruction, Label, MachineProgram};
-use stickler_reference::source::Span;
-use stickler_reference::syntax::tree::{ExpressionId, ExpressionKind};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{ExpressionId, ExpressionKind};
 use stickler_types::Code;
 
 /// A change to one place of a program.

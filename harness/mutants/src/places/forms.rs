@@ -1,9 +1,7 @@
 //! The forms of expressions: the source and the target of `places.toml` that each is by itself.
 
 use super::names::{DerivedForm, SectionVariable, SourceNames, Variables};
-use stickler_reference::syntax::tree::{
-    ExpressionId, ExpressionKind, SourceUnit, UnaryOperator, VariableKind,
-};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, SourceUnit, UnaryOperator, VariableKind};
 
 /// The forms of the expressions of a program organization unit.
 pub(super) struct Forms<'w, 'u> {

@@ -5,10 +5,10 @@ use super::claim::{
 };
 use super::saboteur::{BrokenPlace, Saboteur};
 use std::collections::BTreeSet;
-use stickler_reference::Dialect;
 use stickler_reference::conversion::{conversion_function_name, implicit};
-use stickler_reference::dialect::PartialAccess;
 use stickler_suite::{ProgramPlace, Role, Suite};
+use stickler_types::Dialect;
+use stickler_types::dialect::PartialAccess;
 use stickler_types::{DialectName, ElementaryType};
 
 /// A value that goes from one type to another in a dialect.

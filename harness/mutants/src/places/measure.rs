@@ -6,9 +6,9 @@ use super::site::sites;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_engines::{EngineSession, Grade, Outcome, Reference};
-use stickler_reference::Dialect;
 use stickler_run::{Verdict, ask, judge};
 use stickler_suite::Case;
+use stickler_types::Dialect;
 use stickler_workers::WorkerPool;
 
 /// The cases that were run against one saboteur.

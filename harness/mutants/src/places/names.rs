@@ -1,7 +1,7 @@
 //! The names that a source text declares, as far as they tell in which place a value stands.
 
 use rustc_hash::FxHashMap;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::tree::{
     CaseFolded, Declaration, Pou, PouKind, SourceUnit, TypeSpecification, TypeSpecificationKind,
     VariableBlock, VariableKind,
 };

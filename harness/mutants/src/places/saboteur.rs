@@ -6,7 +6,8 @@ use super::claim::Rule;
 use super::site::{Site, sites};
 use std::fmt;
 use stickler_engines::{Engine, EngineError, Identity, NamedValue, Outcome, Reference, RunRequest, Session};
-use stickler_reference::{self as reference, Dialect, Limits};
+use stickler_reference::{self as reference, Limits};
+use stickler_types::Dialect;
 use stickler_types::{Diagnostic, DialectName, ElementaryType};
 
 /// A rule that is broken in one place and kept everywhere else.
@@ -155,9 +156,7 @@ impl Session for SabotagedSession {
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
         let rendered = match self.sabotaged(source, &Dialect::of(dialect), true) {
-            Some(analysis) if !analysis.is_rejected() => {
-                Ok(reference::syntax::render(&analysis.unit, source))
-            }
+            Some(analysis) if !analysis.is_rejected() => Ok(stickler_syntax::render(&analysis.unit, source)),
             Some(analysis) if self.0.rule.refuses_rendering() => Err(located(analysis)),
             _ => reference::render(source, dialect),
         };

@@ -11,8 +11,8 @@ use super::wrong_code::wrong_code;
 use rustc_hash::FxHashMap;
 use stickler_reference::instruction::{Instruction, Label, Part};
 use stickler_reference::semantics::{TracedUse, UseKind};
-use stickler_reference::source::Span;
-use stickler_reference::syntax::tree::{ExpressionId, ExpressionKind, LiteralKind, UnaryOperator};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, LiteralKind, UnaryOperator};
 use stickler_types::{Code, ElementaryType};
 
 /// A place of a program at which a rule can be broken.

@@ -2,8 +2,8 @@
 
 use super::forms::Forms;
 use super::names::{SourceNames, Variables};
-use stickler_reference::source::{LineIndex, Span};
-use stickler_reference::syntax::tree::{
+use stickler_syntax::source::{LineIndex, Span};
+use stickler_syntax::tree::{
     Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
     InitializerKind, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeSpecification,
     TypeSpecificationKind, VariableGroup, VariableKind,

@@ -12,8 +12,8 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::LazyLock;
 use stickler_engines::{EngineSession, Observation, Outcome, RunRequest};
-use stickler_reference::Dialect;
 use stickler_suite::{FileKind, Suite};
+use stickler_types::Dialect;
 use stickler_types::DialectName;
 
 /// A part of the suite that has programs of every place.

@@ -2,9 +2,9 @@
 //! dropped, a value that is limited and not wrapped.
 
 use super::claim::PairKind;
-use stickler_reference::COMMON_CHOICES;
 use stickler_reference::conversion::{Conversion, ConversionRule};
 use stickler_reference::instruction::{Instruction, LogicOperator};
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ElementaryType, OutOfRange, Rounding};
 
 /// Instructions that replace a conversion, or follow one.

@@ -1,12 +1,11 @@
 //! Checking and rendering: all that can be said about a source text without running it.
 
 use super::located::locate;
-use crate::decoding::decode;
-use crate::diagnostic::{SpannedDiagnostic, has_errors};
-use crate::dialect::Dialect;
 use crate::semantics::{self, CheckedProgram};
-use crate::source::LineIndex;
-use crate::syntax;
+use stickler_syntax::decoding::decode;
+use stickler_syntax::diagnostic::{SpannedDiagnostic, has_errors};
+use stickler_syntax::source::LineIndex;
+use stickler_types::dialect::Dialect;
 use stickler_types::{Code, Diagnostic, DialectName};
 
 /// A source text after all stages but the last.
@@ -22,7 +21,7 @@ pub(super) struct Checked {
 impl Checked {
     pub fn new(source: &str, dialect: &Dialect) -> Checked {
         let lines = LineIndex::new(source);
-        let (unit, mut diagnostics) = syntax::parse(source, dialect);
+        let (unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
         let (program, found) = semantics::check(&unit, source, &lines, dialect);
         diagnostics.extend(found);
         Checked {
@@ -85,7 +84,7 @@ pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String>
 pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnostic>> {
     let dialect = Dialect::of(dialect);
     let lines = LineIndex::new(source);
-    let (unit, mut diagnostics) = syntax::parse(source, &dialect);
+    let (unit, mut diagnostics) = stickler_syntax::parse(source, &dialect);
     let (_, found) = semantics::check(&unit, source, &lines, &dialect);
     diagnostics.extend(
         found
@@ -93,7 +92,7 @@ pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnost
             .filter(|diagnostic| diagnostic.code.not_enabled()),
     );
     if diagnostics.is_empty() {
-        Ok(syntax::render(&unit, source))
+        Ok(stickler_syntax::render(&unit, source))
     } else {
         Err(locate(diagnostics, source, &lines))
     }
@@ -101,6 +100,6 @@ pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnost
 
 /// Returns the diagnostic for a text that is acceptable and has nothing to run, at its last token.
 pub(super) fn nothing_to_run(source: &str, dialect: &Dialect) -> SpannedDiagnostic {
-    let span = syntax::last_token(source, dialect);
+    let span = stickler_syntax::last_token(source, dialect);
     SpannedDiagnostic::new(Code::NoProgramDeclaration, span, "there is no PROGRAM to run")
 }

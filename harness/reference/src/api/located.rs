@@ -3,8 +3,8 @@
 //! Basis: harness/engines/README.md (order, positions); rule: not-enabled-hides-the-rest (a code that says a construct is not
 //! enabled suppresses every other diagnostic about that construct).
 
-use crate::diagnostic::SpannedDiagnostic;
-use crate::source::{LineIndex, Span};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::{LineIndex, Span};
 use stickler_types::Diagnostic;
 
 /// Returns the diagnostics of a text as a person reads them: without those that another one suppresses, with lines and columns,

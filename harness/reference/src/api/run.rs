@@ -5,9 +5,9 @@ use super::located::locate;
 use super::observe::Observer;
 use super::request::{Limits, RequestError};
 use super::settings::Settings;
-use crate::dialect::Dialect;
 use crate::execution::{Machine, Stop};
 use crate::semantics::CheckedProgram;
+use stickler_types::dialect::Dialect;
 use stickler_types::{Outcome, RunRequest};
 
 /// Runs a program within limits and gives the values asked for, each by its [key](stickler_types::Observation::key), in the order

@@ -4,9 +4,9 @@
 //! Functions ("for all type pairs … `<SOURCE>_TO_<TARGET>`").
 
 use super::{Conversion, ConversionRule};
-use crate::COMMON_CHOICES;
-use crate::dialect::Dialect;
 use std::sync::LazyLock;
+use stickler_types::dialect::COMMON_CHOICES;
+use stickler_types::dialect::Dialect;
 use stickler_types::{ConversionChoices, ElementaryType, MomentUnits, Rounding};
 
 /// The parameter of a conversion function.

@@ -1,12 +1,12 @@
 //! The catalogue, name by name.
 
 use super::catalogue::*;
-use crate::COMMON_CHOICES;
-use crate::Dialect;
 use ElementaryType::{
     Byte, Date, Dint, Dt, Dword, Int, Lint, Lreal, Ltime, Real, Sint, Tod, Udint, Uint, Usint, Word,
 };
+use stickler_types::Dialect;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{
     BitStringText, ConversionChoices, DialectName, OutOfRange, RealText, Rounding, TextReading,
 };

@@ -1,7 +1,7 @@
 //! The conversion functions of two arguments, which join a date and a time of day.
 
-use crate::dialect::Dialect;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::Dialect;
 
 /// A function that joins a date and a time of day.
 ///

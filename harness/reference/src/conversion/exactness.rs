@@ -3,10 +3,10 @@
 
 use super::real::{decode, parts};
 use super::{Conversion, ConversionRule};
-use crate::COMMON_CHOICES;
 use ElementaryType::{
     Bool, Byte, Dint, Dt, Int, Lint, Lreal, Lword, Real, Time, Tod, Udint, Uint, Ulint, Word,
 };
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, ElementaryType, OutOfRange, Rounding, SplitMix64};
 
 fn conversion(from: ElementaryType, to: ElementaryType, rounding: Rounding) -> Conversion {

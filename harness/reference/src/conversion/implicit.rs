@@ -1,7 +1,7 @@
 //! THE rule that says whether a value converts implicitly, and with what result.
 
 use super::{Conversion, ConversionRule};
-use crate::dialect::{Dialect, ImplicitWarnings, OperandTypes, Widening};
+use stickler_types::dialect::{Dialect, ImplicitWarnings, OperandTypes, Widening};
 use stickler_types::{Code, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of one elementary type may stand where another is expected, and what becomes of it: the

@@ -3,9 +3,9 @@
 
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
-use crate::dialect::Dialect;
 use std::sync::LazyLock;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::Dialect;
 
 static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut names = of_pairs();

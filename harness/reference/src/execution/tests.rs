@@ -1,7 +1,6 @@
 //! The machine on small programs written by hand.
 
 use super::{Inconsistency, Machine, RaisedFault, Stop};
-use crate::COMMON_CHOICES;
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{
     ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, MachineProgram,
@@ -16,6 +15,7 @@ use Instruction::{
 use stickler_types::ElementaryType::{
     Bool, Byte, Dint, Dword, Int, Sint, String, Uint, Ulint, Word, Wstring,
 };
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{BitStringText, MomentText, RealText};
 
 const STEPS: u64 = 10_000;

@@ -6,10 +6,10 @@
 use super::lowering::Lowering;
 use super::model::PouEntry;
 use super::parameters::mixed;
-use crate::diagnostic::SpannedDiagnostic;
-use crate::source::Span;
-use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, Name, VariableKind};
 use rustc_hash::FxHashSet;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, Name, VariableKind};
 use stickler_types::Code;
 
 /// The arguments of a call with the parameters that they are for.

@@ -6,9 +6,9 @@ use super::model::TopLevelName;
 use super::standard::standard_function;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
-use crate::diagnostic::SpannedDiagnostic;
 use crate::instruction::{Instruction, StandardFunction};
-use crate::syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The callee of a call.

@@ -11,9 +11,9 @@ use super::operators::{Action, OperatorSignature, TypedOperation};
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Conversion, ConversionRule};
-use crate::dialect::OperandTypes;
 use crate::instruction::Instruction;
-use crate::syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
+use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType, MomentUnits};
 
 /// An operator on the spine.

@@ -6,11 +6,11 @@ use super::model::{Model, SourceText};
 use super::observation::{CheckedProgram, VariableTable};
 use super::reporter::Reporter;
 use super::trace::{Trace, TracedUse};
-use crate::diagnostic::SpannedDiagnostic;
-use crate::dialect::Dialect;
 use crate::instruction::MachineProgram;
-use crate::source::LineIndex;
-use crate::syntax::tree::SourceUnit;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::tree::SourceUnit;
+use stickler_types::dialect::Dialect;
 
 /// Checks names and types of a source text, and lowers it.
 ///

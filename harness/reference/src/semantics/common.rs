@@ -7,8 +7,8 @@ use super::contexts::{Fit, ValueContext, fit};
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeTable};
 use crate::conversion::{common_operand, implicit};
-use crate::dialect::Dialect;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::Dialect;
 
 /// The rules of types in a text: the table of types and the dialect.
 #[derive(Clone, Copy)]

@@ -1,8 +1,8 @@
 //! The values of constants, and what names mean in constant expressions.
 
-use crate::diagnostic::SpannedDiagnostic;
-use crate::syntax::tree::Name;
 use std::sync::Arc;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::tree::Name;
 use stickler_types::{Code, ElementaryType};
 
 /// The value of a constant of an elementary type.

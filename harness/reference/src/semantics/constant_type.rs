@@ -6,8 +6,8 @@ use super::lowering::{LoweredValue, Lowering};
 use super::promotion::integer_of;
 use super::types::TypeId;
 use crate::conversion::implicit;
-use crate::dialect::ConstantTypes;
-use crate::syntax::tree::{ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind};
+use stickler_types::dialect::ConstantTypes;
 use stickler_types::{Code, ElementaryType};
 
 impl Lowering<'_> {

@@ -11,9 +11,9 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
-use crate::diagnostic::SpannedDiagnostic;
-use crate::source::Span;
-use crate::syntax::tree::{
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     Argument, BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Name, UnaryOperator,
 };
 use stickler_types::{Code, ElementaryType, literal};
@@ -268,7 +268,7 @@ pub(super) fn combine(
 #[cfg(test)]
 mod tests {
     use super::combine;
-    use crate::syntax::tree::BinaryOperator;
+    use stickler_syntax::tree::BinaryOperator;
     use stickler_types::Code;
 
     #[test]

@@ -3,7 +3,7 @@
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind, TypeTable};
 use crate::conversion::implicit;
-use crate::dialect::Dialect;
+use stickler_types::dialect::Dialect;
 use stickler_types::{Code, ElementaryType};
 
 /// The place in a program where a value stands.

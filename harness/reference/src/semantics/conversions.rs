@@ -8,8 +8,8 @@ use super::parameters::{ParameterList, single_argument};
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::conversion::{Concatenation, ConversionFunction, PARAMETERS, Parameter, ResultType};
-use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind};
 use stickler_types::ElementaryType;
 
 impl Lowering<'_> {

@@ -11,12 +11,12 @@ use super::reporter::Reporter;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
 use crate::instruction::RoutineId;
-use crate::source::{Span, saturating_u32};
-use crate::syntax::tree::{
+use rustc_hash::{FxHashMap, FxHashSet};
+use stickler_syntax::source::{Span, saturating_u32};
+use stickler_syntax::tree::{
     CaseFolded, Configuration, Declaration, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
     VariableBlock,
 };
-use rustc_hash::{FxHashMap, FxHashSet};
 use stickler_types::Code;
 
 /// Makes the model.

@@ -5,7 +5,7 @@ use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::misfit::describe;
 use super::types::{TypeId, TypeKind};
-use crate::syntax::tree::{ExpressionId, ExpressionKind};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind};
 
 impl Lowering<'_> {
     /// Returns whether a value would have to convert to the type of `target` although it, or `target`, is of a user-defined type that

@@ -6,8 +6,8 @@
 //! Basis: ironplc-problem-codes: P4036 (sections of their own); 6.5.5 of the third edition (programs, global variables).
 
 use super::declare::Declarer;
-use crate::syntax::tree::{Pou, PouKind, VariableBlock, VariableKind};
 use rustc_hash::{FxHashMap, FxHashSet};
+use stickler_syntax::tree::{Pou, PouKind, VariableBlock, VariableKind};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {

@@ -3,8 +3,8 @@
 use super::trace::{Trace, TracedUse, UseKind};
 use crate::conversion::{Concatenation, Conversion};
 use crate::instruction::{Instruction, Label, MachineProgram, RoutineId};
-use crate::syntax::tree::ExpressionId;
 use rustc_hash::FxHashMap;
+use stickler_syntax::tree::ExpressionId;
 
 /// The code so far. Routines are made one after the other, so it only ever grows at its end.
 #[derive(Debug, Default)]

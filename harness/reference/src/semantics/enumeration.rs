@@ -4,7 +4,7 @@ use super::declare::Declarer;
 use super::model::EnumeratedName;
 use super::scope::NamedList;
 use super::types::{DefaultValue, Enumeration, Extent, TypeId, TypeKind};
-use crate::syntax::tree::{CaseFolded, ExpressionId, Name};
+use stickler_syntax::tree::{CaseFolded, ExpressionId, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'u> Declarer<'u, '_> {

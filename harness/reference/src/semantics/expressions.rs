@@ -13,9 +13,9 @@ use super::promotion::{is_whole, prefixed, promoted};
 use super::trace::UseKind;
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule, implicit};
-use crate::dialect::{Dialect, OperandTypes};
 use crate::instruction::Instruction;
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, Name, UnaryOperator};
+use stickler_types::dialect::{Dialect, OperandTypes};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {

@@ -6,8 +6,8 @@ use super::constant::Constant;
 use super::declare::Declarer;
 use super::model::{DeclaredVariable, Storage};
 use super::types::TypeId;
-use crate::source::saturating_u32;
-use crate::syntax::tree::{CaseFolded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
+use stickler_syntax::source::saturating_u32;
+use stickler_syntax::tree::{CaseFolded, Name, PouKind, VariableBlock, VariableGroup, VariableKind};
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {

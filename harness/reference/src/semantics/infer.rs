@@ -7,9 +7,9 @@ use super::model::{EnumeratedName, TopLevelName};
 use super::operators::OperatorSignature;
 use super::promotion::prefixed;
 use super::types::{TypeId, TypeKind};
-use crate::dialect::{Dialect, OperandTypes, ResultSigns};
-use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
+use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name, UnaryOperator};
 use stickler_types::ElementaryType;
+use stickler_types::dialect::{Dialect, OperandTypes, ResultSigns};
 
 impl<'m> Lowering<'m> {
     /// Infers the type of an expression by itself. The left spine of a chain of operators is walked without

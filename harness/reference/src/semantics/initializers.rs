@@ -8,8 +8,8 @@ use super::lowering::Lowering;
 use super::model::{DeclaredVariable, DefaultInitialValue};
 use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::instruction::{Instruction, RoutineId};
-use crate::source::Span;
-use crate::syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {

@@ -12,10 +12,10 @@ use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, Storage};
 use super::trace::UseKind;
 use super::types::TypeId;
-use crate::diagnostic::SpannedDiagnostic;
 use crate::instruction::Instruction;
-use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, ExpressionId, ExpressionKind, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The type that a cell with an address counts as.

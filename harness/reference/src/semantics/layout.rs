@@ -4,8 +4,8 @@
 use super::declare::Declarer;
 use super::memory::{MAX_CELLS, MAX_TEXT, MemoryLayout};
 use super::model::{Model, Storage};
-use crate::source::{Span, saturating_u32};
-use crate::syntax::tree::VariableKind;
+use stickler_syntax::source::{Span, saturating_u32};
+use stickler_syntax::tree::VariableKind;
 use stickler_types::Code;
 
 impl Declarer<'_, '_> {
@@ -34,7 +34,7 @@ impl Declarer<'_, '_> {
                 && let Some(&global) = self
                     .model
                     .globals
-                    .get(&crate::syntax::tree::CaseFolded(variable.name.text))
+                    .get(&stickler_syntax::tree::CaseFolded(variable.name.text))
             {
                 self.model.variables[index].storage = self.model.variable(global).storage;
             }

@@ -2,7 +2,7 @@
 
 use super::observation::CheckedProgram;
 use super::types::{ArrayShape, Structure, TypeId, TypeKind, TypeTable};
-use crate::syntax::tree::VariableKind;
+use stickler_syntax::tree::VariableKind;
 
 impl CheckedProgram {
     /// The paths of all elementary values of the program that runs first (PROGRAM main), in the order of their
@@ -82,15 +82,14 @@ impl PathListing<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::dialect::Dialect;
     use crate::semantics::{CheckedProgram, check};
-    use crate::source::LineIndex;
-    use crate::syntax;
+    use stickler_syntax::source::LineIndex;
     use stickler_types::DialectName;
+    use stickler_types::dialect::Dialect;
 
     fn checked(text: &str) -> CheckedProgram {
         let dialect = Dialect::of(DialectName::IronplcEd2);
-        let (unit, diagnostics) = syntax::parse(text, &dialect);
+        let (unit, diagnostics) = stickler_syntax::parse(text, &dialect);
         assert_eq!(diagnostics, []);
         let (program, diagnostics) = check(&unit, text, &LineIndex::new(text), &dialect);
         assert_eq!(diagnostics, []);

@@ -7,11 +7,11 @@ use super::common::settle;
 use super::inferred::{Inferred, Magnitude};
 use super::lowering::{LoweredValue, Lowering};
 use super::types::TypeId;
-use crate::diagnostic::{SpannedDiagnostic, quoted};
-use crate::dialect::Dialect;
 use crate::instruction::Instruction;
-use crate::source::Span;
-use crate::syntax::tree::{Literal, LiteralKind};
+use stickler_syntax::diagnostic::{SpannedDiagnostic, quoted};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Literal, LiteralKind};
+use stickler_types::dialect::Dialect;
 use stickler_types::{Code, ElementaryType, Family, LiteralError, literal};
 
 /// A literal with the sign that stands directly before it.

@@ -4,7 +4,7 @@ use super::lowering::{LoweredValue, Lowering};
 use super::model::{DeclaredVariable, Storage};
 use super::types::{Subrange, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
-use crate::source::Span;
+use stickler_syntax::source::Span;
 use stickler_types::ElementaryType;
 
 /// The location of a value.

@@ -13,8 +13,8 @@ use super::lowering::{LoweredValue, Lowering};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Conversion, ConversionRule};
 use crate::instruction::{Instruction, LoopTypes};
-use crate::source::Span;
-use crate::syntax::tree::{ExpressionId, Statement};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{ExpressionId, Statement};
 use stickler_types::{Code, ElementaryType};
 
 /// A limit or a step that is kept while the loop runs.

@@ -8,10 +8,10 @@ use super::lowering::{LoweredValue, Lowering};
 use super::promotion::{integer_of, is_whole, prefixed};
 use super::types::TypeId;
 use crate::conversion::{implicit_warning, literal_warning};
-use crate::dialect::OperandTypes;
-use crate::syntax::tree::{
+use stickler_syntax::tree::{
     BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, UnaryOperator,
 };
+use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType};
 
 impl Lowering<'_> {

@@ -12,9 +12,9 @@ use super::model::{DeclaredVariable, Model, PouEntry};
 use super::reporter::Reporter;
 use super::types::TypeId;
 use crate::instruction::Instruction;
-use crate::source::Span;
-use crate::syntax::tree::{CaseFolded, Expression, ExpressionId, VariableKind};
 use rustc_hash::FxHashSet;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{CaseFolded, Expression, ExpressionId, VariableKind};
 use stickler_types::{Code, ElementaryType};
 
 /// The state of lowering.

@@ -2,7 +2,7 @@
 
 use super::types::{TypeId, TypeKind, TypeTable};
 use crate::instruction::TextCell;
-use crate::syntax::tree::VariableKind;
+use stickler_syntax::tree::VariableKind;
 
 /// The most cells that one variable, and the whole program, may take.
 pub(super) const MAX_CELLS: u64 = 4 << 20;

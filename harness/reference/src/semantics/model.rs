@@ -4,15 +4,15 @@
 use super::constant::Constant;
 use super::scope::Scope;
 use super::types::{TypeId, TypeTable};
-use crate::dialect::Dialect;
 use crate::instruction::RoutineId;
-use crate::source::LineIndex;
-use crate::syntax::tree::{
-    Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup, VariableKind,
-};
 use rustc_hash::FxHashSet;
 use std::ops::Range;
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::tree::{
+    Expression, ExpressionId, Initializer, Name, Pou, PouKind, SourceUnit, VariableGroup, VariableKind,
+};
 use stickler_types::ElementaryType;
+use stickler_types::dialect::Dialect;
 
 /// The source text and the rules that it is read by.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +31,7 @@ impl<'u> SourceText<'u> {
 
     /// An expression without the parentheses around it.
     pub(super) fn bare(&self, mut id: ExpressionId) -> ExpressionId {
-        while let crate::syntax::tree::ExpressionKind::Parenthesized(inner) = self.expression(id).kind {
+        while let stickler_syntax::tree::ExpressionKind::Parenthesized(inner) = self.expression(id).kind {
             id = inner;
         }
         id

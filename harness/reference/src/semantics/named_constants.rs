@@ -7,8 +7,8 @@ use super::lowering::Lowering;
 use super::memory::MemoryLayout;
 use super::model::TopLevelName;
 use super::types::{DEFAULT_CAPACITY, TypeId, TypeKind};
-use crate::source::saturating_u32;
-use crate::syntax::tree::{
+use stickler_syntax::source::saturating_u32;
+use stickler_syntax::tree::{
     CaseFolded, ExpressionId, InitializerKind, Name, TypeSpecification, TypeSpecificationKind, VariableGroup,
 };
 use stickler_types::ElementaryType;

@@ -4,7 +4,7 @@ use super::model::{Model, Storage};
 use super::scope::NamedList;
 use super::types::{TypeId, TypeKind, TypeMember, TypeTable};
 use crate::instruction::MachineProgram;
-use crate::syntax::tree::VariableKind;
+use stickler_syntax::tree::VariableKind;
 use stickler_types::ElementaryType;
 
 /// A program that can run, and where its variables lie.

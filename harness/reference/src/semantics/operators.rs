@@ -8,9 +8,9 @@ use super::contexts::elementary_value;
 use super::inferred::Inferred;
 use super::types::{TypeId, TypeKind};
 use crate::conversion::implicit;
-use crate::dialect::ComparedTypes;
 use crate::instruction::{ArithmeticOperator, ComparisonOperator, LogicOperator};
-use crate::syntax::tree::BinaryOperator;
+use stickler_syntax::tree::BinaryOperator;
+use stickler_types::dialect::ComparedTypes;
 use stickler_types::{ElementaryType, Family};
 
 /// An operator whose operands are known: what each is converted to, what is done, and what comes of it.

@@ -7,12 +7,12 @@ use super::cycles::{WalkEvent, walk};
 use super::declare::{DeclaredNode, Declarer, TypeNode};
 use super::model::{DefaultInitialValue, Model, TopLevelName};
 use super::types::{DefaultValue, TypeId, TypeKind};
-use crate::source::Span;
-use crate::syntax::tree::{
+use rustc_hash::FxHashSet;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     CaseFolded, ExpressionKind, Initializer, InitializerKind, Name, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableKind,
 };
-use rustc_hash::FxHashSet;
 use stickler_types::Code;
 
 impl<'u> Declarer<'u, '_> {

@@ -2,9 +2,9 @@
 //!
 //! Basis: ironplc-problem-codes: P4018, P4023, P4024.
 
-use crate::diagnostic::SpannedDiagnostic;
-use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, ExpressionId};
 use stickler_types::Code;
 
 /// The parameters of a standard function, or of a conversion function with more than one.

@@ -10,8 +10,8 @@ use super::lowering::{LoweredValue, Lowering};
 use super::trace::UseKind;
 use super::types::{ArrayShape, Dimension, TypeId, TypeKind};
 use crate::instruction::{Instruction, Part};
-use crate::source::Span;
-use crate::syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{CaseFolded, ExpressionId, ExpressionKind, Name};
 use stickler_types::{Code, ElementaryType};
 
 impl<'m> Lowering<'m> {

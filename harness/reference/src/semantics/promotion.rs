@@ -7,9 +7,9 @@ use super::common::TypeRules;
 use super::inferred::Inferred;
 use super::operators::{Action, TypedOperation};
 use super::types::TypeId;
-use crate::dialect::{Dialect, OperandTypes, ResultSigns};
-use crate::syntax::tree::UnaryOperator;
+use stickler_syntax::tree::UnaryOperator;
 use stickler_types::ElementaryType;
+use stickler_types::dialect::{Dialect, OperandTypes, ResultSigns};
 
 impl TypeRules<'_> {
     /// Returns the types in which a dialect that promotes operands computes with two integers or bit strings, one of which may be an

@@ -1,7 +1,7 @@
 //! Collects the checker's diagnostics.
 
-use crate::diagnostic::{Diagnostics, SpannedDiagnostic};
-use crate::source::Span;
+use stickler_syntax::diagnostic::{Diagnostics, SpannedDiagnostic};
+use stickler_syntax::source::Span;
 use stickler_types::Code;
 
 /// Collects diagnostics; can be muted while something is lowered once more.

@@ -6,7 +6,7 @@ use super::lowering::Lowering;
 use super::model::{InitialRoutine, PouEntry};
 use super::trace::TracedUse;
 use crate::instruction::{Instruction, MachineProgram};
-use crate::syntax::tree::VariableKind;
+use stickler_syntax::tree::VariableKind;
 
 impl<'m> Lowering<'m> {
     /// Lowers everything that is declared. Gives the program, and its uses where a record of them is kept.

@@ -2,8 +2,8 @@
 //!
 //! Basis: iec-61131-3: 6.1.2 (identifiers).
 
-use crate::syntax::tree::CaseFolded;
 use rustc_hash::FxHashMap;
+use stickler_syntax::tree::CaseFolded;
 
 /// A table of names.
 pub(super) type Scope<'u, T> = FxHashMap<CaseFolded<'u>, T>;

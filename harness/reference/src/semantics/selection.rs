@@ -9,7 +9,7 @@ use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::types::{TypeId, TypeKind};
 use crate::instruction::{ComparisonOperator, Instruction, LogicOperator};
-use crate::syntax::tree::{CaseBranch, CaseLabel, ExpressionId, Statement};
+use stickler_syntax::tree::{CaseBranch, CaseLabel, ExpressionId, Statement};
 use stickler_types::{Code, ElementaryType};
 
 /// The selector, which labels are compared with.

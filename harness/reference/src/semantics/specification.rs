@@ -7,8 +7,8 @@ use super::scope::NamedList;
 use super::types::{
     ArrayShape, DefaultValue, Dimension, Extent, Structure, Subrange, TypeId, TypeKind, TypeMember,
 };
-use crate::source::Span;
-use crate::syntax::tree::{
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     CaseFolded, ExpressionId, Name, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_types::{Code, ElementaryType};

@@ -10,10 +10,10 @@ use super::misfit::misfit;
 use super::parameters::ParameterList;
 use super::promotion::PromotedOperands;
 use super::types::{TypeId, TypeKind};
-use crate::dialect::ShiftCounts;
 use crate::instruction::{Instruction, LogicOperator, StandardFunction};
-use crate::source::Span;
-use crate::syntax::tree::{Argument, ExpressionId};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, ExpressionId};
+use stickler_types::dialect::ShiftCounts;
 use stickler_types::{Code, ElementaryType};
 
 /// Their names.

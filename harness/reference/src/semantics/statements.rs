@@ -7,7 +7,7 @@ use super::lowering::Lowering;
 use super::trace::UseKind;
 use super::types::TypeId;
 use crate::instruction::Instruction;
-use crate::syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
+use stickler_syntax::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
 use stickler_types::Code;
 
 impl<'m> Lowering<'m> {

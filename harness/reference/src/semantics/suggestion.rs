@@ -8,9 +8,9 @@ use super::model::Model;
 use super::similarity::{Candidate, MAX_CHANGES, distance};
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
-use crate::diagnostic::SpannedDiagnostic;
-use crate::syntax::tree::ExpressionId;
 use std::sync::LazyLock;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::tree::ExpressionId;
 use stickler_types::ElementaryType;
 
 /// The most names of the text that are compared with an unknown one.
@@ -72,7 +72,7 @@ impl<'m> Lowering<'m> {
             || self
                 .model
                 .definitions
-                .contains_key(&crate::syntax::tree::CaseFolded(&name));
+                .contains_key(&stickler_syntax::tree::CaseFolded(&name));
         (!hidden).then(|| format!("{name}({})", source.text_of(id)))
     }
 

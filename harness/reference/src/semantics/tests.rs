@@ -13,11 +13,11 @@ mod suggestions;
 mod types;
 mod values;
 
-use crate::diagnostic::SpannedDiagnostic;
-use crate::dialect::Dialect;
 use crate::semantics::check;
-use crate::source::LineIndex;
 use crate::{Limits, run};
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_syntax::source::LineIndex;
+use stickler_types::dialect::Dialect;
 use stickler_types::{DialectName, Observation, Outcome, RunRequest, Value};
 
 pub(super) const ED2: DialectName = DialectName::IronplcEd2;
@@ -29,7 +29,7 @@ pub(super) const PLCNEXT: DialectName = DialectName::Plcnext;
 /// Returns the diagnostics of the checker on a text that can be read.
 pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<SpannedDiagnostic> {
     let dialect = Dialect::of(name);
-    let (unit, diagnostics) = crate::syntax::parse(text, &dialect);
+    let (unit, diagnostics) = stickler_syntax::parse(text, &dialect);
     assert_eq!(diagnostics, [], "the text of a test can be read: {text}");
     check(&unit, text, &LineIndex::new(text), &dialect).1
 }

@@ -4,7 +4,7 @@
 //! keeps no record.
 
 use crate::instruction::Label;
-use crate::syntax::tree::ExpressionId;
+use stickler_syntax::tree::ExpressionId;
 use stickler_types::ElementaryType;
 
 /// A place of a program at which a value meets a type, or a bit is read or written.
@@ -93,16 +93,15 @@ impl Trace {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Dialect;
     use crate::instruction::{Instruction, Part};
     use crate::semantics::check_traced;
-    use crate::source::LineIndex;
-    use crate::syntax;
+    use stickler_syntax::source::LineIndex;
+    use stickler_types::Dialect;
 
     /// Returns the uses of a program, each with the text of its expression, and the instruction before the label where it ends.
     fn uses(text: &str) -> Vec<(String, UseKind, Option<Instruction>)> {
         let dialect = Dialect::ironplc_ed3();
-        let (unit, errors) = syntax::parse(text, &dialect);
+        let (unit, errors) = stickler_syntax::parse(text, &dialect);
         assert_eq!(errors, []);
         let (checked, _, uses) = check_traced(&unit, text, &LineIndex::new(text), &dialect);
         let code = checked.map(|checked| checked.program.code).unwrap_or_default();

@@ -2,9 +2,9 @@
 
 use super::scope::NamedList;
 use crate::instruction::RoutineId;
-use crate::syntax::tree::VariableKind;
 use rustc_hash::FxHashMap;
 use std::sync::LazyLock;
+use stickler_syntax::tree::VariableKind;
 use stickler_types::ElementaryType;
 
 /// A type in the [`TypeTable`].

@@ -5,8 +5,8 @@ use super::declare::{Declarer, Deferred};
 use super::model::{DeclaredVariable, Storage};
 use super::scope::NamedList;
 use super::types::{DefaultValue, Extent, Structure, TypeId, TypeKind, TypeMember};
-use crate::source::saturating_u32;
-use crate::syntax::tree::{
+use stickler_syntax::source::saturating_u32;
+use stickler_syntax::tree::{
     CaseFolded, Name, PouKind, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_types::Code;

@@ -1,10 +1,10 @@
 //! Programs that are damaged at random, from a fixed seed: whatever comes of them, the syntax half of the
 //! reference gives a tree and diagnostics that point into the text, and what it accepts it renders.
 
-use stickler_reference::decoding::decode;
-use stickler_reference::dialect::Dialect;
-use stickler_reference::source::LineIndex;
-use stickler_reference::syntax::{parse, render};
+use stickler_syntax::decoding::decode;
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::{parse, render};
+use stickler_types::dialect::Dialect;
 use stickler_types::{DialectName, SplitMix64};
 
 /// Programs that use every production between them.

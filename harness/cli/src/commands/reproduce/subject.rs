@@ -6,9 +6,9 @@ use crate::source_file;
 use anyhow::{Context, bail};
 use std::path::Path;
 use stickler_engines::{Ability, Observation, Outcome, RunRequest};
-use stickler_reference::decoding::decode;
 use stickler_run::{Fact, expected_facts, shown_by};
 use stickler_suite::{Case, Sources};
+use stickler_syntax::decoding::decode;
 use stickler_types::DialectName;
 
 /// A program that is reproduced, from a case or a file.

@@ -4,7 +4,7 @@ use super::draft::{TextChange, TextDraft, TextEdit};
 use super::tree::{bytes, place, pous};
 use crate::reduce::Sites;
 use std::ops::Range;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::tree::{
     Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, TypeSpecificationKind, VariableGroup,
 };
 

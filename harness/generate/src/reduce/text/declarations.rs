@@ -5,8 +5,8 @@ use super::expressions::list_items;
 use super::tree::{behind_blanks, bytes, place, pous, statements, with_semicolon};
 use crate::reduce::Sites;
 use std::ops::Range;
-use stickler_reference::source::Span;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     Declaration, ExpressionKind, Initializer, InitializerKind, Name, Pou, PouKind, SourceUnit,
     TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
 };

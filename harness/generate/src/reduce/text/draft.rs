@@ -8,8 +8,9 @@ use std::collections::{BTreeSet, HashMap};
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::ops::Range;
 use std::rc::Rc;
-use stickler_reference::syntax::tree::SourceUnit;
-use stickler_reference::{Dialect, syntax};
+use stickler_syntax as syntax;
+use stickler_syntax::tree::SourceUnit;
+use stickler_types::Dialect;
 use stickler_types::{Code, Diagnostic, DialectName};
 
 /// A candidate text, and the conditions for every text derived from it.

@@ -4,7 +4,7 @@ use super::draft::{TextChange, TextDraft};
 use super::tree::{bytes, expression, operands, place, statements};
 use crate::reduce::Sites;
 use std::ops::Range;
-use stickler_reference::syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
+use stickler_syntax::tree::{Expression, ExpressionKind, LiteralKind, SourceUnit, StatementKind};
 
 /// The literals that are tried in the place of an expression of unknown type; the reference decides which are valid there. A real
 /// number comes before an integer, which may stand for one.

@@ -4,7 +4,7 @@ use super::draft::{TextChange, TextDraft};
 use super::tree::{behind_blanks, bodies, bytes, extent, label, lists, place, statements, with_semicolon};
 use crate::reduce::Sites;
 use std::ops::Range;
-use stickler_reference::syntax::tree::{Statement, StatementKind};
+use stickler_syntax::tree::{Statement, StatementKind};
 
 /// Drops statements with the statements inside them; those of the last program first.
 pub(super) fn drop_statements(draft: &mut TextDraft, sites: &mut Sites) {

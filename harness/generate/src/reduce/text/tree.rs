@@ -1,8 +1,8 @@
 //! Queries of the passes on the syntax tree of the reference.
 
 use std::ops::Range;
-use stickler_reference::source::Span;
-use stickler_reference::syntax::tree::{
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{
     Argument, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Pou, SourceUnit, Statement,
     StatementKind,
 };

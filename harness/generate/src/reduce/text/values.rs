@@ -8,8 +8,8 @@ use super::expressions::outermost_first;
 use super::tree::bytes;
 use crate::reduce::Sites;
 use std::collections::HashMap;
-use stickler_reference::syntax::tree::ExpressionKind;
 use stickler_reference::{Limits, run, variables};
+use stickler_syntax::tree::ExpressionKind;
 use stickler_types::{Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of variables that are observed.

@@ -219,7 +219,7 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
     };
     let mut repaired = 0;
     for name in stickler_types::DialectName::ALL {
-        let dialect = crate::Dialect::of(name);
+        let dialect = stickler_types::Dialect::of(name);
         let types = || ElementaryType::ALL.into_iter().filter(|&ty| dialect.has(ty));
         let counts = dialect.conversions.moment_units == MomentUnits::Counts;
         for (from, to) in types().flat_map(|from| types().map(move |to| (from, to))) {

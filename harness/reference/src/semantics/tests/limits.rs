@@ -1,16 +1,16 @@
 //! Hostile and enormous texts: no panic, little stack, no long time.
 
 use super::{ED3, says};
-use crate::dialect::Dialect;
 use crate::semantics::check;
-use crate::source::LineIndex;
+use stickler_syntax::source::LineIndex;
+use stickler_types::dialect::Dialect;
 
 /// Checks a text on a thread with the stack of a test, and gives how much was said about it by parser and
 /// checker.
 fn said(text: String) -> usize {
     let work = move || {
         let dialect = Dialect::of(ED3);
-        let (unit, syntax) = crate::syntax::parse(&text, &dialect);
+        let (unit, syntax) = stickler_syntax::parse(&text, &dialect);
         let (_, semantic) = check(&unit, &text, &LineIndex::new(&text), &dialect);
         syntax.len() + semantic.len()
     };

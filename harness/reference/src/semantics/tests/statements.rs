@@ -124,9 +124,9 @@ fn a_for_loop_takes_integers() {
         ("FOR 5 := 1 TO 5 DO ; END_FOR;", "P0002"),
     ] {
         let said = if wrong.starts_with("FOR 5")
-            && crate::syntax::parse(
+            && stickler_syntax::parse(
                 &format!("PROGRAM p {wrong} END_PROGRAM"),
-                &crate::Dialect::of(ED3),
+                &stickler_types::Dialect::of(ED3),
             )
             .1
             .len()

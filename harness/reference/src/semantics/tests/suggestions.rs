@@ -1,12 +1,12 @@
 //! Applying a suggestion makes the program acceptable.
 
 use super::{ED3, RUSTY, diagnose};
-use crate::dialect::Dialect;
+use stickler_types::dialect::Dialect;
 use stickler_types::{DialectName, ElementaryType};
 
 /// Applies the suggestions of a text that has some, and says what the checker then says; `None` where it
 /// suggests nothing.
-fn repaired(name: DialectName, text: &str) -> Option<Vec<crate::diagnostic::SpannedDiagnostic>> {
+fn repaired(name: DialectName, text: &str) -> Option<Vec<stickler_syntax::diagnostic::SpannedDiagnostic>> {
     let mut diagnostics = diagnose(name, text);
     diagnostics.retain(|diagnostic| diagnostic.suggestion.is_some());
     diagnostics.sort_by_key(|diagnostic| std::cmp::Reverse(diagnostic.span.start));

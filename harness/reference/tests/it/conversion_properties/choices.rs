@@ -1,9 +1,9 @@
 //! Properties of the choices from reals to integers, those that no dialect makes among them.
 
 use super::draw::{conversion, each, number, one_of, raw};
-use stickler_reference::COMMON_CHOICES;
-use stickler_reference::Dialect;
+use stickler_types::Dialect;
 use stickler_types::ElementaryType::{self, Lreal, Real};
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, OutOfRange, Rounding};
 
 fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {

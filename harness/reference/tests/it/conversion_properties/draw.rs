@@ -1,8 +1,8 @@
 //! Values drawn from seeded bytes, and the conversions that they go through.
 
 use arbitrary::{Arbitrary, Result, Unstructured};
-use stickler_reference::Dialect;
 use stickler_reference::conversion::{Conversion, function};
+use stickler_types::Dialect;
 use stickler_types::{DialectName, ElementaryType, Family, SplitMix64};
 
 /// Tries a property so many times; each time it is given 64 bytes of its own to draw from.

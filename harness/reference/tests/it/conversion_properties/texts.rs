@@ -2,9 +2,10 @@
 
 use super::draw::{conversion, dialects, each, number, one_of, raw, same};
 use arbitrary::Unstructured;
-use stickler_reference::COMMON_CHOICES;
-use stickler_reference::{Dialect, conversion};
+use stickler_reference::conversion;
+use stickler_types::Dialect;
 use stickler_types::ElementaryType::{self, Lreal, Real, String, Wstring};
+use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, MomentText, RealText, TextReading};
 
 /// Writes a value as a text and reads it again; returns the code units and the raw form.

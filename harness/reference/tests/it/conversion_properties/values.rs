@@ -1,8 +1,8 @@
 //! Properties of conversions between values that are no texts.
 
 use super::draw::{conversion, dialects, each, number, one_of, pairs, raw, same};
-use stickler_reference::Dialect;
 use stickler_reference::conversion::{Conversion, ConversionRule, function, implicit};
+use stickler_types::Dialect;
 use stickler_types::{ElementaryType, Family, MomentUnits, OutOfRange};
 
 /// Returns whether a conversion keeps this value: its target holds it.

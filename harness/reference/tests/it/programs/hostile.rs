@@ -1,7 +1,8 @@
 //! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
 
 use super::support::{DIALECT, attempt, code, code_and_line, program};
-use stickler_reference::{Dialect, Limits, check, check_bytes, render, run};
+use stickler_reference::{Limits, check, check_bytes, render, run};
+use stickler_types::Dialect;
 use stickler_types::{Code, DialectName, Fault, Observation, Outcome, RunRequest, TextReading, Value};
 
 /// Everything that can be asked about a source text; gives its codes in the ordinary dialect.

@@ -2,7 +2,8 @@
 //! conversion function exists, the suggestion names it and repairs the program.
 
 use stickler_reference::conversion::{conversion_function_name, implicit};
-use stickler_reference::{Dialect, errors};
+use stickler_reference::errors;
+use stickler_types::Dialect;
 use stickler_types::{Diagnostic, DialectName, ElementaryType};
 
 /// Programs in which a value of type `FROM` named `a` stands on a line of its own where `INTO` is expected.

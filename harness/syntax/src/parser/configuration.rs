@@ -1,0 +1,213 @@
+//! CONFIGURATION, RESOURCE, TASK and program instances.
+
+use super::state::{ParseResult, Parser};
+use crate::token::TokenKind;
+use crate::tree::{Configuration, ExpressionId, Name, ProgramInstance, Resource, Task, VariableBlock};
+
+impl<'s> Parser<'s, '_> {
+    /// CONFIGURATION … END_CONFIGURATION; `None` without a name, when the contents are read all the same.
+    pub(super) fn configuration(&mut self) -> Option<Configuration<'s>> {
+        let start = self.bump().span;
+        let name = self.name("a configuration's name").ok();
+        let mut globals = Vec::new();
+        let mut resources = Vec::new();
+        while !self.at_end_of(TokenKind::EndConfiguration) {
+            if self.kind() == TokenKind::Resource {
+                resources.push(self.resource(&mut globals));
+                continue;
+            }
+            // The programs that stand directly in the configuration share a resource without a header.
+            if resources
+                .last()
+                .is_none_or(|resource: &Resource| resource.header.is_some())
+            {
+                resources.push(Resource {
+                    header: None,
+                    tasks: Vec::new(),
+                    programs: Vec::new(),
+                });
+            }
+            if let Some(resource) = resources.last_mut() {
+                self.resource_item(resource, &mut globals);
+            }
+        }
+        self.close(TokenKind::EndConfiguration);
+        resources.retain(|resource| {
+            resource.header.is_some() || !resource.tasks.is_empty() || !resource.programs.is_empty()
+        });
+        Some(Configuration {
+            name: name?,
+            globals,
+            resources,
+            span: start.to(self.previous_span()),
+        })
+    }
+
+    /// The closing keyword, or something that makes clear that it is missing.
+    fn at_end_of(&self, closer: TokenKind) -> bool {
+        use TokenKind::*;
+        let kind = self.kind();
+        kind == closer
+            || matches!(
+                kind,
+                End | EndConfiguration | Configuration | Function | FunctionBlock | Type
+            )
+    }
+
+    /// RESOURCE … ON … END_RESOURCE. What stands in one whose header is broken is read, and kept without it.
+    fn resource(&mut self, globals: &mut Vec<VariableBlock<'s>>) -> Resource<'s> {
+        self.bump();
+        let header = self.resource_header().ok();
+        if header.is_none() {
+            self.skip_line();
+        }
+        let mut resource = Resource {
+            header,
+            tasks: Vec::new(),
+            programs: Vec::new(),
+        };
+        while !self.at_end_of(TokenKind::EndResource) && self.kind() != TokenKind::Resource {
+            self.resource_item(&mut resource, globals);
+        }
+        self.close(TokenKind::EndResource);
+        resource
+    }
+
+    fn resource_header(&mut self) -> ParseResult<(Name<'s>, Name<'s>)> {
+        let name = self.name("a resource's name")?;
+        self.require(TokenKind::On)?;
+        Ok((name, self.name("a resource's type")?))
+    }
+
+    /// A section, a task or a program instance.
+    fn resource_item(&mut self, resource: &mut Resource<'s>, globals: &mut Vec<VariableBlock<'s>>) {
+        let start = self.position();
+        self.open = 0;
+        let read = match self.kind() {
+            kind if kind.opens_section() => {
+                if !matches!(
+                    kind,
+                    TokenKind::VarGlobal | TokenKind::VarAccess | TokenKind::VarConfig
+                ) {
+                    self.expected("`VAR_GLOBAL`");
+                }
+                globals.extend(self.variable_block());
+                Ok(())
+            }
+            TokenKind::Task => self.task().map(|task| resource.tasks.push(task)),
+            TokenKind::Program => self
+                .program_instance()
+                .map(|program| resource.programs.push(program)),
+            _ => Err(self.expected("VAR_GLOBAL, TASK, PROGRAM or the end")),
+        };
+        if read.is_err() {
+            self.skip_declaration();
+        }
+        if self.position() == start {
+            self.bump();
+        }
+    }
+
+    /// `TASK name(INTERVAL := T#10ms, PRIORITY := 1);`
+    fn task(&mut self) -> ParseResult<Task<'s>> {
+        self.bump();
+        let name = self.name("a task's name")?;
+        let mut properties: Vec<(Name<'s>, ExpressionId)> = Vec::new();
+        if self.eat(TokenKind::LeftParen) {
+            self.open += 1;
+            loop {
+                let property = self.name("SINGLE, INTERVAL or PRIORITY")?;
+                self.require(TokenKind::Assign)?;
+                properties.push((property, self.expression()?));
+                if !self.eat(TokenKind::Comma) {
+                    break;
+                }
+            }
+            self.require(TokenKind::RightParen)?;
+            self.open -= 1;
+        }
+        self.semicolon(TokenKind::Colon)?;
+        Ok(Task { name, properties })
+    }
+
+    /// `PROGRAM instance WITH task : type;`. RETAIN has no effect on a run, and is not kept.
+    fn program_instance(&mut self) -> ParseResult<ProgramInstance<'s>> {
+        self.bump();
+        if matches!(self.kind(), TokenKind::Retain | TokenKind::NonRetain) {
+            self.bump();
+        }
+        let name = self.name("a program instance's name")?;
+        let task = if self.eat(TokenKind::With) {
+            Some(self.name("a task's name")?)
+        } else {
+            None
+        };
+        self.require(TokenKind::Colon)?;
+        let type_name = self.name("a program's name")?;
+        self.unsupported_connections();
+        self.semicolon(TokenKind::Colon)?;
+        Ok(ProgramInstance {
+            name,
+            task,
+            type_name,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parser::testing::{accepted, errors};
+    use crate::tree::Declaration;
+
+    #[test]
+    fn a_configuration_has_globals_and_resources() {
+        let unit = accepted(
+            "CONFIGURATION c VAR_GLOBAL g : INT; END_VAR
+             RESOURCE r ON PLC VAR_GLOBAL h : INT; END_VAR
+               TASK t(INTERVAL := T#10ms, PRIORITY := 1); TASK u;
+               PROGRAM a WITH t : main; PROGRAM RETAIN b : main;
+             END_RESOURCE RESOURCE s ON PLC END_RESOURCE END_CONFIGURATION",
+        );
+        let [Declaration::Configuration(configuration)] = unit.declarations.as_slice() else {
+            panic!("{unit:?}")
+        };
+        assert_eq!(
+            (configuration.globals.len(), configuration.resources.len()),
+            (2, 2)
+        );
+        let resource = &configuration.resources[0];
+        assert_eq!((resource.tasks.len(), resource.programs.len()), (2, 2));
+        assert_eq!(resource.tasks[0].properties.len(), 2);
+    }
+
+    #[test]
+    fn programs_may_stand_in_the_configuration_itself() {
+        let unit =
+            accepted("CONFIGURATION c TASK t(PRIORITY := 1); PROGRAM p WITH t : main; END_CONFIGURATION");
+        let [Declaration::Configuration(configuration)] = unit.declarations.as_slice() else {
+            panic!("{unit:?}")
+        };
+        assert!(matches!(configuration.resources.as_slice(), [only] if only.header.is_none()));
+        assert!(matches!(
+            accepted("CONFIGURATION c END_CONFIGURATION").declarations.len(),
+            1
+        ));
+    }
+
+    #[test]
+    fn what_is_broken_in_a_configuration_is_one_error() {
+        for text in [
+            "CONFIGURATION RESOURCE r ON s END_RESOURCE END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r PROGRAM p : q; END_RESOURCE END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r ON s PROGRAM p q; PROGRAM p : q; END_RESOURCE END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r ON s TASK t(INTERVAL = 5); PROGRAM p : q; END_RESOURCE END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r ON s PROGRAM p : q; END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r ON s PROGRAM p : q; END_RESOURCE",
+            "CONFIGURATION c x := 5; END_CONFIGURATION PROGRAM p END_PROGRAM",
+            "CONFIGURATION c VAR x : INT; END_VAR END_CONFIGURATION",
+            "CONFIGURATION c RESOURCE r ON s PROGRAM p : q(a := b); END_RESOURCE END_CONFIGURATION",
+        ] {
+            assert_eq!(errors(text).len(), 1, "{text}: {:?}", errors(text));
+        }
+    }
+}

@@ -1,0 +1,299 @@
+//! Expressions: operators by precedence, prefix operators, parentheses, literals.
+
+use super::open::Pending;
+use super::state::{MAX_HEIGHT, ParseResult, Parser};
+use crate::token::TokenKind;
+use crate::tree::{
+    BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, Prefixed, UnaryOperator,
+};
+
+impl<'s> Parser<'s, '_> {
+    /// An expression. Operators wait on a stack, so that neither a long chain nor many precedences take room on
+    /// the thread's own.
+    ///
+    /// Basis: Table 71 of the third edition; infix operators of one precedence associate to the left.
+    pub(super) fn expression(&mut self) -> ParseResult<ExpressionId> {
+        let base = self.pending.len();
+        let result = self.infix_chain(base);
+        self.pending.truncate(base);
+        result
+    }
+
+    #[inline]
+    fn infix_chain(&mut self, base: usize) -> ParseResult<ExpressionId> {
+        let mut operand = self.operand()?;
+        while let Some((operator, precedence)) = self.infix_operator() {
+            operand = self.reduce(base, precedence, operand)?;
+            self.bump();
+            self.pending.push(Pending {
+                operator,
+                precedence,
+                left: operand,
+                left_height: self.height,
+            });
+            operand = self.operand()?;
+        }
+        self.reduce(base, 0, operand)
+    }
+
+    /// Gives their right operand to the waiting operators that bind at least as tight as `precedence`.
+    #[inline]
+    fn reduce(
+        &mut self,
+        base: usize,
+        precedence: u8,
+        mut operand: ExpressionId,
+    ) -> ParseResult<ExpressionId> {
+        while self.pending.len() > base {
+            let Some(top) = self.pending.pop_if(|top| top.precedence >= precedence) else {
+                break;
+            };
+            self.grow(top.left_height)?;
+            let span = self.span_of(top.left).to(self.span_of(operand));
+            let kind = match top.operator {
+                Some(operator) => ExpressionKind::Binary {
+                    operator,
+                    left: top.left,
+                    right: operand,
+                },
+                None => ExpressionKind::Error,
+            };
+            operand = self.push(kind, span);
+        }
+        Ok(operand)
+    }
+
+    /// The expression read last becomes part of another one, beside an operand of the given height.
+    #[inline]
+    pub(super) fn grow(&mut self, beside: u32) -> ParseResult<()> {
+        self.height = beside.max(self.height + 1);
+        if self.height > MAX_HEIGHT {
+            Err(self.too_deep())
+        } else {
+            Ok(())
+        }
+    }
+
+    /// The operator that stands here, and how tight it binds.
+    #[inline]
+    fn infix_operator(&mut self) -> Option<(Option<BinaryOperator>, u8)> {
+        use BinaryOperator as Operator;
+        let (operator, precedence) = match self.kind() {
+            TokenKind::Ampersand | TokenKind::Power if !self.dialect.ampersand_and_power => return None,
+            TokenKind::Or => (Operator::Or, 1),
+            TokenKind::Xor => (Operator::Xor, 2),
+            TokenKind::And | TokenKind::Ampersand => (Operator::And, 3),
+            TokenKind::Equal => (Operator::Equal, 4),
+            TokenKind::NotEqual => (Operator::NotEqual, 4),
+            TokenKind::Less => (Operator::Less, 5),
+            TokenKind::Greater => (Operator::Greater, 5),
+            TokenKind::LessOrEqual => (Operator::LessOrEqual, 5),
+            TokenKind::GreaterOrEqual => (Operator::GreaterOrEqual, 5),
+            TokenKind::Plus => (Operator::Add, 6),
+            TokenKind::Minus => (Operator::Subtract, 6),
+            TokenKind::Star => (Operator::Multiply, 7),
+            TokenKind::Slash => (Operator::Divide, 7),
+            TokenKind::Mod => (Operator::Modulo, 7),
+            TokenKind::Power => (Operator::Power, 8),
+            TokenKind::Name => return self.unsupported_operator().map(|precedence| (None, precedence)),
+            _ => return None,
+        };
+        Some((Some(operator), precedence))
+    }
+
+    /// An operand: prefix operators bind tighter than any infix operator.
+    #[inline]
+    fn operand(&mut self) -> ParseResult<ExpressionId> {
+        match self.kind() {
+            TokenKind::Name => self.path(),
+            TokenKind::Minus => self.prefixed(UnaryOperator::Negate),
+            TokenKind::Plus => self.prefixed(UnaryOperator::Plus),
+            TokenKind::Not => self.prefixed(UnaryOperator::Not),
+            TokenKind::LeftParen => self.parenthesized(),
+            TokenKind::Enumerated => Ok(self.enumerated_value()),
+            TokenKind::Direct => self.path(),
+            kind if kind.is_literal() => Ok(self.literal()),
+            _ => Err(self.missing("an expression")),
+        }
+    }
+
+    fn prefixed(&mut self, operator: UnaryOperator) -> ParseResult<ExpressionId> {
+        let start = self.token().span;
+        let operand = self.nested(|parser| {
+            parser.bump();
+            parser.operand()
+        })?;
+        self.grow(0)?;
+        let span = start.to(self.span_of(operand));
+        Ok(self.push(ExpressionKind::Unary { operator, operand }, span))
+    }
+
+    /// `(inner)`.
+    fn parenthesized(&mut self) -> ParseResult<ExpressionId> {
+        let start = self.token().span;
+        let inner = self.nested(|parser| {
+            parser.bump();
+            parser.open += 1;
+            let inner = parser.expression()?;
+            parser.require(TokenKind::RightParen)?;
+            parser.open -= 1;
+            Ok(inner)
+        })?;
+        self.grow(0)?;
+        Ok(self.push(
+            ExpressionKind::Parenthesized(inner),
+            start.to(self.previous_span()),
+        ))
+    }
+
+    /// `COLOR#RED`.
+    fn enumerated_value(&mut self) -> ExpressionId {
+        let value = Prefixed::new(self.word(), self.token().span.start);
+        let span = self.bump().span;
+        self.height = 1;
+        self.push(ExpressionKind::EnumeratedValue(value), span)
+    }
+
+    /// A literal, which stands here.
+    #[inline]
+    pub(super) fn literal(&mut self) -> ExpressionId {
+        self.height = 1;
+        let token = self.token();
+        let kind = match token.kind {
+            TokenKind::Integer => self.plain(LiteralKind::Integer),
+            TokenKind::Based => self.plain(LiteralKind::BasedInteger),
+            TokenKind::Real => self.plain(LiteralKind::Real),
+            TokenKind::True | TokenKind::False => self.plain(LiteralKind::Boolean),
+            TokenKind::SingleByteText => self.plain(LiteralKind::SingleByteText),
+            TokenKind::DoubleByteText => self.plain(LiteralKind::DoubleByteText),
+            TokenKind::TypedInteger => self.typed(LiteralKind::Integer),
+            TokenKind::TypedBased => self.typed(LiteralKind::BasedInteger),
+            TokenKind::TypedReal => self.typed(LiteralKind::Real),
+            TokenKind::TypedBoolean => self.typed(LiteralKind::Boolean),
+            TokenKind::TypedSingleByteText => self.typed(LiteralKind::SingleByteText),
+            TokenKind::TypedDoubleByteText => self.typed(LiteralKind::DoubleByteText),
+            TokenKind::Duration => self.typed(LiteralKind::Duration),
+            TokenKind::Date => self.typed(LiteralKind::Date),
+            TokenKind::TimeOfDay => self.typed(LiteralKind::TimeOfDay),
+            TokenKind::DateAndTime => self.typed(LiteralKind::DateAndTime),
+            _ => ExpressionKind::Error,
+        };
+        self.bump();
+        self.push(kind, token.span)
+    }
+
+    #[inline]
+    fn plain(&self, kind: LiteralKind) -> ExpressionKind<'s> {
+        ExpressionKind::Literal(Literal::new(kind, self.word(), self.token().span.start, 0))
+    }
+
+    fn typed(&self, kind: LiteralKind) -> ExpressionKind<'s> {
+        let prefix = self.word().find('#').unwrap_or(0);
+        ExpressionKind::Literal(Literal::new(kind, self.word(), self.token().span.start, prefix))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parser::testing::{body_errors, grouped};
+
+    #[test]
+    fn operators_bind_by_the_table_of_the_standard() {
+        for (text, grouping) in [
+            (
+                "a OR b XOR c AND d = e < f + g * h ** i",
+                "(a OR (b XOR (c AND (d = (e < (f + (g * (h ** i))))))))",
+            ),
+            (
+                "a ** b * c + d < e = f AND g XOR h OR i",
+                "((((((((a ** b) * c) + d) < e) = f) AND g) XOR h) OR i)",
+            ),
+            ("a - b - c", "((a - b) - c)"),
+            ("a ** b ** c", "((a ** b) ** c)"),
+            ("a / b MOD c * d", "(((a / b) MOD c) * d)"),
+            ("a < b <= c > d >= e", "((((a < b) <= c) > d) >= e)"),
+            ("a = b <> c", "((a = b) <> c)"),
+            ("a & b AND c", "((a AND b) AND c)"),
+            ("-2 ** 2", "((-2) ** 2)"),
+            ("2 ** -2", "(2 ** (-2))"),
+            ("NOT a = b", "((NOT a) = b)"),
+            ("- - + NOT a", "(-(-(+(NOT a))))"),
+            ("(a + b) * c", "([(a + b)] * c)"),
+            ("a - -b", "(a - (-b))"),
+        ] {
+            assert_eq!(grouped(text), grouping, "{text}");
+        }
+    }
+
+    #[test]
+    fn literals_keep_their_text_and_prefix() {
+        for (text, read) in [
+            ("16#fF", "BasedInteger:16#fF"),
+            ("INT#-5", "INT#Integer:-5"),
+            ("word#16#FF", "word#BasedInteger:16#FF"),
+            ("REAL#-1.5E3", "REAL#Real:-1.5E3"),
+            ("true", "Boolean:true"),
+            ("BOOL#False", "BOOL#Boolean:False"),
+            ("STRING#'a$'b'", "STRING#SingleByteText:'a$'b'"),
+            ("\"w\"", "DoubleByteText:\"w\""),
+            ("t#1h_5m", "t#Duration:1h_5m"),
+            ("DT#2024-02-29-12:34:56.5", "DT#DateAndTime:2024-02-29-12:34:56.5"),
+            ("COLOR#RED", "COLOR#RED"),
+        ] {
+            assert_eq!(grouped(text), read);
+        }
+    }
+
+    #[test]
+    fn a_broken_expression_is_one_error() {
+        for (text, error) in [
+            ("a + ", "1:10 P0002 expected an expression, found `;`"),
+            ("(a", "1:8 P0002 expected `)`, found `;`"),
+            ("((a)", "1:10 P0002 expected `)`, found `;`"),
+            ("a)", "1:7 P0002 expected `;`, found `)`"),
+            ("a == b", "1:9 P0002 expected an expression, found `=`"),
+            ("* a", "1:6 P0002 expected an expression, found `*`"),
+            ("", "1:6 P0002 expected an expression, found `;`"),
+            (".5", "1:6 P0002 expected an expression, found `.`"),
+        ] {
+            assert_eq!(body_errors(&format!("x := {text};")), [error], "{text}");
+        }
+    }
+
+    #[test]
+    fn parentheses_and_prefixes_nest_to_the_limit_only() {
+        let parens = |depth: usize| format!("x := {}1{};", "(".repeat(depth), ")".repeat(depth));
+        assert_eq!(body_errors(&parens(200)), [""; 0]);
+        assert_eq!(
+            body_errors(&parens(201)),
+            ["1:206 S0002 nested more than 200 deep"]
+        );
+        assert_eq!(body_errors(&parens(100_000)).len(), 1);
+        assert_eq!(
+            body_errors(&format!(
+                "x := {}1; y := {}1;",
+                "-".repeat(1_000_000),
+                "NOT ".repeat(300)
+            ))
+            .len(),
+            1
+        );
+        assert_eq!(body_errors(&format!("x := {}", "(".repeat(100_000))).len(), 1);
+        assert_eq!(
+            body_errors(&format!("x := {}", "a ** (b + c[".repeat(100_000))).len(),
+            1
+        );
+    }
+
+    #[test]
+    fn a_long_chain_is_no_nesting() {
+        assert_eq!(
+            body_errors(&format!("x := 1{};", " + 1".repeat(200_000))),
+            [""; 0]
+        );
+        assert_eq!(
+            body_errors(&format!("x := 1{};", " + 1 * (2 - 3)".repeat(100_000))),
+            [""; 0]
+        );
+    }
+}

@@ -1,0 +1,143 @@
+//! Initial values.
+
+use super::state::{ParseResult, Parser};
+use crate::token::TokenKind;
+use crate::tree::{ArrayElement, Initializer, InitializerKind, Name};
+
+impl<'s> Parser<'s, '_> {
+    /// Reads the initial value behind `:=` in a declaration.
+    pub(super) fn initializer(&mut self) -> ParseResult<Initializer<'s>> {
+        let start = self.token().span;
+        let kind = match self.kind() {
+            TokenKind::LeftBracket => self.nested(Self::array_initializer)?,
+            TokenKind::LeftParen if self.nth(1) == TokenKind::Name && self.nth(2) == TokenKind::Assign => {
+                self.nested(Self::structure_initializer)?
+            }
+            _ => InitializerKind::Expression(self.expression()?),
+        };
+        Ok(Initializer {
+            kind,
+            span: start.to(self.previous_span()),
+        })
+    }
+
+    /// `[1, 2, 3(0)]`.
+    fn array_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
+        self.bump();
+        self.open += 1;
+        let mut elements = Vec::new();
+        loop {
+            elements.push(self.array_element()?);
+            if !self.eat(TokenKind::Comma) {
+                break;
+            }
+        }
+        self.require(TokenKind::RightBracket)?;
+        self.open -= 1;
+        Ok(InitializerKind::Array(elements))
+    }
+
+    /// A value, or `3(value)` or `3()`.
+    fn array_element(&mut self) -> ParseResult<ArrayElement<'s>> {
+        if !matches!(self.kind(), TokenKind::Integer | TokenKind::Based)
+            || self.nth(1) != TokenKind::LeftParen
+        {
+            return Ok(ArrayElement {
+                repetition: None,
+                value: Some(self.initializer()?),
+            });
+        }
+        let repetition = Some(self.literal());
+        self.bump();
+        self.open += 1;
+        let empty = self.kind() == TokenKind::RightParen;
+        let value = if empty {
+            None
+        } else {
+            Some(self.nested(Self::initializer)?)
+        };
+        self.require(TokenKind::RightParen)?;
+        self.open -= 1;
+        Ok(ArrayElement { repetition, value })
+    }
+
+    /// `(x := 1, y := 2)`.
+    fn structure_initializer(&mut self) -> ParseResult<InitializerKind<'s>> {
+        self.bump();
+        self.open += 1;
+        let mut fields: Vec<(Name<'s>, Initializer<'s>)> = Vec::new();
+        loop {
+            let name = self.name("a field's name")?;
+            self.require(TokenKind::Assign)?;
+            fields.push((name, self.initializer()?));
+            if !self.eat(TokenKind::Comma) {
+                break;
+            }
+        }
+        self.require(TokenKind::RightParen)?;
+        self.open -= 1;
+        Ok(InitializerKind::Structure(fields))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parser::testing::{errors, shape};
+
+    fn text(initializer: &str) -> String {
+        format!("PROGRAM p VAR x : T := {initializer}; END_VAR END_PROGRAM")
+    }
+
+    #[test]
+    fn each_form_is_read() {
+        for (initializer, form) in [
+            ("5", "Expression"),
+            ("(5 + a) * 2", "Expression"),
+            ("(a)", "Expression"),
+            ("f(a := 1)", "Expression"),
+            ("[1, 2, 3(0), 2()]", "Array"),
+            ("[[1, 2], 16#2([3, 4])]", "Array"),
+            ("(x := 1, y := (z := [1]))", "Structure"),
+            ("[(x := 1), 2((x := 2))]", "Array"),
+        ] {
+            assert!(
+                shape(&text(initializer)).contains(&format!("Initializer {{ kind: {form}")),
+                "{initializer}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_initial_value_is_one_error() {
+        for initializer in [
+            "",
+            "[]",
+            "[1, ]",
+            "(x := )",
+            "(x := 1, 2)",
+            "[1",
+            "3(0)(1)",
+            "(x := 1",
+            "[3(1, 2)]",
+            "()",
+        ] {
+            assert_eq!(
+                errors(&text(initializer)).len(),
+                1,
+                "{initializer}: {:?}",
+                errors(&text(initializer))
+            );
+        }
+    }
+
+    #[test]
+    fn initial_values_nest_to_the_limit_only() {
+        assert_eq!(
+            errors(&text(&format!("{}1{}", "[".repeat(200), "]".repeat(200)))),
+            [""; 0]
+        );
+        for deep in ["[", "(x := ", "[1(", "("] {
+            assert_eq!(errors(&text(&deep.repeat(100_000))).len(), 1, "{deep}");
+        }
+    }
+}

@@ -1,0 +1,174 @@
+//! `.n`, `.%Xn` and its kin, and what the dialect makes of them: the one place that decides it.
+
+use super::state::Parser;
+use crate::token::{Token, TokenKind};
+use crate::tree::{ExpressionId, ExpressionKind};
+use stickler_types::dialect::PartialAccess;
+use stickler_types::{Code, ElementaryType};
+
+/// The forms of partial access.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+enum AccessForm {
+    /// `.n`.
+    Short,
+    /// `.%Xn`.
+    Bit,
+    /// `.%Bn`, `.%Wn` or `.%Dn`: a part of this type.
+    Wider(ElementaryType),
+    /// `.%Ln`.
+    LongWord,
+}
+
+impl Parser<'_, '_> {
+    /// The suffix behind `dot`, which stands behind `base`. Where the dialect does not have it, the suffix is
+    /// diagnosed, and nothing else is said about the construct.
+    ///
+    /// Basis: ironplc-bit-access: Syntax, Edition 3 Partial-Access Syntax, Byte / Word / Dword / Lword Partial
+    /// Access; rusty-direct-variables: Constant based Direct Access; matiec, measured: no bit access at all.
+    pub(super) fn partial_access(&mut self, base: ExpressionId, dot: Token) -> ExpressionId {
+        let (form, index) = form_and_index(self.kind(), self.word());
+        let suffix = dot.span.to(self.bump().span);
+        let kind = match self.refusal(form) {
+            Some((code, message)) => {
+                self.report(code, suffix, || message);
+                ExpressionKind::Error
+            }
+            None => match form {
+                AccessForm::Wider(part) => ExpressionKind::Part { base, part, index },
+                AccessForm::Short | AccessForm::Bit | AccessForm::LongWord => {
+                    ExpressionKind::Bit { base, index }
+                }
+            },
+        };
+        let span = self.span_of(base).to(suffix);
+        self.push(kind, span)
+    }
+
+    /// Why the dialect does not have the form; `None` where it has it.
+    fn refusal(&self, form: AccessForm) -> Option<(Code, String)> {
+        let dialect = self.dialect.name;
+        match (form, self.dialect.partial_access) {
+            (AccessForm::Short, _) if self.dialect.bit_access => None,
+            (AccessForm::Short, _) => Some((
+                Code::SyntaxError,
+                format!("the dialect {dialect} has no bit access: expected a field's name"),
+            )),
+            (AccessForm::Bit, PartialAccess::BitsOnly)
+            | (AccessForm::Bit | AccessForm::Wider(_), PartialAccess::UpToDoubleWords) => None,
+            (_, PartialAccess::UpToDoubleWords) => Some((
+                Code::UnexpectedToken,
+                format!("the dialect {dialect} has partial access up to double words (`.%D`) only"),
+            )),
+            (_, PartialAccess::BitsOnly) => Some((
+                Code::UnexpectedToken,
+                format!("the dialect {dialect} has partial access to bits (`.%X`) only"),
+            )),
+            (_, PartialAccess::Disabled) => Some((
+                Code::PartialAccessSyntaxDisabled,
+                format!(
+                    "partial-access syntax is not enabled in the dialect {dialect}; for a bit write `.n`"
+                ),
+            )),
+            (_, PartialAccess::SyntaxError) => Some((
+                Code::SyntaxError,
+                format!("the dialect {dialect} has no partial access: expected a field's name"),
+            )),
+        }
+    }
+}
+
+/// Returns the form that `text` has, and the number in it; `u64::MAX` for one that is larger.
+fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
+    let form = match text.as_bytes().get(1).map(u8::to_ascii_uppercase) {
+        _ if kind == TokenKind::Integer => AccessForm::Short,
+        Some(b'B') => AccessForm::Wider(ElementaryType::Byte),
+        Some(b'W') => AccessForm::Wider(ElementaryType::Word),
+        Some(b'D') => AccessForm::Wider(ElementaryType::Dword),
+        Some(b'L') => AccessForm::LongWord,
+        _ => AccessForm::Bit,
+    };
+    let digits = text.bytes().filter(u8::is_ascii_digit);
+    let index = digits.fold(0_u64, |index, digit| {
+        index.saturating_mul(10).saturating_add(u64::from(digit - b'0'))
+    });
+    (form, index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parser::testing::codes;
+    use stickler_types::dialect::Dialect;
+
+    fn said(suffix: &str) -> [Vec<(Code, String)>; 5] {
+        let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
+        use Dialect as D;
+        [
+            D::ironplc_ed2(),
+            D::ironplc_ed3(),
+            D::ironplc_rusty(),
+            D::matiec(),
+            D::plcnext(),
+        ]
+        .map(|dialect| codes(&text, &dialect))
+    }
+
+    fn only(code: Code, suffix: &str) -> Vec<(Code, String)> {
+        vec![(code, suffix.to_owned())]
+    }
+
+    #[test]
+    fn the_short_form_is_a_syntax_error_only_where_there_is_no_bit_access() {
+        assert_eq!(
+            said(".3"),
+            [vec![], vec![], vec![], only(Code::SyntaxError, ".3"), vec![]]
+        );
+    }
+
+    #[test]
+    fn the_bit_form_belongs_to_the_third_edition() {
+        for suffix in [".%X3", ".%x3", ".%3"] {
+            let disabled = only(Code::PartialAccessSyntaxDisabled, suffix);
+            assert_eq!(
+                said(suffix),
+                [disabled, vec![], vec![], only(Code::SyntaxError, suffix), vec![]]
+            );
+        }
+    }
+
+    #[test]
+    fn the_wider_forms_are_enabled_in_rusty_up_to_double_words() {
+        for suffix in [".%B1", ".%w0", ".%D0", ".%D1.%W1.%B1.%X1"] {
+            let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
+            assert_eq!(codes(&text, &Dialect::rusty()), [], "{suffix}");
+        }
+        let text = "PROGRAM p x := y + a.%L0; END_PROGRAM";
+        assert_eq!(
+            codes(text, &Dialect::rusty()),
+            only(Code::UnexpectedToken, ".%L0")
+        );
+    }
+
+    #[test]
+    fn the_wider_forms_are_enabled_nowhere_else() {
+        for suffix in [".%B1", ".%w0", ".%D0", ".%l0"] {
+            let disabled = only(Code::PartialAccessSyntaxDisabled, suffix);
+            let unmatched = only(Code::UnexpectedToken, suffix);
+            let syntax = only(Code::SyntaxError, suffix);
+            assert_eq!(
+                said(suffix),
+                [disabled, unmatched.clone(), unmatched.clone(), syntax, unmatched]
+            );
+        }
+    }
+
+    #[test]
+    fn the_index_is_read_whatever_its_length() {
+        assert_eq!(form_and_index(TokenKind::Integer, "1_0"), (AccessForm::Short, 10));
+        assert_eq!(form_and_index(TokenKind::Partial, "%x63"), (AccessForm::Bit, 63));
+        assert_eq!(
+            form_and_index(TokenKind::Integer, &"9".repeat(1000)),
+            (AccessForm::Short, u64::MAX)
+        );
+    }
+}

@@ -1,0 +1,239 @@
+//! Recovery: finds where reading goes on after an error. Everything here moves forward only, and none of it recurses.
+
+use super::state::{Broken, ParseResult, Parser};
+use crate::token::TokenKind;
+
+impl Parser<'_, '_> {
+    /// Moves behind the `;` of a broken statement, or up to what cannot belong to it any more.
+    pub(super) fn skip_statement(&mut self) {
+        self.skip_past_semicolon(|kind| kind == TokenKind::Assign);
+    }
+
+    /// Moves behind the `;` of a broken declaration, or up to what cannot belong to it any more.
+    pub(super) fn skip_declaration(&mut self) {
+        self.skip_past_semicolon(|kind| matches!(kind, TokenKind::Colon | TokenKind::Comma));
+    }
+
+    /// A name at the start of a line begins something new if a token that `begins` holds for follows it, and no
+    /// bracket is open.
+    fn skip_past_semicolon(&mut self, begins: impl Fn(TokenKind) -> bool) {
+        loop {
+            match self.kind() {
+                TokenKind::Semicolon => {
+                    self.bump();
+                    return;
+                }
+                TokenKind::Name if self.is_anew() && begins(self.nth(1)) => return,
+                TokenKind::Name if self.at_misspelt_end() => return,
+                TokenKind::LeftParen | TokenKind::LeftBracket => self.open += 1,
+                TokenKind::RightParen | TokenKind::RightBracket => self.open = self.open.saturating_sub(1),
+                kind if kind.ends_statements() || kind.opens_section() || kind.opens_block() => return,
+                _ => {}
+            }
+            self.bump();
+        }
+    }
+
+    /// The next token begins a line, and no bracket is open; or one is, but what should have closed it may stand
+    /// in a string that was not closed on the line before.
+    fn is_anew(&self) -> bool {
+        (self.open == 0 || self.previous_kind() == Some(TokenKind::Malformed)) && self.starts_line()
+    }
+
+    /// Moves behind `closer`, which ends the broken header of a statement, or up to what cannot belong to the
+    /// header any more.
+    pub(super) fn skip_header(&mut self, closer: TokenKind) {
+        loop {
+            match self.kind() {
+                kind if kind == closer => {
+                    self.bump();
+                    return;
+                }
+                TokenKind::Semicolon => return,
+                TokenKind::Name if self.nth(1) == TokenKind::Assign && self.starts_line() => return,
+                kind if kind.ends_statements() || kind.opens_section() || kind.opens_statement() => return,
+                _ => {
+                    self.bump();
+                }
+            }
+        }
+    }
+
+    /// The keyword that was meant, and how many tokens are there instead, where `ENDIF`, `END IF` or its like
+    /// stands for the end of a statement: with nothing behind it that would make a variable or a call of it.
+    pub(super) fn misspelt_end(&self) -> Option<(TokenKind, usize)> {
+        use TokenKind::{Assign, Case, Dot, For, If, LeftBracket, LeftParen, Repeat, While};
+        if self.kind() != TokenKind::Name {
+            return None;
+        }
+        let (end, rest) = self.word().split_at_checked(3)?;
+        if !end.eq_ignore_ascii_case("END") {
+            return None;
+        }
+        let opens = |kind: &TokenKind| match rest {
+            "" => self.nth(1) == *kind,
+            _ => rest.eq_ignore_ascii_case(kind.text()),
+        };
+        let opener = [If, Case, For, While, Repeat].into_iter().find(opens)?;
+        let used = matches!(self.nth(1), Assign | Dot | LeftParen | LeftBracket);
+        let closer = match opener {
+            If => TokenKind::EndIf,
+            Case => TokenKind::EndCase,
+            For => TokenKind::EndFor,
+            While => TokenKind::EndWhile,
+            _ => TokenKind::EndRepeat,
+        };
+        (!used).then_some((closer, if rest.is_empty() { 2 } else { 1 }))
+    }
+
+    /// Moves to the start of the next line, or to the next section, statement or END_… on this one.
+    pub(super) fn skip_line(&mut self) {
+        while !self.starts_line() || self.position() == 0 {
+            let kind = self.kind();
+            if kind.ends_statements() || kind.opens_section() || kind.opens_statement() {
+                return;
+            }
+            self.bump();
+        }
+    }
+
+    /// Moves behind the END_… of the statement that begins here, or to the end of the POU.
+    pub(super) fn skip_block(&mut self) {
+        let mut open = 0_usize;
+        loop {
+            let kind = self.kind();
+            if kind == TokenKind::End || kind.closes_pou() || kind.opens_declaration() {
+                return;
+            }
+            self.bump();
+            if kind.opens_block() {
+                open += 1;
+            } else if kind.closes_block() {
+                open = open.saturating_sub(1);
+                if open == 0 {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Moves to the next declaration of the top level.
+    pub(super) fn skip_to_declaration(&mut self) {
+        while self.kind() != TokenKind::End
+            && !self.kind().opens_declaration()
+            && !self.at_foreign_declaration()
+        {
+            self.bump();
+        }
+    }
+
+    /// Moves to the end of the POU's body.
+    pub(super) fn skip_body(&mut self) {
+        while self.kind() != TokenKind::End && !self.kind().closes_pou() && !self.kind().opens_declaration() {
+            self.bump();
+        }
+    }
+
+    /// Moves behind the next name `closer`, or to a keyword that it cannot stand behind.
+    pub(super) fn skip_past_word(&mut self, closer: &str) {
+        while self.kind() != TokenKind::End && !self.kind().closes_pou() {
+            let found = self.at_word(closer);
+            self.bump();
+            if found {
+                return;
+            }
+        }
+    }
+
+    /// The `;` behind a statement (`swallowed` is `:=`) or a declaration (`:`). Where it is missing, that is said
+    /// of the end of what stands before; then reading goes on where the next token begins a line or something
+    /// new.
+    ///
+    /// `x :=`, and on the next line `y := 2;`, read as the value `y` so far: if `swallowed` stands behind such a
+    /// name, the name is given back.
+    pub(super) fn semicolon(&mut self, swallowed: TokenKind) -> ParseResult<()> {
+        if self.eat(TokenKind::Semicolon) {
+            return Ok(());
+        }
+        if self.kind().is_reported() {
+            return Err(Broken);
+        }
+        if self.kind() == swallowed && self.previous_kind() == Some(TokenKind::Name) {
+            self.back();
+            if self.starts_line() && self.previous_kind() == Some(TokenKind::Assign) {
+                return Err(self.expected_at(self.previous_span().after(), "a value"));
+            }
+            self.bump();
+        }
+        let broken = self.expected_at(self.previous_span().after(), "`;`");
+        let kind = self.kind();
+        let resumes = kind.ends_statements() || kind.opens_section() || kind.opens_statement();
+        if resumes || self.starts_line() {
+            Ok(())
+        } else {
+            Err(broken)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parser::testing::{body_errors, errors};
+
+    #[test]
+    fn a_missing_semicolon_is_reported_at_the_end_of_its_line() {
+        assert_eq!(
+            body_errors("x := 1\ny := 2;"),
+            ["1:7 P0002 expected `;`, found `y`"]
+        );
+        assert_eq!(
+            body_errors("x := 1 y := 2;\nz := ;"),
+            [
+                "1:7 P0002 expected `;`, found `y`",
+                "2:6 P0002 expected an expression, found `;`"
+            ]
+        );
+        assert_eq!(body_errors("IF a THEN b := 1 END_IF;").len(), 1);
+        assert_eq!(
+            body_errors("IF a THEN END_IF\nx := 1;"),
+            ["1:17 P0002 expected `;`, found `x`"]
+        );
+    }
+
+    #[test]
+    fn a_value_that_is_missing_is_not_taken_from_the_next_line() {
+        assert_eq!(
+            body_errors("x :=\ny := 2;"),
+            ["1:5 P0002 expected a value, found `y`"]
+        );
+        assert_eq!(
+            errors("PROGRAM p VAR\nx : INT :=\ny : INT;\nEND_VAR\nEND_PROGRAM"),
+            ["2:11 P0002 expected a value, found `y`"]
+        );
+    }
+
+    #[test]
+    fn each_broken_statement_is_reported_once() {
+        assert_eq!(
+            body_errors("x := (1 + ;\ny := 2 3;\nf(a := 1 +,\n b := 2);\nz := 1;").len(),
+            3
+        );
+        assert_eq!(body_errors("x := 5 @ 3;\ny := §;").len(), 2);
+    }
+
+    #[test]
+    fn an_open_string_spoils_its_line_only() {
+        let errors = body_errors("s := 'abc;\nf('d);\nIF s = 'e THEN\ny := ;\nEND_IF;");
+        let lines: Vec<_> = errors.iter().map(|error| &error[..1]).collect();
+        assert_eq!(lines, ["1", "2", "3", "4"], "{errors:?}");
+    }
+
+    #[test]
+    fn the_end_of_the_text_stands_on_the_line_of_the_last_token() {
+        assert_eq!(
+            errors("PROGRAM p\n  x := 1;\n\n"),
+            ["2:10 P0002 expected `END_PROGRAM`, found the end of the text"]
+        );
+        assert_eq!(errors("PROGRAM p\nIF a THEN").len(), 1);
+    }
+}

@@ -1,0 +1,215 @@
+//! Lists of statements, and the statements that are no blocks.
+
+use super::state::{Broken, ParseResult, Parser};
+use crate::token::TokenKind;
+use crate::tree::{ExpressionId, ExpressionKind, Statement, StatementKind};
+
+impl<'s> Parser<'s, '_> {
+    /// The body of a POU.
+    pub(super) fn statements(&mut self) -> Vec<Statement> {
+        let mut list = Vec::new();
+        self.statements_until(&mut list, |_| false);
+        list
+    }
+
+    /// Statements up to a token which an open block waits for, or to where `stop` holds.
+    pub(super) fn statements_until(&mut self, list: &mut Vec<Statement>, stop: impl Fn(&mut Self) -> bool) {
+        loop {
+            let kind = self.kind();
+            if kind.ends_statements() {
+                if self.is_awaited(kind) {
+                    return;
+                }
+                self.stray_end();
+            } else if kind.opens_section() {
+                self.expected("a statement (variable sections stand before the statements)");
+                let section = self.variable_block();
+                self.late_sections.extend(section);
+            } else if stop(self) || self.at_misspelt_end() {
+                return;
+            } else {
+                self.statement(list);
+            }
+        }
+    }
+
+    /// An END_…, ELSE or UNTIL that belongs to nothing.
+    fn stray_end(&mut self) {
+        self.expected("a statement");
+        self.bump();
+        self.eat(TokenKind::Semicolon);
+    }
+
+    /// One statement and its `;`. One that could not be read is left out, as if it were not there.
+    fn statement(&mut self, list: &mut Vec<Statement>) {
+        let start = self.position();
+        let first = self.token().span;
+        self.open = 0;
+        if self.eat(TokenKind::Semicolon) {
+            list.push(Statement {
+                kind: StatementKind::Empty,
+                span: first,
+            });
+            return;
+        }
+        match self.statement_kind() {
+            Ok(kind) => {
+                let is_block = is_block(&kind);
+                let span = first.to(self.previous_span());
+                let end = self.semicolon(TokenKind::Assign);
+                if is_block || end.is_ok() {
+                    list.push(Statement { kind, span });
+                }
+                if end.is_err() {
+                    self.skip_statement();
+                }
+            }
+            Err(Broken) => self.skip_statement(),
+        }
+        if self.position() == start {
+            self.bump();
+        }
+    }
+
+    fn statement_kind(&mut self) -> ParseResult<StatementKind> {
+        match self.kind() {
+            TokenKind::Name if self.at_continue() => self.keyword_statement(StatementKind::Continue),
+            TokenKind::Name | TokenKind::Direct => self.assignment_or_call(),
+            TokenKind::Exit => self.keyword_statement(StatementKind::Exit),
+            TokenKind::Return => self.keyword_statement(StatementKind::Return),
+            kind if kind.opens_block() => self.block_statement(),
+            _ => Err(self.expected("a statement")),
+        }
+    }
+
+    fn keyword_statement(&mut self, kind: StatementKind) -> ParseResult<StatementKind> {
+        self.bump();
+        Ok(kind)
+    }
+
+    /// CONTINUE is no keyword of the second edition, so that it may name a variable there.
+    fn at_continue(&self) -> bool {
+        let used_as_name = matches!(
+            self.nth(1),
+            TokenKind::Assign | TokenKind::Dot | TokenKind::LeftParen | TokenKind::LeftBracket
+        );
+        !used_as_name && self.at_word("CONTINUE")
+    }
+
+    /// `variable := value` or `call(…)`.
+    fn assignment_or_call(&mut self) -> ParseResult<StatementKind> {
+        if !matches!(self.nth(1), TokenKind::Assign | TokenKind::LeftParen) {
+            self.unsupported_statement()?;
+        }
+        let start = self.token().span;
+        let target = self.path()?;
+        if self.kind() == TokenKind::Assign {
+            if self.is_call(target) {
+                return Err(self.expected("`;` (a call cannot be assigned to)"));
+            }
+            self.bump();
+            let value = self.expression()?;
+            return Ok(StatementKind::Assignment { target, value });
+        }
+        self.unsupported_assignment(start)?;
+        if self.is_call(target) {
+            return Ok(StatementKind::Call(target));
+        }
+        Err(match self.kind() {
+            TokenKind::Equal => self.expected("`:=`"),
+            _ => self.missing("`:=` or a call"),
+        })
+    }
+
+    fn is_call(&self, id: ExpressionId) -> bool {
+        let expression = self.expressions.get(id.0 as usize);
+        expression.is_some_and(|expression| matches!(expression.kind, ExpressionKind::Call { .. }))
+    }
+}
+
+/// The statement has an END_… of its own, so that what follows it does not make it doubtful.
+fn is_block(kind: &StatementKind) -> bool {
+    use StatementKind::{Case, For, If, Repeat, While};
+    matches!(
+        kind,
+        If { .. } | Case { .. } | For { .. } | While { .. } | Repeat { .. }
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::parser::testing::{accepted_body, body_errors};
+    use crate::tree::StatementKind;
+
+    #[test]
+    fn simple_statements_are_read() {
+        let body = accepted_body("x := 1; ; EXIT; continue; RETURN; f(); a.b[1].c(x := 2); continue := 2;");
+        let forms: Vec<_> = body
+            .iter()
+            .map(|statement| match statement.kind {
+                StatementKind::Assignment { .. } => "assignment",
+                StatementKind::Empty => "empty",
+                StatementKind::Exit => "exit",
+                StatementKind::Continue => "continue",
+                StatementKind::Return => "return",
+                StatementKind::Call(_) => "call",
+                _ => "block",
+            })
+            .collect();
+        assert_eq!(
+            forms,
+            [
+                "assignment",
+                "empty",
+                "exit",
+                "continue",
+                "return",
+                "call",
+                "call",
+                "assignment"
+            ]
+        );
+    }
+
+    #[test]
+    fn a_statement_spans_its_tokens_without_the_semicolon() {
+        let body = accepted_body("  x := 1 ;");
+        assert_eq!(body[0].span.end - body[0].span.start, 6);
+    }
+
+    #[test]
+    fn what_is_no_statement_is_one_error() {
+        for (text, error) in [
+            ("x;", "1:2 P0002 expected `:=` or a call, found `;`"),
+            ("x = 5;", "1:3 P0002 expected `:=`, found `=`"),
+            ("5 := x;", "1:1 P0002 expected a statement, found `5`"),
+            (") x;", "1:1 P0002 expected a statement, found `)`"),
+            (
+                "f(x) := 5;",
+                "1:6 P0002 expected `;` (a call cannot be assigned to), found `:=`",
+            ),
+            ("x : = 5;", "1:3 P0002 expected `:=` or a call, found `:`"),
+            ("a := b := c;", "1:7 P0002 expected `;`, found `:=`"),
+            (
+                "x := 1; END_IF; y := 2;",
+                "1:9 P0002 expected a statement, found the keyword `END_IF`",
+            ),
+            (
+                "ELSE x := 1;",
+                "1:1 P0002 expected a statement, found the keyword `ELSE`",
+            ),
+            ("x := 5 5;", "1:7 P0002 expected `;`, found `5`"),
+            ("x := a b c d;", "1:7 P0002 expected `;`, found `b`"),
+        ] {
+            assert_eq!(body_errors(text), [error], "{text}");
+        }
+    }
+
+    #[test]
+    fn sections_between_statements_are_one_error_and_are_kept() {
+        let text = "PROGRAM p x := 1; VAR x : INT; END_VAR x := 2; END_PROGRAM";
+        let (unit, diagnostics) = crate::parse(text, &stickler_types::Dialect::ironplc_ed2());
+        let pou = crate::parser::testing::pou(&unit, 0);
+        assert_eq!((diagnostics.len(), pou.blocks.len(), pou.body.len()), (1, 1, 2));
+    }
+}

@@ -1,0 +1,269 @@
+//! Declarations: POUs, variable sections, types, initial values, configurations.
+
+use super::names::NameShape;
+use super::writer::Writer;
+use crate::tree::{
+    ArrayElement, CaseFolded, Configuration, Declaration, Initializer, InitializerKind, Name, Pou, PouKind,
+    Resource, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup,
+    VariableKind,
+};
+use rustc_hash::FxHashMap;
+use stickler_types::ElementaryType;
+
+impl<'u, 's> Writer<'u, 's> {
+    /// The whole text; an empty line stands between declarations.
+    pub(super) fn source_unit(&mut self) {
+        for (index, declaration) in self.unit.declarations.iter().enumerate() {
+            if index > 0 {
+                self.end();
+            }
+            match declaration {
+                Declaration::Pou(pou) => self.pou(pou),
+                Declaration::Types(types) => self.types(types),
+                Declaration::Globals(block) => self.block_of_variables(block),
+                Declaration::Configuration(configuration) => self.configuration(configuration),
+            }
+        }
+    }
+
+    fn pou(&mut self, pou: &'u Pou<'s>) {
+        let (opening, closing) = match pou.kind {
+            PouKind::Program => ("PROGRAM ", "END_PROGRAM"),
+            PouKind::Function => ("FUNCTION ", "END_FUNCTION"),
+            PouKind::FunctionBlock => ("FUNCTION_BLOCK ", "END_FUNCTION_BLOCK"),
+        };
+        self.pou = Some(pou.span.start);
+        self.put(opening);
+        self.put(pou.name.text);
+        if let Some(result) = &pou.result {
+            self.put(" : ");
+            self.specification(result);
+        }
+        self.end();
+        pou.blocks.iter().for_each(|block| self.block_of_variables(block));
+        self.indented(|writer| writer.statements(&pou.body));
+        self.line(closing);
+        self.pou = None;
+    }
+
+    fn block_of_variables(&mut self, block: &'u VariableBlock<'s>) {
+        self.begin();
+        self.put(match block.kind {
+            VariableKind::Local => "VAR",
+            VariableKind::Temporary => "VAR_TEMP",
+            VariableKind::Input => "VAR_INPUT",
+            VariableKind::Output => "VAR_OUTPUT",
+            VariableKind::InOut => "VAR_IN_OUT",
+            VariableKind::External => "VAR_EXTERNAL",
+            VariableKind::Global => "VAR_GLOBAL",
+        });
+        self.put(if block.constant { " CONSTANT" } else { "" });
+        if let Some(retention) = block.retention {
+            self.put(" ");
+            self.capitals(retention);
+        }
+        self.end();
+        self.groups(&block.groups);
+        self.line("END_VAR");
+    }
+
+    fn groups(&mut self, groups: &'u [VariableGroup<'s>]) {
+        self.indented(|writer| {
+            for group in groups {
+                writer.begin();
+                writer.list(&group.names, |writer, name| writer.put(name.text));
+                if let Some(location) = group.location {
+                    writer.put(" AT ");
+                    writer.capitals(location.text);
+                }
+                writer.declared(&group.specification, group.initializer.as_ref());
+            }
+        });
+    }
+
+    fn types(&mut self, types: &'u [TypeDeclaration<'s>]) {
+        self.line("TYPE");
+        self.indented(|writer| {
+            for declared in types {
+                writer.begin();
+                writer.put(declared.name.text);
+                writer.declared(&declared.specification, declared.initializer.as_ref());
+            }
+        });
+        self.line("END_TYPE");
+    }
+
+    /// Writes the type and the initial value behind the name in a declaration.
+    fn declared(
+        &mut self,
+        specification: &'u TypeSpecification<'s>,
+        initializer: Option<&'u Initializer<'s>>,
+    ) {
+        self.put(" : ");
+        self.specification(specification);
+        if let Some(initializer) = initializer {
+            self.put(" := ");
+            self.initializer(initializer, NameShape::Typed(specification));
+        }
+        self.put(";");
+        self.end();
+    }
+
+    fn specification(&mut self, specification: &'u TypeSpecification<'s>) {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.type_name(name),
+            TypeSpecificationKind::Text { name, length } => {
+                self.type_name(name);
+                self.between_brackets(|writer| {
+                    writer.expression(*length);
+                });
+            }
+            TypeSpecificationKind::Subrange { base, limits } => {
+                self.type_name(base);
+                self.put("(");
+                self.range(*limits);
+                self.put(")");
+            }
+            TypeSpecificationKind::Array { dimensions, element } => {
+                self.put("ARRAY");
+                self.between_brackets(|writer| {
+                    writer.list(dimensions, |writer, limits| writer.range(*limits))
+                });
+                self.put(" OF ");
+                self.specification(element);
+            }
+            TypeSpecificationKind::Enumeration { base, values } => {
+                if let Some(base) = base {
+                    self.type_name(base);
+                    self.put(" ");
+                }
+                self.put("(");
+                self.list(values, |writer, (name, value)| {
+                    writer.put(name.text);
+                    if let Some(value) = value {
+                        writer.put(" := ");
+                        writer.expression(*value);
+                    }
+                });
+                self.put(")");
+            }
+            TypeSpecificationKind::Structure(fields) => {
+                self.put("STRUCT");
+                self.end();
+                self.groups(fields);
+                self.begin();
+                self.put("END_STRUCT");
+            }
+            TypeSpecificationKind::Error => {}
+        }
+    }
+
+    /// A type's name: as the text declares it, or in capitals where it is elementary.
+    fn type_name(&mut self, name: &Name<'s>) {
+        match self.names.type_name(name.text) {
+            Some(spelling) => self.put(spelling),
+            None if ElementaryType::from_name(name.text).is_some() => self.capitals(name.text),
+            None => self.put(name.text),
+        }
+    }
+
+    fn initializer(&mut self, initializer: &'u Initializer<'s>, of: NameShape<'u, 's>) {
+        match &initializer.kind {
+            InitializerKind::Expression(value) => {
+                self.expression(*value);
+            }
+            InitializerKind::Array(elements) => {
+                let element = self.names.element(of);
+                self.put("[");
+                self.list(elements, |writer, entry| writer.array_element(entry, element));
+                self.put("]");
+            }
+            InitializerKind::Structure(fields) => {
+                self.put("(");
+                self.list(fields, |writer, (name, value)| {
+                    let (spelling, shape) = writer.names.member(of, name.text);
+                    writer.put(spelling);
+                    writer.put(" := ");
+                    writer.initializer(value, shape);
+                });
+                self.put(")");
+            }
+        }
+    }
+
+    fn array_element(&mut self, entry: &'u ArrayElement<'s>, of: NameShape<'u, 's>) {
+        if let Some(repetition) = entry.repetition {
+            self.expression(repetition);
+            self.put("(");
+        }
+        if let Some(value) = &entry.value {
+            self.initializer(value, of);
+        }
+        self.put(if entry.repetition.is_some() { ")" } else { "" });
+    }
+
+    fn configuration(&mut self, configuration: &'u Configuration<'s>) {
+        self.put("CONFIGURATION ");
+        self.put(configuration.name.text);
+        self.end();
+        self.indented(|writer| {
+            configuration
+                .globals
+                .iter()
+                .for_each(|block| writer.block_of_variables(block));
+            configuration
+                .resources
+                .iter()
+                .for_each(|resource| writer.resource(resource));
+        });
+        self.line("END_CONFIGURATION");
+    }
+
+    fn resource(&mut self, resource: &'u Resource<'s>) {
+        let Some((name, kind)) = &resource.header else {
+            return self.resource_items(resource);
+        };
+        self.begin();
+        self.put("RESOURCE ");
+        self.put(name.text);
+        self.put(" ON ");
+        self.put(kind.text);
+        self.end();
+        self.indented(|writer| writer.resource_items(resource));
+        self.line("END_RESOURCE");
+    }
+
+    fn resource_items(&mut self, resource: &'u Resource<'s>) {
+        let names = resource.tasks.iter().map(|task| task.name.text);
+        let tasks: FxHashMap<_, _> = names.map(|name| (CaseFolded(name), name)).collect();
+        for task in &resource.tasks {
+            self.begin();
+            self.put("TASK ");
+            self.put(task.name.text);
+            if !task.properties.is_empty() {
+                self.put("(");
+                self.list(&task.properties, |writer, (name, value)| {
+                    writer.capitals(name.text);
+                    writer.put(" := ");
+                    writer.expression(*value);
+                });
+                self.put(")");
+            }
+            self.put(";");
+            self.end();
+        }
+        for program in &resource.programs {
+            self.begin();
+            self.put("PROGRAM ");
+            self.put(program.name.text);
+            if let Some(task) = &program.task {
+                self.put(" WITH ");
+                self.put(tasks.get(&CaseFolded(task.text)).copied().unwrap_or(task.text));
+            }
+            self.put(" : ");
+            self.put(self.names.pou_name(program.type_name.text));
+            self.put(";");
+            self.end();
+        }
+    }
+}
