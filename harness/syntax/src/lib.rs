@@ -6,6 +6,10 @@
 //! | what | where |
 //! |---|---|
 //! | the tree of a text | [`parse`], [`tree`] |
+//! | a walk over a tree, with the context of each part | [`visitor`] |
+//! | the names that a text declares and uses | [`names`] |
+//! | the words and signs of a text, also of one that no dialect parses | [`tokens`] |
+//! | a text with some of its parts replaced | [`Edits`] |
 //! | a text in its one normal spelling | [`render`] |
 //! | bytes that may be no text | [`decoding`] |
 //! | places in a text, lines and columns | [`source`] |
@@ -16,15 +20,20 @@
 
 pub mod decoding;
 pub mod diagnostic;
+mod edits;
 mod ending;
 mod keyword;
 mod lexer;
+pub mod names;
 mod parser;
 mod renderer;
 pub mod source;
-mod token;
+pub mod token;
 pub mod tree;
+pub mod visitor;
 
+pub use edits::Edits;
 pub use ending::last_token;
 pub use parser::{MAX_NESTING, parse};
 pub use renderer::render;
+pub use token::tokens;

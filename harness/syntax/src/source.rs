@@ -40,6 +40,12 @@ impl Span {
     }
 }
 
+impl From<Span> for std::ops::Range<usize> {
+    fn from(span: Span) -> std::ops::Range<usize> {
+        span.start as usize..span.end as usize
+    }
+}
+
 /// A line and a column as a person counts them: both from 1, columns in Unicode scalar values.
 ///
 /// Basis: harness/engines/README.md (lines and columns).

@@ -1,14 +1,48 @@
 //! Tokens: what the lexer makes of the text, and the parser reads.
 
+use crate::lexer::lex;
 use crate::source::Span;
+use stickler_types::Dialect;
 
 /// A token: its kind and where it stands. Its text is a slice of the source.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Token {
+pub struct Token {
     /// The kind.
-    pub(super) kind: TokenKind,
+    pub kind: TokenKind,
     /// The place in the text.
-    pub(super) span: Span,
+    pub span: Span,
+}
+
+/// The tokens of a text that no parser need understand.
+#[derive(Clone, Debug)]
+pub struct Tokens {
+    /// The tokens in the order of the text; comments and pragmas are none, and there is none for the end.
+    pub list: Vec<Token>,
+    /// Whether the text ends where it seems to: no comment and no pragma is left open.
+    pub is_complete: bool,
+    /// Whether the text has a pragma.
+    pub has_pragma: bool,
+}
+
+/// Splits a text into its tokens, by the comments that a dialect has. Never fails: what begins no token becomes one of the kind
+/// [`TokenKind::Unknown`] or [`TokenKind::Malformed`].
+#[must_use]
+pub fn tokens(text: &str, dialect: &Dialect) -> Tokens {
+    let mut lexer = lex(text, dialect);
+    lexer.tokens.retain(|token| token.kind != TokenKind::End);
+    Tokens {
+        is_complete: !lexer.truncated,
+        has_pragma: lexer.has_pragma,
+        list: lexer.tokens,
+    }
+}
+
+impl Token {
+    /// Returns whether the token is this word, in any ASCII case.
+    #[must_use]
+    pub fn is(&self, word: &str, text: &str) -> bool {
+        self.span.text(text).eq_ignore_ascii_case(word)
+    }
 }
 
 macro_rules! token_kinds {
@@ -16,11 +50,11 @@ macro_rules! token_kinds {
         /// The kind of a token. Keywords are those of every edition; the words of constructs that are not
         /// implemented are names to the lexer, so that `step` or `class` can name a variable.
         #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-        pub(super) enum TokenKind { $($(#[doc = concat!($group, ": `", $text, "`")] $kind,)*)* }
+        pub enum TokenKind { $($(#[doc = concat!($group, ": `", $text, "`")] $kind,)*)* }
 
         impl TokenKind {
             /// Returns the spelling of the kind, or what it is called where its text differs.
-            pub(super) const fn text(self) -> &'static str {
+            pub const fn text(self) -> &'static str {
                 match self { $($(TokenKind::$kind => $text,)*)* }
             }
         }
@@ -49,7 +83,7 @@ macro_rules! keywords {
         }
     };
 }
-pub(super) use keywords;
+pub(crate) use keywords;
 
 macro_rules! with_keywords {
     ($($kind:ident = $text:literal,)*) => {
@@ -84,24 +118,24 @@ keywords!(with_keywords);
 
 impl TokenKind {
     /// The keywords come first in the enumeration.
-    pub(super) const fn is_keyword(self) -> bool {
+    pub const fn is_keyword(self) -> bool {
         (self as u8) < (TokenKind::Assign as u8)
     }
 
     /// The lexer has already said that this token is wrong.
-    pub(super) const fn is_reported(self) -> bool {
+    pub const fn is_reported(self) -> bool {
         matches!(self, TokenKind::Malformed | TokenKind::Unknown)
     }
 
     /// Every form of literal, and what stands for one that could not be read.
-    pub(super) const fn is_literal(self) -> bool {
+    pub const fn is_literal(self) -> bool {
         use TokenKind::*;
         matches!(self, True | False | Malformed)
             || (self as u8 >= Integer as u8 && self as u8 <= DateAndTime as u8)
     }
 
     /// The keyword opens a variable section.
-    pub(super) const fn opens_section(self) -> bool {
+    pub const fn opens_section(self) -> bool {
         use TokenKind::*;
         matches!(
             self,
@@ -110,7 +144,7 @@ impl TokenKind {
     }
 
     /// The keyword opens a declaration at the top level.
-    pub(super) const fn opens_declaration(self) -> bool {
+    pub const fn opens_declaration(self) -> bool {
         use TokenKind::*;
         matches!(
             self,
@@ -119,31 +153,31 @@ impl TokenKind {
     }
 
     /// The keyword begins a statement.
-    pub(super) const fn opens_statement(self) -> bool {
+    pub const fn opens_statement(self) -> bool {
         use TokenKind::*;
         matches!(self, If | Case | For | While | Repeat | Exit | Return)
     }
 
     /// The keyword begins a statement that an END_… closes.
-    pub(super) const fn opens_block(self) -> bool {
+    pub const fn opens_block(self) -> bool {
         use TokenKind::*;
         matches!(self, If | Case | For | While | Repeat)
     }
 
     /// The keyword closes a statement.
-    pub(super) const fn closes_block(self) -> bool {
+    pub const fn closes_block(self) -> bool {
         use TokenKind::*;
         matches!(self, EndIf | EndCase | EndFor | EndWhile | EndRepeat)
     }
 
     /// The keyword closes a POU.
-    pub(super) const fn closes_pou(self) -> bool {
+    pub const fn closes_pou(self) -> bool {
         use TokenKind::*;
         matches!(self, EndProgram | EndFunction | EndFunctionBlock)
     }
 
     /// The keyword closes anything at all.
-    pub(super) const fn closes(self) -> bool {
+    pub const fn closes(self) -> bool {
         use TokenKind::*;
         self.closes_block()
             || self.closes_pou()
@@ -154,8 +188,30 @@ impl TokenKind {
     }
 
     /// No list of statements goes on over this token.
-    pub(super) const fn ends_statements(self) -> bool {
+    pub const fn ends_statements(self) -> bool {
         use TokenKind::*;
         self.closes() || self.opens_declaration() || matches!(self, Else | Elsif | Until | End | Resource)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_text_that_no_dialect_reads_has_tokens() {
+        let text = "x ^:= 'a' \u{e4}; (* PROGRAM *) {p} T#1s";
+        let dialect = Dialect::ironplc_ed2();
+        let Tokens {
+            list,
+            is_complete,
+            has_pragma,
+        } = tokens(text, &dialect);
+        let found: Vec<&str> = list.iter().map(|token| token.span.text(text)).collect();
+        assert_eq!(found, ["x", "^", ":=", "'a'", "\u{e4}", ";", "T#1s"]);
+        assert!(is_complete && has_pragma && list[0].is("X", text));
+        for open in ["(* a", "{ a"] {
+            assert!(!tokens(open, &dialect).is_complete, "{open}");
+        }
     }
 }

@@ -52,6 +52,7 @@ impl Lexer<'_, '_> {
     pub(super) fn pragma(&mut self) {
         let start = self.at;
         self.at += 1;
+        self.has_pragma = true;
         if !self.skip_past(b"}") {
             self.report_open(start, "the pragma that opens here is not closed");
         }

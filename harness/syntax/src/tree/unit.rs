@@ -1,6 +1,6 @@
 //! The whole of a text, and the names of its expressions.
 
-use super::{Declaration, Expression};
+use super::{Declaration, Expression, Pou};
 
 /// The name of an expression in [`SourceUnit::expressions`].
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -13,4 +13,22 @@ pub struct SourceUnit<'s> {
     pub declarations: Vec<Declaration<'s>>,
     /// Every expression of the unit; an expression's operands stand before it.
     pub expressions: Vec<Expression<'s>>,
+}
+
+impl<'s> SourceUnit<'s> {
+    /// Returns an expression by its id; `None` where it is one of another tree.
+    #[must_use]
+    pub fn expression(&self, id: ExpressionId) -> Option<&Expression<'s>> {
+        self.expressions.get(id.0 as usize)
+    }
+
+    /// Returns the program organization units, in the order of the text.
+    pub fn pous(&self) -> impl DoubleEndedIterator<Item = &Pou<'s>> {
+        self.declarations
+            .iter()
+            .filter_map(|declaration| match declaration {
+                Declaration::Pou(pou) => Some(pou),
+                _ => None,
+            })
+    }
 }

@@ -1,0 +1,297 @@
+//! The names that a text declares, and the places in which it uses names.
+
+use crate::tree::{
+    Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou,
+    PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup,
+    VariableKind,
+};
+use crate::visitor::{Context, Place, Visitor, walk};
+
+/// What a declared name names.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DeclaredKind {
+    /// A program organization unit.
+    Pou(PouKind),
+    /// A data type.
+    Type,
+    /// A value of an enumeration.
+    EnumeratedValue,
+    /// A field of a structure.
+    Field,
+    /// A variable of a section.
+    Variable(VariableKind),
+    /// A configuration, or a resource, a task or a program instance in one.
+    Configuration,
+}
+
+/// A name where it is declared.
+#[derive(Clone, Copy, Debug)]
+pub struct DeclaredName<'t, 's> {
+    /// The name.
+    pub name: Name<'s>,
+    /// What it names.
+    pub kind: DeclaredKind,
+    /// The program organization unit inside of which the name is known; `None` where the whole text knows it.
+    pub inside: Option<&'t Pou<'s>>,
+    /// The declaration of a variable or a field; `None` for other names.
+    pub group: Option<&'t VariableGroup<'s>>,
+}
+
+/// What a name stands for where it is used.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum UseKind {
+    /// A variable, a value of an enumeration or the result of a function, in an expression.
+    Value,
+    /// A function or an instance that is called.
+    Callee,
+    /// A field, or an output of an instance.
+    Field,
+    /// A parameter of a call.
+    Parameter,
+    /// A data type or a function block, in a declaration or before the `#` of a value.
+    Type,
+}
+
+/// A name where it is used.
+#[derive(Clone, Copy, Debug)]
+pub struct UsedName<'t, 's> {
+    /// The name.
+    pub name: Name<'s>,
+    /// What it stands for.
+    pub kind: UseKind,
+    /// The program organization unit around; `None` outside of all.
+    pub inside: Option<&'t Pou<'s>>,
+}
+
+/// Returns the names that a text declares, in the order of the text.
+#[must_use]
+pub fn declared<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<DeclaredName<'t, 's>> {
+    names(unit).declared
+}
+
+/// Returns the uses of names in a text, in the order of the text; names of elementary types are among them.
+#[must_use]
+pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
+    names(unit).used
+}
+
+fn names<'t, 's>(unit: &'t SourceUnit<'s>) -> Names<'t, 's> {
+    let mut names = Names::default();
+    walk(unit, &mut names);
+    for declaration in &unit.declarations {
+        if let Declaration::Configuration(configuration) = declaration {
+            let resources = configuration.resources.iter();
+            let inner = resources.flat_map(|resource| {
+                let head = resource.header.iter().map(|(name, _)| *name);
+                let tasks = resource.tasks.iter().map(|task| task.name);
+                head.chain(tasks)
+                    .chain(resource.programs.iter().map(|program| program.name))
+            });
+            for name in std::iter::once(configuration.name).chain(inner) {
+                names.declare(name, DeclaredKind::Configuration, None, None);
+            }
+            let programs = configuration
+                .resources
+                .iter()
+                .flat_map(|resource| &resource.programs);
+            for program in programs {
+                names.note(program.type_name, UseKind::Type, None);
+            }
+        }
+    }
+    names.declared.sort_by_key(|declared| declared.name.span.start);
+    names.used.sort_by_key(|used| used.name.span.start);
+    names
+}
+
+/// The names of a text.
+#[derive(Default)]
+struct Names<'t, 's> {
+    declared: Vec<DeclaredName<'t, 's>>,
+    used: Vec<UsedName<'t, 's>>,
+}
+
+impl<'t, 's> Names<'t, 's> {
+    fn declare(
+        &mut self,
+        name: Name<'s>,
+        kind: DeclaredKind,
+        inside: Option<&'t Pou<'s>>,
+        group: Option<&'t VariableGroup<'s>>,
+    ) {
+        self.declared.push(DeclaredName {
+            name,
+            kind,
+            inside,
+            group,
+        });
+    }
+
+    fn note(&mut self, name: Name<'s>, kind: UseKind, inside: Option<&'t Pou<'s>>) {
+        self.used.push(UsedName { name, kind, inside });
+    }
+}
+
+impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
+    fn pou(&mut self, pou: &'t Pou<'s>, _: &Context<'t, 's>) {
+        self.declare(pou.name, DeclaredKind::Pou(pou.kind), None, None);
+    }
+
+    fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
+        self.declare(declaration.name, DeclaredKind::Type, None, None);
+    }
+
+    fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
+        let is_field = at
+            .section
+            .is_none_or(|section| !section.groups.iter().any(|one| std::ptr::eq(one, group)));
+        let (kind, inside) = match at.section.filter(|_| !is_field) {
+            Some(section) => (DeclaredKind::Variable(section.kind), at.pou),
+            None => (DeclaredKind::Field, None),
+        };
+        for name in &group.names {
+            self.declare(*name, kind, inside, Some(group));
+        }
+    }
+
+    fn specification(&mut self, specification: &'t TypeSpecification<'s>, at: &Context<'t, 's>) {
+        match &specification.kind {
+            TypeSpecificationKind::Named(name)
+            | TypeSpecificationKind::Text { name, .. }
+            | TypeSpecificationKind::Subrange { base: name, .. } => self.note(*name, UseKind::Type, at.pou),
+            TypeSpecificationKind::Enumeration { base, values } => {
+                if let Some(base) = base {
+                    self.note(*base, UseKind::Type, at.pou);
+                }
+                for (name, _) in values {
+                    self.declare(*name, DeclaredKind::EnumeratedValue, at.pou, None);
+                }
+            }
+            TypeSpecificationKind::Array { .. }
+            | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Error => {}
+        }
+    }
+
+    fn initializer(&mut self, initializer: &'t Initializer<'s>, at: &Context<'t, 's>) {
+        if let InitializerKind::Structure(fields) = &initializer.kind {
+            for (name, _) in fields {
+                self.note(*name, UseKind::Field, at.pou);
+            }
+        }
+    }
+
+    fn expression(
+        &mut self,
+        (_, expression): (ExpressionId, &'t Expression<'s>),
+        place: Place,
+        _: Option<ExpressionId>,
+        at: &Context<'t, 's>,
+    ) {
+        match &expression.kind {
+            ExpressionKind::Name(name) => {
+                let kind = match place {
+                    Place::Callee => UseKind::Callee,
+                    _ => UseKind::Value,
+                };
+                self.note(*name, kind, at.pou);
+            }
+            ExpressionKind::EnumeratedValue(value) => {
+                self.note(value.prefix(), UseKind::Type, at.pou);
+                self.note(value.value(), UseKind::Value, at.pou);
+            }
+            ExpressionKind::Literal(literal) => {
+                if let Some(prefix) = literal.prefix() {
+                    self.note(prefix, UseKind::Type, at.pou);
+                }
+            }
+            ExpressionKind::Field { field, .. } => self.note(*field, UseKind::Field, at.pou),
+            ExpressionKind::Call { arguments, .. } => {
+                for argument in arguments {
+                    if let Argument::Named { name, .. } | Argument::Output { name, .. } = argument {
+                        self.note(*name, UseKind::Parameter, at.pou);
+                    }
+                }
+            }
+            ExpressionKind::Index { .. }
+            | ExpressionKind::Bit { .. }
+            | ExpressionKind::Part { .. }
+            | ExpressionKind::Unary { .. }
+            | ExpressionKind::Binary { .. }
+            | ExpressionKind::Parenthesized(_)
+            | ExpressionKind::Error => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+    use stickler_types::Dialect;
+
+    const TEXT: &str = "TYPE color : (red, green); pair : STRUCT low, high : INT; END_STRUCT; END_TYPE
+        FUNCTION_BLOCK fb VAR_INPUT n : INT; END_VAR END_FUNCTION_BLOCK
+        PROGRAM p VAR c : color := color#red; a : pair := (low := INT#1); f : fb; END_VAR
+            f(n := SEL(TRUE, a.low, 2)); c := green; END_PROGRAM
+        CONFIGURATION conf RESOURCE res ON plc TASK t(PRIORITY := 1); PROGRAM i WITH t : p; END_RESOURCE END_CONFIGURATION";
+
+    #[test]
+    fn every_declared_name_is_found_with_its_kind() {
+        let (unit, diagnostics) = parse(TEXT, &Dialect::ironplc_ed3());
+        assert_eq!(diagnostics, []);
+        let described = |one: &DeclaredName<'_, '_>| {
+            let inside = one.inside.map_or("", |pou| pou.name.text);
+            format!("{} {:?} {inside}", one.name.text, one.kind)
+        };
+        let found: Vec<String> = declared(&unit).iter().map(described).collect();
+        let expected = [
+            "color Type ",
+            "red EnumeratedValue ",
+            "green EnumeratedValue ",
+            "pair Type ",
+            "low Field ",
+            "high Field ",
+            "fb Pou(FunctionBlock) ",
+            "n Variable(Input) fb",
+            "p Pou(Program) ",
+            "c Variable(Local) p",
+            "a Variable(Local) p",
+            "f Variable(Local) p",
+            "conf Configuration ",
+            "res Configuration ",
+            "t Configuration ",
+            "i Configuration ",
+        ];
+        assert_eq!(found, expected);
+    }
+
+    #[test]
+    fn every_use_of_a_name_is_found_with_its_kind() {
+        let (unit, _) = parse(TEXT, &Dialect::ironplc_ed3());
+        let found: Vec<String> = used(&unit)
+            .iter()
+            .map(|one| format!("{} {:?}", one.name.text, one.kind))
+            .collect();
+        let expected = [
+            "INT Type",
+            "INT Type",
+            "color Type",
+            "color Type",
+            "red Value",
+            "pair Type",
+            "low Field",
+            "INT Type",
+            "fb Type",
+            "f Callee",
+            "n Parameter",
+            "SEL Callee",
+            "a Value",
+            "low Field",
+            "c Value",
+            "green Value",
+            "p Type",
+        ];
+        assert_eq!(found, expected);
+    }
+}
