@@ -161,6 +161,10 @@ pub struct ListArguments {
     /// List the places instead in which values stand: how many cases have each source together with each target and surrounding
     #[arg(long, conflicts_with_all = ["basis", "sources", "left_out"])]
     pub places: bool,
+    /// List the features of the language instead, each with the tables of IEC 61131-3 that are about it: how many of the cases
+    /// use it
+    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
+    pub features: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
     /// what it overrides changes them and no document says how
     #[arg(long, conflicts_with = "basis")]
@@ -271,6 +275,7 @@ Examples:
   stickler list --basis                             claims, with numbers of cases
   stickler list --sources                           what the claims come from
   stickler list --places                            where the values stand
+  stickler list --features                          which features of the language they use
   stickler list --json                              for other programs";
 
 const SHOW_EXAMPLES: &str = "\

@@ -131,7 +131,7 @@ fn slashes(path: &Path) -> String {
 /// others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
-        "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml" => None,
+        "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml" => None,
         _ if is_recording(below_root) => None,
         _ if below_root.ends_with(".st") => Some(FileKind::Program),
         _ if below_root.ends_with(".toml") => Some(FileKind::Table),
@@ -190,7 +190,7 @@ fn add(root: &Root, path: &Path, listing: &mut Listing) {
 fn is_known(below_root: &str) -> bool {
     matches!(
         below_root,
-        "suite.toml" | "dialects.toml" | "sources.toml" | "places.toml"
+        "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml"
     ) || below_root.ends_with(".md")
         || is_recording(below_root)
 }

@@ -8,6 +8,7 @@
 //! | what is a case? | [`Case`]: a program, a dialect and an [`Expectation`] |
 //! | which dialects and groups may case files name? | [`Dialects`] |
 //! | what is doubtful in the files? | [`lint`](fn@lint) |
+//! | which features has the language, and which does a case use? | [`Features`], [`Case::features`] |
 //! | which documents may a case cite, and for whom do they speak? | [`Sources`] |
 //!
 //! Whatever stands in a file, the rest of the suite still loads: mistakes are
@@ -24,6 +25,7 @@ mod condition;
 mod defined;
 mod dialects;
 mod error;
+mod features;
 mod files;
 mod frame;
 mod header;
@@ -50,6 +52,7 @@ pub use bases::{Bases, OR};
 pub use citations::NOT_STATED;
 pub use dialects::{DialectEntry, Dialects};
 pub use error::CaseFileError;
+pub use features::{Feature, Features};
 pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{

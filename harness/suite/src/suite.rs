@@ -16,8 +16,8 @@ use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
-use crate::{Case, CaseFileError, Dialects, Sources};
-use crate::{files, ident, places, single, sources, table, toml_text};
+use crate::{Case, CaseFileError, Dialects, Features, Sources};
+use crate::{features, files, ident, places, single, sources, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
@@ -34,6 +34,8 @@ pub struct Suite {
     pub sources: Sources,
     /// The places in which programs can be put together, from `places.toml`.
     pub places: Places,
+    /// The features of the language, from `features.toml`.
+    pub features: Features,
     /// The warnings of lint about the files, beside their mistakes.
     pub(crate) remarks: Vec<CaseFileError>,
 }
@@ -88,6 +90,9 @@ impl Suite {
         suite.remarks.extend(read.remarks);
         suite.errors.extend(errors);
         let sources = read.sources;
+        let (features, errors) = features::read(&root, &sources);
+        suite.features = features;
+        suite.errors.extend(errors);
         let type_names = TypeNames::default();
         listing
             .files

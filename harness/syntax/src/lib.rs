@@ -9,6 +9,7 @@
 //! | a walk over a tree, with the context of each part | [`visitor`] |
 //! | the names that a text declares and uses | [`names`] |
 //! | the words and signs of a text, also of one that no dialect parses | [`tokens`] |
+//! | the features of the language that a text uses | [`features`] |
 //! | a text with some of its parts replaced | [`Edits`] |
 //! | a text in its one normal spelling | [`render`] |
 //! | bytes that may be no text | [`decoding`] |
@@ -22,6 +23,7 @@ pub mod decoding;
 pub mod diagnostic;
 mod edits;
 mod ending;
+pub mod features;
 mod keyword;
 mod lexer;
 pub mod names;

@@ -16,12 +16,22 @@ pub struct Token {
 /// The tokens of a text that no parser need understand.
 #[derive(Clone, Debug)]
 pub struct Tokens {
-    /// The tokens in the order of the text; comments and pragmas are none, and there is none for the end.
+    /// The tokens in the order of the text; there is none for the end.
     pub list: Vec<Token>,
     /// Whether the text ends where it seems to: no comment and no pragma is left open.
     pub is_complete: bool,
-    /// Whether the text has a pragma.
-    pub has_pragma: bool,
+    /// The comments and pragmas in the order of the text.
+    pub comments: Vec<Span>,
+}
+
+impl Tokens {
+    /// Returns whether a text, of which these are the tokens, has a pragma.
+    #[must_use]
+    pub fn has_pragma(&self, text: &str) -> bool {
+        self.comments
+            .iter()
+            .any(|comment| comment.text(text).starts_with('{'))
+    }
 }
 
 /// Splits a text into its tokens, by the comments that a dialect has. Never fails: what begins no token becomes one of the kind
@@ -32,8 +42,8 @@ pub fn tokens(text: &str, dialect: &Dialect) -> Tokens {
     lexer.tokens.retain(|token| token.kind != TokenKind::End);
     Tokens {
         is_complete: !lexer.truncated,
-        has_pragma: lexer.has_pragma,
         list: lexer.tokens,
+        comments: lexer.comments,
     }
 }
 
@@ -202,14 +212,12 @@ mod tests {
     fn a_text_that_no_dialect_reads_has_tokens() {
         let text = "x ^:= 'a' \u{e4}; (* PROGRAM *) {p} T#1s";
         let dialect = Dialect::ironplc_ed2();
-        let Tokens {
-            list,
-            is_complete,
-            has_pragma,
-        } = tokens(text, &dialect);
+        let found_tokens = tokens(text, &dialect);
+        let list = &found_tokens.list;
         let found: Vec<&str> = list.iter().map(|token| token.span.text(text)).collect();
         assert_eq!(found, ["x", "^", ":=", "'a'", "\u{e4}", ";", "T#1s"]);
-        assert!(is_complete && has_pragma && list[0].is("X", text));
+        assert!(found_tokens.is_complete && found_tokens.has_pragma(text) && list[0].is("X", text));
+        assert_eq!(found_tokens.comments[0].text(text), "(* PROGRAM *)");
         for open in ["(* a", "{ a"] {
             assert!(!tokens(open, &dialect).is_complete, "{open}");
         }

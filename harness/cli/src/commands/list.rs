@@ -1,5 +1,7 @@
-//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, or the places of values.
+//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, or the features of
+//! the language.
 
+mod features;
 mod places;
 mod sources;
 
@@ -17,7 +19,7 @@ use stickler_suite::Case;
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
 
-/// Lists the selected cases, their claims, the sources of these, or the places in their programs.
+/// Lists the selected cases, their claims, the sources of these, or the places and features in their programs.
 ///
 /// # Errors
 /// No folder of cases; nothing selected.
@@ -39,6 +41,10 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     }
     if arguments.places {
         places::write(out, &cases, arguments.json)?;
+        return Ok(case_folder::exit_of(&suite));
+    }
+    if arguments.features {
+        features::write(out, &suite.features, &cases, arguments.json)?;
         return Ok(case_folder::exit_of(&suite));
     }
     if arguments.basis {

@@ -94,6 +94,7 @@ fn cases_that_are_named_or_lie_here_come_first() {
         "dialects.toml",
         "sources.toml",
         "rules.md",
+        "features.toml",
         "places.toml",
     ] {
         let here = installed.path("empty/conformance-cases");

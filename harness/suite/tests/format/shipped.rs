@@ -5,7 +5,7 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use stickler_suite::{Acceptance, Suite};
-use stickler_types::DialectName;
+use stickler_types::{Dialect, DialectName};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
 /// Basis: iec-61131-3: second edition, Annex C.
@@ -118,4 +118,32 @@ fn lint_has_nothing_to_say_and_every_dialect_has_an_entry() {
     documented.retain(|dialect| !dialect.base().is_known_in_part());
     assert_eq!(suite.dialects.resolve("all").unwrap(), documented);
     assert!(!suite.version.is_empty());
+}
+
+#[test]
+fn each_minimal_program_uses_its_feature_and_those_that_it_needs() {
+    let features = &SHIPPED.features;
+    assert!(features.iter().count() > 100);
+    for feature in features.iter() {
+        let used = stickler_syntax::features::features(&feature.program, &Dialect::iec_ed3());
+        let used: BTreeSet<&str> = used.iter().map(AsRef::as_ref).collect();
+        let stated = feature.needs.iter().map(String::as_str);
+        let stated: BTreeSet<&str> = stated.chain([feature.key.as_str()]).collect();
+        assert_eq!(used, stated, "{}", feature.key);
+    }
+}
+
+#[test]
+fn every_feature_of_a_case_is_in_the_list() {
+    let mut asked = HashSet::new();
+    let cases = SHIPPED.cases.iter().filter(|case| asked.insert(&case.source));
+    // A mistake of a case may be the name of a function that no dialect has.
+    let accepted = cases.filter(|case| case.expectation.accepted != Acceptance::Rejected);
+    let used = accepted
+        .step_by(5)
+        .flat_map(|case| case.features().into_iter().map(|key| (key, &case.id)));
+    let unlisted: BTreeSet<_> = used
+        .filter(|(key, _)| SHIPPED.features.get(key).is_none())
+        .collect();
+    assert_eq!(unlisted, BTreeSet::new());
 }

@@ -30,8 +30,8 @@ pub(crate) struct Lexer<'s, 'd> {
     pub(crate) diagnostics: Diagnostics,
     /// The text did not end where it seems to: a comment ran to its end, or a limit was met.
     pub(crate) truncated: bool,
-    /// Whether a pragma was met.
-    pub(crate) has_pragma: bool,
+    /// The comments and pragmas so far.
+    pub(crate) comments: Vec<Span>,
     /// Whether the token at the end has been given.
     ended: bool,
     /// The number of tokens that have been dropped.
@@ -60,7 +60,7 @@ impl<'s, 'd> Lexer<'s, 'd> {
             tokens: Vec::new(),
             diagnostics: Diagnostics::default(),
             truncated: false,
-            has_pragma: false,
+            comments: Vec::new(),
             ended: false,
             dropped: 0,
         };

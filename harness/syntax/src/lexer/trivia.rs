@@ -17,6 +17,7 @@ impl Lexer<'_, '_> {
         } else {
             self.skip_past(b"*)")
         };
+        self.comments.push(self.span_from(start));
         if !closed {
             self.report_open(start, "the comment that opens here is not closed");
         }
@@ -26,6 +27,7 @@ impl Lexer<'_, '_> {
     pub(super) fn line_comment(&mut self) {
         let start = self.at;
         self.skip(|byte| byte != b'\n');
+        self.comments.push(self.span_from(start));
         if !self.dialect.line_comments {
             self.report_disabled(start, "//");
         }
@@ -41,6 +43,7 @@ impl Lexer<'_, '_> {
             self.skip_past(b"*/")
         };
         self.truncated |= !closed;
+        self.comments.push(self.span_from(start));
         if !self.dialect.line_comments {
             self.report_disabled(start, "/*");
         } else if !closed {
@@ -52,8 +55,9 @@ impl Lexer<'_, '_> {
     pub(super) fn pragma(&mut self) {
         let start = self.at;
         self.at += 1;
-        self.has_pragma = true;
-        if !self.skip_past(b"}") {
+        let closed = self.skip_past(b"}");
+        self.comments.push(self.span_from(start));
+        if !closed {
             self.report_open(start, "the pragma that opens here is not closed");
         }
     }

@@ -23,10 +23,11 @@ const SETTLED: Duration = Duration::from_millis(100);
 const POLL: Duration = Duration::from_millis(100);
 
 /// The files that cases of all other files may depend on.
-const SHARED: [&str; 5] = [
+const SHARED: [&str; 6] = [
     "suite.toml",
     "dialects.toml",
     "sources.toml",
+    "features.toml",
     "places.toml",
     "rules.md",
 ];

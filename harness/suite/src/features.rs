@@ -1,0 +1,142 @@
+//! The list of language features, from `features.toml`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Deserialize;
+use stickler_syntax::features::FeatureKey;
+use stickler_types::Dialect;
+use toml::Spanned;
+
+use crate::error::{CaseFileError, Mistake};
+use crate::near::suggestion;
+use crate::place::Lines;
+use crate::toml_text;
+use crate::{Case, Sources, files};
+
+/// The file of the features, below the root of a suite.
+const FEATURES: &str = "features.toml";
+
+/// The list of the language's features.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub struct Features(Vec<Feature>);
+
+/// A construct of the language that a program may use, a dialect may have, and an engine may lack.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Feature {
+    /// The key, such as `array-repetition`.
+    pub key: String,
+    /// The feature in the words of a sentence.
+    pub title: String,
+    /// The tables and rows of IEC 61131-3 that are about it, by edition (2, 3, 4).
+    pub tables: BTreeMap<u8, String>,
+    /// The other features that each program with this one uses.
+    pub needs: Vec<String>,
+    /// The bases that state that a compiler must take it, most binding first.
+    pub promised: Vec<String>,
+    /// A minimal program that uses it, and those that it needs.
+    pub program: String,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct FeatureTable {
+    title: String,
+    ed2: Option<String>,
+    ed3: Option<String>,
+    ed4: Option<String>,
+    #[serde(default)]
+    needs: Vec<Spanned<String>>,
+    #[serde(default)]
+    promised: Vec<Spanned<String>>,
+    program: String,
+}
+
+impl Case {
+    /// Returns the keys of the features that the program of the case uses.
+    #[must_use]
+    pub fn features(&self) -> BTreeSet<FeatureKey> {
+        stickler_syntax::features::features(&self.source, &Dialect::of(self.dialect))
+    }
+}
+
+impl Features {
+    /// Returns the features, in the order of the file.
+    pub fn iter(&self) -> impl Iterator<Item = &Feature> {
+        self.0.iter()
+    }
+
+    /// Returns the feature of a key; `None` where the list has none of it.
+    #[must_use]
+    pub fn get(&self, key: &str) -> Option<&Feature> {
+        self.0.iter().find(|feature| feature.key == key)
+    }
+}
+
+/// Reads the features of a suite and what is wrong with their file. A suite without the file has none.
+pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Features, Vec<CaseFileError>) {
+    let path = root.path().join(FEATURES);
+    if !path.exists() {
+        return (Features::default(), Vec::new());
+    }
+    let shown = root.shown(FEATURES);
+    let read = files::read(&path).and_then(|text| {
+        let lines = Lines::new(&text);
+        let tables: BTreeMap<Spanned<String>, FeatureTable> = toml_text::read(&text, 0, &lines)?;
+        Ok(features(tables, sources, &lines))
+    });
+    match read {
+        Ok((features, mistakes)) => {
+            let errors = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
+            (features, errors.collect())
+        }
+        Err(mistake) => (Features::default(), vec![mistake.in_file(&shown)]),
+    }
+}
+
+fn features(
+    tables: BTreeMap<Spanned<String>, FeatureTable>,
+    sources: &Sources,
+    lines: &Lines,
+) -> (Features, Vec<Mistake>) {
+    let keys: BTreeSet<String> = tables.keys().map(|key| key.get_ref().clone()).collect();
+    let mut mistakes = Vec::new();
+    let mut tables: Vec<(Spanned<String>, FeatureTable)> = tables.into_iter().collect();
+    tables.sort_by_key(|(key, _)| key.span().start);
+    for (key, table) in &tables {
+        let at = |word: &Spanned<String>| lines.line(word.span().start);
+        for need in table.needs.iter().filter(|need| !keys.contains(need.get_ref())) {
+            let message = format!(
+                "`{}` needs `{}`, which is no feature",
+                key.get_ref(),
+                need.get_ref()
+            );
+            let known = keys.iter().map(String::as_str);
+            let hint = suggestion(need.get_ref(), known);
+            mistakes.push(Mistake::new(at(need), message).key("needs").hint(hint));
+        }
+        for basis in table
+            .promised
+            .iter()
+            .filter(|basis| sources.of(basis.get_ref()).is_none())
+        {
+            let message = format!("`{}` names no source", basis.get_ref());
+            mistakes.push(
+                Mistake::new(at(basis), message)
+                    .key("promised")
+                    .hint("see sources.toml"),
+            );
+        }
+    }
+    let feature = |(key, table): (Spanned<String>, FeatureTable)| Feature {
+        key: key.into_inner(),
+        title: table.title,
+        tables: [(2, table.ed2), (3, table.ed3), (4, table.ed4)]
+            .into_iter()
+            .filter_map(|(edition, rows)| Some((edition, rows?)))
+            .collect(),
+        needs: table.needs.into_iter().map(Spanned::into_inner).collect(),
+        promised: table.promised.into_iter().map(Spanned::into_inner).collect(),
+        program: table.program,
+    };
+    (Features(tables.into_iter().map(feature).collect()), mistakes)
+}

@@ -1,0 +1,372 @@
+//! The features of the language that a program uses, by their keys in `conformance-cases/features.toml`.
+//!
+//! What a program uses does not depend on the dialect, of which only the nesting of comments is taken: a program with `.%X3`
+//! uses partial access also where the dialect lacks it. Variables, assignments, and plain literals of numbers and truth
+//! values are in nearly every program and are no features.
+
+mod expressions;
+
+use crate::lexer::lex;
+use crate::names::{DeclaredKind, declared};
+use crate::source::Span;
+use crate::token::TokenKind;
+use crate::tree::{
+    CaseFolded, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
+    InitializerKind, Name, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration,
+    TypeSpecification, TypeSpecificationKind, VariableBlock, VariableGroup, VariableKind,
+};
+use crate::visitor::{Context, Place, Visitor, walk};
+use rustc_hash::FxHashMap;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use stickler_types::dialect::{PartialAccess, ThirdEditionTypes};
+use stickler_types::{Dialect, ElementaryType};
+
+/// The key of a feature in `conformance-cases/features.toml`; of a standard function its name in small letters.
+pub type FeatureKey = Cow<'static, str>;
+
+/// A feature where a program uses it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct FeatureUse {
+    /// The key of the feature.
+    pub key: FeatureKey,
+    /// The place in the text.
+    pub span: Span,
+}
+
+/// Returns the keys of the features that a program uses.
+#[must_use]
+pub fn features(text: &str, dialect: &Dialect) -> BTreeSet<FeatureKey> {
+    let uses = feature_uses(text, dialect).into_iter();
+    uses.map(|used| used.key).collect()
+}
+
+/// Returns the features that a program uses, each where it does, in the order of the text.
+#[must_use]
+pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
+    let dialect = Dialect {
+        bit_access: true,
+        partial_access: PartialAccess::UpToDoubleWords,
+        third_edition_types: ThirdEditionTypes::All,
+        lengths_in_parentheses: true,
+        ampersand_and_power: true,
+        ..*dialect
+    };
+    let (unit, _) = crate::parse(text, &dialect);
+    let mut finder = FeatureFinder::new(text, &unit);
+    walk(&unit, &mut finder);
+    finder.configurations(&unit);
+    finder.tokens(&dialect);
+    let mut found = finder.found;
+    found.sort_by_key(|used| used.span.start);
+    found
+}
+
+/// A walk that notes features.
+struct FeatureFinder<'t, 's> {
+    text: &'s str,
+    /// What the program declares, by name; of several of one name the last.
+    declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
+    /// The types with which variables and fields are declared, by name.
+    types: FxHashMap<CaseFolded<'s>, &'t TypeSpecification<'s>>,
+    found: Vec<FeatureUse>,
+}
+
+impl<'t, 's> FeatureFinder<'t, 's> {
+    fn new(text: &'s str, unit: &'t SourceUnit<'s>) -> FeatureFinder<'t, 's> {
+        let names = declared(unit);
+        let of_group = |name: &crate::names::DeclaredName<'t, 's>| {
+            let group = name.group?;
+            Some((CaseFolded(name.name.text), &group.specification))
+        };
+        FeatureFinder {
+            text,
+            declared: names
+                .iter()
+                .map(|name| (CaseFolded(name.name.text), name.kind))
+                .collect(),
+            types: names.iter().filter_map(of_group).collect(),
+            found: Vec::new(),
+        }
+    }
+
+    fn note(&mut self, key: impl Into<FeatureKey>, span: Span) {
+        self.found.push(FeatureUse {
+            key: key.into(),
+            span,
+        });
+    }
+
+    fn note_if(&mut self, is_used: bool, key: &'static str, span: Span) {
+        if is_used {
+            self.note(key, span);
+        }
+    }
+
+    /// Notes an elementary type, but INT and BOOL, which nearly every program has.
+    fn note_type(&mut self, ty: ElementaryType, span: Span) {
+        if !matches!(ty, ElementaryType::Int | ElementaryType::Bool) {
+            self.note(ty.name().to_ascii_lowercase(), span);
+        }
+    }
+
+    /// Returns what the program declares under a name; `None` where it declares nothing of the kind.
+    fn declared(&self, name: &str) -> Option<DeclaredKind> {
+        self.declared.get(&CaseFolded(name)).copied()
+    }
+
+    /// Returns whether a variable is an instance of a function block that the program declares.
+    fn is_instance(&self, name: &str) -> bool {
+        let specification = self.types.get(&CaseFolded(name));
+        specification.is_some_and(|specification| match &specification.kind {
+            TypeSpecificationKind::Named(ty) => {
+                self.declared(ty.text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
+            }
+            _ => false,
+        })
+    }
+
+    fn configurations(&mut self, unit: &SourceUnit<'_>) {
+        for declaration in &unit.declarations {
+            let Declaration::Configuration(configuration) = declaration else {
+                continue;
+            };
+            self.note("configuration", configuration.span);
+            for resource in &configuration.resources {
+                if let Some((name, _)) = &resource.header {
+                    self.note("resource", name.span);
+                }
+                for task in &resource.tasks {
+                    self.note("task", task.name.span);
+                }
+            }
+        }
+    }
+
+    /// Notes what is seen in the words of a text alone: comments, pragmas, and the forms of some signs and numbers.
+    fn tokens(&mut self, dialect: &Dialect) {
+        let text = self.text;
+        let lexer = lex(text, dialect);
+        for span in &lexer.comments {
+            let key = match span.text(text).as_bytes() {
+                [b'{', ..] => "pragma",
+                [b'/', b'/', ..] => "line-comment",
+                [b'/', ..] => "slash-comment",
+                [b'(', b'*', inner @ ..] if inner.windows(2).any(|pair| pair == b"(*") => "nested-comment",
+                _ => continue,
+            };
+            self.note(key, *span);
+        }
+        for token in &lexer.tokens {
+            let written = token.span.text(text);
+            match token.kind {
+                TokenKind::Ampersand => self.note("ampersand", token.span),
+                TokenKind::Partial => self.note(partial_access(written), token.span),
+                _ if token.kind.is_literal() && is_number_with_underscore(written) => {
+                    self.note("literal-underscore", token.span);
+                }
+                _ => {}
+            }
+        }
+    }
+}
+
+/// Returns the feature of a form of partial access: `%X3`, `%3`, `%B1` …
+fn partial_access(written: &str) -> &'static str {
+    match written.as_bytes().get(1).map(u8::to_ascii_uppercase) {
+        Some(b'B') => "partial-access-byte",
+        Some(b'W') => "partial-access-word",
+        Some(b'D') => "partial-access-double-word",
+        Some(b'L') => "partial-access-long-word",
+        _ => "partial-access-bit",
+    }
+}
+
+/// Returns whether a number is written with an underscore between its digits.
+fn is_number_with_underscore(written: &str) -> bool {
+    let value = written.split_once('#').map_or(written, |(_, value)| value);
+    let is_number = value
+        .trim_start_matches(['-', '+'])
+        .starts_with(|first: char| first.is_ascii_digit());
+    is_number && value.contains('_')
+}
+
+impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
+    fn pou(&mut self, pou: &'t Pou<'s>, _: &Context<'t, 's>) {
+        match pou.kind {
+            PouKind::Program => {}
+            PouKind::Function if pou.result.is_none() => self.note("function-without-result", pou.name.span),
+            PouKind::Function => self.note("function", pou.name.span),
+            PouKind::FunctionBlock => self.note("function-block", pou.name.span),
+        }
+    }
+
+    fn type_declaration(&mut self, declaration: &'t TypeDeclaration<'s>, _: &Context<'t, 's>) {
+        let key = match &declaration.specification.kind {
+            TypeSpecificationKind::Named(_) | TypeSpecificationKind::Text { .. } => "type-alias",
+            TypeSpecificationKind::Array { .. } => "array-type",
+            TypeSpecificationKind::Subrange { .. }
+            | TypeSpecificationKind::Enumeration { .. }
+            | TypeSpecificationKind::Structure(_)
+            | TypeSpecificationKind::Error => return self.initial_value_of_type(declaration),
+        };
+        self.note(key, declaration.name.span);
+        self.initial_value_of_type(declaration);
+    }
+
+    fn section(&mut self, section: &'t VariableBlock<'s>, _: &Context<'t, 's>) {
+        let key = match section.kind {
+            VariableKind::Local => None,
+            VariableKind::Temporary => Some("var-temp"),
+            VariableKind::Input => Some("var-input"),
+            VariableKind::Output => Some("var-output"),
+            VariableKind::InOut => Some("var-in-out"),
+            VariableKind::External => Some("var-external"),
+            VariableKind::Global => Some("var-global"),
+        };
+        if let Some(key) = key {
+            self.note(key, section.span);
+        }
+        self.note_if(section.constant, "constant", section.span);
+        if let Some(retention) = section.retention {
+            let is_retain = retention.eq_ignore_ascii_case("RETAIN");
+            self.note(if is_retain { "retain" } else { "non-retain" }, section.span);
+        }
+    }
+
+    fn variables(&mut self, group: &'t VariableGroup<'s>, at: &Context<'t, 's>) {
+        if let Some(location) = &group.location {
+            self.note("located-variable", location.span);
+        }
+        let is_field = at.section.is_none();
+        let initializer = group.initializer.as_ref();
+        let is_plain = initializer.is_some_and(|one| matches!(one.kind, InitializerKind::Expression(_)));
+        if let Some(initializer) = initializer.filter(|_| is_field || is_plain) {
+            self.note(
+                if is_field {
+                    "field-initial-value"
+                } else {
+                    "initial-value"
+                },
+                initializer.span,
+            );
+        }
+        if let TypeSpecificationKind::Named(ty) = &group.specification.kind
+            && self.declared(ty.text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
+        {
+            self.note("function-block-instance", ty.span);
+        }
+    }
+
+    fn specification(&mut self, specification: &'t TypeSpecification<'s>, _: &Context<'t, 's>) {
+        let span = specification.span;
+        match &specification.kind {
+            TypeSpecificationKind::Named(name) => self.named_type(name),
+            TypeSpecificationKind::Text { name, .. } => {
+                self.named_type(name);
+                self.note("string-length", span);
+            }
+            TypeSpecificationKind::Subrange { base, .. } => {
+                self.named_type(base);
+                self.note("subrange", span);
+            }
+            TypeSpecificationKind::Array { dimensions, .. } => {
+                self.note("array", span);
+                self.note_if(dimensions.len() > 1, "array-dimensions", span);
+            }
+            TypeSpecificationKind::Enumeration { base, values } => {
+                self.note("enumeration", span);
+                if let Some(base) = base {
+                    self.named_type(base);
+                    self.note("enumeration-base-type", span);
+                }
+                self.note_if(
+                    values.iter().any(|(_, number)| number.is_some()),
+                    "enumeration-number",
+                    span,
+                );
+            }
+            TypeSpecificationKind::Structure(_) => self.note("structure", span),
+            TypeSpecificationKind::Error => {}
+        }
+    }
+
+    fn initializer(&mut self, initializer: &'t Initializer<'s>, _: &Context<'t, 's>) {
+        match &initializer.kind {
+            InitializerKind::Expression(_) => {}
+            InitializerKind::Array(elements) => {
+                self.note("array-initial-value", initializer.span);
+                let repeats = elements.iter().any(|element| element.repetition.is_some());
+                self.note_if(repeats, "array-repetition", initializer.span);
+            }
+            InitializerKind::Structure(_) => self.note("structure-initial-value", initializer.span),
+        }
+    }
+
+    fn statement(&mut self, statement: &'t Statement, _: &Context<'t, 's>) {
+        let span = statement.span;
+        match &statement.kind {
+            StatementKind::Assignment { .. } | StatementKind::Call(_) => {}
+            StatementKind::If { branches, otherwise } => {
+                self.note("if", span);
+                self.note_if(branches.len() > 1, "elsif", span);
+                self.note_if(otherwise.is_some(), "else", span);
+            }
+            StatementKind::Case {
+                branches, otherwise, ..
+            } => {
+                self.note("case", span);
+                let mut labels = branches.iter().flat_map(|branch| &branch.labels);
+                let has_range = labels.any(|label| matches!(label, CaseLabel::Range(..)));
+                self.note_if(has_range, "case-range", span);
+                self.note_if(
+                    branches.iter().any(|branch| branch.labels.len() > 1),
+                    "case-list",
+                    span,
+                );
+                self.note_if(otherwise.is_some(), "case-else", span);
+            }
+            StatementKind::For { by, .. } => {
+                self.note("for", span);
+                self.note_if(by.is_some(), "for-by", span);
+            }
+            StatementKind::While { .. } => self.note("while", span),
+            StatementKind::Repeat { .. } => self.note("repeat", span),
+            StatementKind::Exit => self.note("exit", span),
+            StatementKind::Continue => self.note("continue", span),
+            StatementKind::Return => self.note("return", span),
+            StatementKind::Empty => self.note("empty-statement", span),
+        }
+    }
+
+    fn expression(
+        &mut self,
+        (_, expression): (ExpressionId, &'t Expression<'s>),
+        place: Place,
+        around: Option<ExpressionId>,
+        at: &Context<'t, 's>,
+    ) {
+        let is_callee = place == Place::Callee;
+        match &expression.kind {
+            ExpressionKind::Name(_) if is_callee => {}
+            _ => self.expression_features(expression, around.and_then(|id| at.unit.expression(id)), at),
+        }
+    }
+}
+
+impl<'s> FeatureFinder<'_, 's> {
+    fn named_type(&mut self, name: &Name<'s>) {
+        if let Some(ty) = ElementaryType::from_name(name.text) {
+            self.note_type(ty, name.span);
+        }
+    }
+
+    fn initial_value_of_type(&mut self, declaration: &TypeDeclaration<'_>) {
+        if let Some(initializer) = &declaration.initializer {
+            self.note("type-initial-value", initializer.span);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,202 @@
+//! The features of expressions: literals, operators, calls and parts of variables.
+
+use super::FeatureFinder;
+use crate::names::DeclaredKind;
+use crate::tree::{
+    Argument, BinaryOperator, Expression, ExpressionId, ExpressionKind, Literal, LiteralKind, PouKind,
+    UnaryOperator,
+};
+use crate::visitor::Context;
+use stickler_types::ElementaryType;
+
+impl<'t, 's> FeatureFinder<'t, 's> {
+    /// Notes the features of an expression itself; `around` is the one that it is a part of.
+    pub(super) fn expression_features(
+        &mut self,
+        expression: &Expression<'s>,
+        around: Option<&Expression<'s>>,
+        at: &Context<'t, 's>,
+    ) {
+        let span = expression.span;
+        match &expression.kind {
+            ExpressionKind::Literal(literal) => self.literal(literal, expression),
+            ExpressionKind::Name(name) => {
+                let is_value = self.declared(name.text) == Some(DeclaredKind::EnumeratedValue);
+                self.note_if(is_value, "enumerated-value", span);
+            }
+            ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
+            ExpressionKind::Field { base, .. } => {
+                let is_output = self.name_of(*base, at).is_some_and(|name| self.is_instance(name));
+                self.note(
+                    if is_output {
+                        "function-block-output"
+                    } else {
+                        "field"
+                    },
+                    span,
+                );
+            }
+            ExpressionKind::Index { .. } => self.note("array-element", span),
+            ExpressionKind::Bit { .. } if !span.text(self.text).contains('%') => {
+                self.note("bit-access", span)
+            }
+            ExpressionKind::Bit { .. } | ExpressionKind::Part { .. } => {}
+            ExpressionKind::Call { callee, arguments } => self.call(*callee, arguments, expression, at),
+            ExpressionKind::Unary { operator, .. } => self.note(
+                match operator {
+                    UnaryOperator::Negate => match self.negates_literal(expression, at) {
+                        true => return,
+                        false => "negation",
+                    },
+                    UnaryOperator::Plus => "unary-plus",
+                    UnaryOperator::Not => "not",
+                },
+                span,
+            ),
+            ExpressionKind::Binary { operator, .. } => self.note(operator_key(*operator), span),
+            ExpressionKind::Parenthesized(_) => {
+                let is_nested =
+                    around.is_some_and(|around| matches!(around.kind, ExpressionKind::Call { .. }));
+                self.note_if(!is_nested, "parentheses", span);
+            }
+            ExpressionKind::Error => {}
+        }
+    }
+
+    /// Returns the name that an expression is; `None` where it is something else.
+    fn name_of(&self, id: ExpressionId, at: &Context<'t, 's>) -> Option<&'s str> {
+        match at.unit.expression(id)?.kind {
+            ExpressionKind::Name(name) => Some(name.text),
+            _ => None,
+        }
+    }
+
+    /// Returns whether a minus stands before an untyped number, as a part of which it is understood.
+    fn negates_literal(&self, expression: &Expression<'s>, at: &Context<'t, 's>) -> bool {
+        let ExpressionKind::Unary { operand, .. } = expression.kind else {
+            return false;
+        };
+        let operand = at.unit.expression(operand).map(|operand| &operand.kind);
+        matches!(operand, Some(ExpressionKind::Literal(literal)) if literal.prefix().is_none())
+    }
+
+    fn call(
+        &mut self,
+        callee: ExpressionId,
+        arguments: &[Argument<'s>],
+        call: &Expression<'s>,
+        at: &Context<'t, 's>,
+    ) {
+        let span = call.span;
+        for argument in arguments {
+            match argument {
+                Argument::Positional(_) => {}
+                Argument::Named { .. } => self.note("named-argument", span),
+                Argument::Output { negated, .. } => {
+                    self.note("output-argument", span);
+                    self.note_if(*negated, "output-argument-negated", span);
+                }
+            }
+        }
+        let Some(name) = self.name_of(callee, at) else {
+            return self.note("function-block-call", span);
+        };
+        match self.declared(name) {
+            Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
+            Some(_) => self.note("function-block-call", span),
+            None => self.standard_call(name, call),
+        }
+    }
+
+    /// Notes the call of a function that the program does not declare.
+    fn standard_call(&mut self, name: &str, call: &Expression<'s>) {
+        let upper = name.to_ascii_uppercase();
+        let elementary = ElementaryType::from_name;
+        let has = |word: &str| upper.split('_').any(|part| part == word);
+        let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
+        let key = match upper.split_once("_TO_") {
+            _ if has("BCD") => "conversion-bcd",
+            Some((from, to)) if elementary(from).is_some() && elementary(to).is_some() => "conversion",
+            _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
+            _ if upper.starts_with("TO_") && parts_are_types() => "conversion-overloaded",
+            _ if upper.starts_with("CONCAT_") && parts_are_types() => "concat-date-time",
+            _ => return self.note(upper.to_ascii_lowercase(), call.span),
+        };
+        self.note(key, call.span);
+    }
+
+    fn literal(&mut self, literal: &Literal<'s>, expression: &Expression<'s>) {
+        let span = expression.span;
+        let prefix = literal.prefix();
+        let ty = prefix.and_then(|prefix| ElementaryType::from_literal_prefix(prefix.text));
+        let is_long = ty.is_some_and(ElementaryType::is_third_edition);
+        let text = literal.text();
+        let is_signed = text.starts_with(['-', '+']);
+        let key = match literal.kind {
+            LiteralKind::Integer if ty == Some(ElementaryType::Bool) => Some("typed-literal-boolean-digit"),
+            LiteralKind::Integer => None,
+            LiteralKind::BasedInteger => Some("based-literal"),
+            LiteralKind::Real if text.contains(['E', 'e']) => Some("literal-exponent"),
+            LiteralKind::Real => None,
+            LiteralKind::Boolean => prefix.map(|_| "typed-literal-boolean"),
+            LiteralKind::SingleByteText => self.text_literal("string-literal", ty, text, expression),
+            LiteralKind::DoubleByteText => self.text_literal("wide-string-literal", ty, text, expression),
+            LiteralKind::Duration if is_long => Some("long-duration-literal"),
+            LiteralKind::Duration => Some("duration-literal"),
+            LiteralKind::Date if is_long => Some("long-date-literal"),
+            LiteralKind::Date => Some("date-literal"),
+            LiteralKind::TimeOfDay if is_long => Some("long-time-of-day-literal"),
+            LiteralKind::TimeOfDay => Some("time-of-day-literal"),
+            LiteralKind::DateAndTime if is_long => Some("long-date-and-time-literal"),
+            LiteralKind::DateAndTime => Some("date-and-time-literal"),
+        };
+        if let Some(key) = key {
+            self.note(key, span);
+        }
+        if let Some(ty) = ty {
+            self.note_type(ty, span);
+            let is_number = ty.is_integer() || ty.is_bit_string() || ty.is_real();
+            self.note_if(is_number, "typed-literal", span);
+            self.note_if(is_number && is_signed, "typed-literal-sign", span);
+            self.note_if(
+                literal.kind == LiteralKind::Duration && is_signed,
+                "duration-sign",
+                span,
+            );
+        }
+    }
+
+    /// Returns the feature of a text in quotes, and notes its escapes.
+    fn text_literal(
+        &mut self,
+        plain: &'static str,
+        ty: Option<ElementaryType>,
+        text: &str,
+        expression: &Expression<'s>,
+    ) -> Option<&'static str> {
+        self.note_if(text.contains('$'), "string-escape", expression.span);
+        self.note_if(ty.is_some(), "typed-literal-string", expression.span);
+        Some(plain)
+    }
+}
+
+/// Returns the key of an infix operator.
+const fn operator_key(operator: BinaryOperator) -> &'static str {
+    match operator {
+        BinaryOperator::Or => "or",
+        BinaryOperator::Xor => "xor",
+        BinaryOperator::And => "and",
+        BinaryOperator::Equal => "equal",
+        BinaryOperator::NotEqual => "not-equal",
+        BinaryOperator::Less => "less",
+        BinaryOperator::Greater => "greater",
+        BinaryOperator::LessOrEqual => "less-or-equal",
+        BinaryOperator::GreaterOrEqual => "greater-or-equal",
+        BinaryOperator::Add => "add",
+        BinaryOperator::Subtract => "subtract",
+        BinaryOperator::Multiply => "multiply",
+        BinaryOperator::Divide => "divide",
+        BinaryOperator::Modulo => "mod",
+        BinaryOperator::Power => "power",
+    }
+}
