@@ -5,8 +5,9 @@
 //! can be left out by the word that the finding has for it.
 
 use stickler_exact::signatures;
-use stickler_generate::features::{FeatureDetail, NAMES, features};
+use stickler_generate::features::features;
 use stickler_generate::model::Program;
+use stickler_suite::Features;
 use stickler_types::{DialectName, ElementaryType};
 
 /// The parts of the language that programs shall not have, by their words.
@@ -42,8 +43,8 @@ impl Exclusion {
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
     "`{0}` is nothing that can be left out; there are: the elementary types (`INT`), literals with their type (`INT#`), \
-     conversion functions (`INT_TO_REAL`), implicit conversions (`INT to REAL`), and {known}",
-    known = NAMES.join(", ")
+     conversion functions (`INT_TO_REAL`), implicit conversions (`INT to REAL`), and the features that `stickler list --features` \
+     lists (`mux`, `array-one-element`)"
 )]
 pub struct UnknownWord(String);
 
@@ -76,7 +77,7 @@ impl Exclusions {
         if own.is_empty() {
             return true;
         }
-        let has = features(program, FeatureDetail::Complete);
+        let has = features(program);
         let unwanted = |name: &String| own.iter().any(|word| word.eq_ignore_ascii_case(name));
         !has.keys().any(unwanted)
     }
@@ -98,7 +99,7 @@ fn is_known(word: &str) -> bool {
         let ends = upper.split_once(" TO ");
         ends.is_some_and(|(from, to)| is_type(from) && is_type(to))
     };
-    NAMES.iter().any(|known| known.eq_ignore_ascii_case(word))
+    Features::built_in().get(&word.to_ascii_lowercase()).is_some()
         || is_type(word.strip_suffix('#').unwrap_or(word))
         || is_function()
         || is_implicit()
@@ -118,7 +119,7 @@ mod tests {
     fn every_feature_of_a_program_can_be_left_out() {
         for place in 0..300 {
             let program = Inputs::new(9).program(place, &DIALECTS, true);
-            let names: Vec<String> = features(&program, FeatureDetail::Complete).into_keys().collect();
+            let names: Vec<String> = features(&program).into_keys().collect();
             assert_eq!(Exclusions::new(&names).map(|_| ()), Ok(()), "at {place}");
         }
     }
@@ -131,13 +132,16 @@ mod tests {
             "CHAR",
             "int_to_real",
             "INT to REAL",
-            "ARRAY[n..n]",
-            "initial array",
+            "array-one-element",
+            "array-initial-value",
         ] {
             assert!(without(&[word]).is_ok(), "{word}");
         }
         let message = without(&["MUX", "MUXX"]).unwrap_err().to_string();
-        assert!(message.contains("`MUXX`") && message.contains("SEL"), "{message}");
+        assert!(
+            message.contains("`MUXX`") && message.contains("list --features"),
+            "{message}"
+        );
     }
 
     #[test]
@@ -147,10 +151,10 @@ mod tests {
             "MUX",
             "SEL",
             "BOOL#",
-            "#-",
+            "typed-literal-sign",
             "CHAR",
-            "ARRAY[n..n]",
-            "$",
+            "array-one-element",
+            "string-escape",
             "INT to DINT",
         ];
         let text = |program: &Program| {
@@ -165,7 +169,7 @@ mod tests {
             };
             came += 1;
             let text = text(&program);
-            let found = ["MUX(", "SEL(", " CHAR", "$", "BOOL#", "#-"]
+            let found = ["MUX(", "SEL(", " CHAR", "$", "BOOL#", "typed-literal-sign"]
                 .iter()
                 .find(|word| text.contains(**word));
             assert_eq!(found, None, "{text}");
@@ -179,7 +183,7 @@ mod tests {
     fn a_word_with_a_dialect_speaks_of_its_programs_alone() {
         let without = without(&["bool@ironplc-ed3"]).unwrap();
         let program = |dialect| Inputs::new(3).program(1, &[dialect], false);
-        let has_it = |program: &Program| features(program, FeatureDetail::Complete).contains_key("BOOL");
+        let has_it = |program: &Program| features(program).contains_key("bool");
         let [second, third] = [DialectName::IronplcEd2, DialectName::IronplcEd3].map(program);
         assert!(has_it(&second) && has_it(&third));
         assert!(without.admits(&second) && !without.admits(&third));

@@ -8,7 +8,7 @@
 use arbitrary::Unstructured;
 use std::collections::BTreeMap;
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::features::{FeatureDetail, features};
+use stickler_generate::features;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{AssignmentTarget, Program, Statement, StatementKind};
 use stickler_generate::oracles::InputOutcome;
@@ -67,7 +67,7 @@ impl Measured {
                 }
             }
             measured.evaluate(&program);
-            for (construct, times) in features(&program, FeatureDetail::Measured) {
+            for (construct, times) in features::measured(&program) {
                 let counted = measured.constructs.entry(construct).or_default();
                 counted.0 += times;
                 counted.1 += 1;

@@ -1,154 +1,105 @@
-//! The features of the language that a program uses: for telling findings apart, for leaving features out of a campaign, and
-//! for measuring the generator.
+//! The features of the language that a generated program uses, for telling findings apart, for leaving features out of a
+//! campaign, and for measuring the generator.
+//!
+//! The features are those of `conformance-cases/features.toml`, which `stickler_syntax` finds in the text of a program. The
+//! model knows besides what no text says: which values convert implicitly, and of which type an operand is.
 
 use crate::model::visit::{
-    Visitor, walk_declaration, walk_expression, walk_place, walk_program, walk_statement, walk_type,
-    walk_variable,
+    Visitor, walk_declaration, walk_expression, walk_program, walk_statement, walk_type, walk_variable,
 };
 use crate::model::{
-    AssignmentTarget, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Place,
-    PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, UnaryOperator, Unit, Variable,
-    VariableId, VariableSection,
+    AssignmentTarget, DeclaredKind, Expression, ExpressionKind, LiteralForm, Program, Statement,
+    StatementKind, Type, TypeDeclaration, UnaryOperator, Variable,
 };
-use crate::writer::{function_name, operator_text};
+use crate::writer::{Style, operator_text, write};
 use std::collections::BTreeMap;
 use std::fmt::Display;
-use stickler_types::{ElementaryType, Family};
+use stickler_syntax::features::feature_uses;
+use stickler_types::{Dialect, ElementaryType};
 
-/// The level of detail of extracted features; each level includes those before it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum FeatureDetail {
-    /// Features that not every program has: functions, operators, kinds of statements, less common types.
-    Distinctive,
-    /// Every feature that a compiler may lack: also the common elementary types, and the types in front of literals (`INT#`,
-    /// and `#-` where a minus follows).
-    Complete,
-    /// Finer counts for measuring the generator: `+ of INT`, `read INT`, `variable INT`, `ELSIF`.
-    Measured,
-}
-
-/// The names of the [`FeatureDetail::Complete`] features that stand for one thing each; besides them there are elementary types, their
-/// literals, conversion functions and implicit conversions.
-pub const NAMES: &[&str] = &[
-    "#-",
-    "$",
-    "ABS",
-    "alias",
-    "AND",
-    "ARRAY",
-    "ARRAY[n..n]",
-    "bit read",
-    "bit written",
-    "call",
-    "CASE",
-    "CASE ..",
-    "CONCAT",
-    "CONSTANT",
-    "enumerated value",
-    "enumeration",
-    "EXIT",
-    ".field",
-    "FOR",
-    "FUNCTION",
-    "FUNCTION_BLOCK",
-    "IF",
-    "initial array",
-    "initial structure",
-    "input left out",
-    "invocation",
-    "LEN",
-    "LIMIT",
-    "MAX",
-    "MIN",
-    "MOD",
-    "MUX",
-    "negation",
-    "NOT",
-    "OR",
-    ".output",
-    "REPEAT",
-    "result",
-    "RETURN",
-    "ROL",
-    "ROR",
-    "SEL",
-    "SHL",
-    "SHR",
-    "STRUCT",
-    "VAR_IN_OUT",
-    "VAR_OUTPUT",
-    "WHILE",
-    "XOR",
-    "[]",
-    "+",
-    "-",
-    "*",
-    "/",
-    "=",
-    "<>",
-    "<",
-    "<=",
-    ">",
-    ">=",
-    "=>",
-];
-
-/// Counts how often each feature occurs in a program, by its name.
+/// Returns what a program uses that a compiler may lack: the keys of features, elementary types, conversion functions by their
+/// names, literals with a type (`INT#`), and implicit conversions (`INT to DINT`).
 #[must_use]
-pub fn features(program: &Program, detail: FeatureDetail) -> BTreeMap<String, u64> {
+pub fn features(program: &Program) -> BTreeMap<String, u64> {
     let mut counter = FeatureCounter {
         program,
-        unit: Unit::Main,
-        detail,
-        counted: BTreeMap::new(),
+        used: of_text(program),
+        measured: BTreeMap::new(),
     };
     walk_program(&mut counter, program);
-    counter.counted
+    counter.used
 }
 
 /// Returns the names of the distinctive features of a program, sorted.
 ///
 /// Two findings with the same symptom are taken for the same if their programs need the same features. What most programs have
-/// is left out: assignments, reads, literals, and variables of numbers, bit strings and truth values.
+/// is left out: numbers, bit strings and truth values, their literals, and what variables begin with.
 #[must_use]
 pub fn distinctive(program: &Program) -> Vec<String> {
-    features(program, FeatureDetail::Distinctive)
-        .into_keys()
-        .collect()
+    let is_common = |name: &String| {
+        let ty = ElementaryType::from_name(name.trim_end_matches('#'));
+        ty.is_some_and(|ty| {
+            ty == ElementaryType::Bool || ty.is_integer() || ty.is_bit_string() || ty.is_real()
+        }) || name.ends_with('#')
+            || COMMON.contains(&name.as_str())
+    };
+    let names = features(program).into_keys();
+    names.filter(|name| !is_common(name)).collect()
+}
+
+/// The features that most generated programs have.
+const COMMON: [&str; 13] = [
+    "based-literal",
+    "case-list",
+    "conversion",
+    "conversion-overloaded",
+    "initial-value",
+    "literal-exponent",
+    "literal-underscore",
+    "parentheses",
+    "string-literal",
+    "typed-literal",
+    "typed-literal-boolean",
+    "typed-literal-string",
+    "var-input",
+];
+
+/// Counts how often each feature occurs in a program, and each operator, literal and variable of a type: `+ of INT`, `read INT`.
+#[must_use]
+pub fn measured(program: &Program) -> BTreeMap<String, u64> {
+    let mut counter = FeatureCounter {
+        program,
+        used: of_text(program),
+        measured: BTreeMap::new(),
+    };
+    walk_program(&mut counter, program);
+    counter.used.append(&mut counter.measured);
+    counter.used
+}
+
+/// Counts the features that the text of a program uses.
+fn of_text(program: &Program) -> BTreeMap<String, u64> {
+    let text = write(program, &Style::default()).text;
+    let mut counted = BTreeMap::new();
+    for used in feature_uses(&text, &Dialect::of(program.dialect)) {
+        *counted.entry(used.key.into_owned()).or_default() += 1;
+    }
+    counted
 }
 
 struct FeatureCounter<'p> {
     program: &'p Program,
-    unit: Unit,
-    detail: FeatureDetail,
-    counted: BTreeMap<String, u64>,
+    used: BTreeMap<String, u64>,
+    measured: BTreeMap<String, u64>,
 }
 
 impl FeatureCounter<'_> {
-    fn count(&mut self, detail: FeatureDetail, name: impl Display) {
-        if detail <= self.detail {
-            *self.counted.entry(name.to_string()).or_default() += 1;
-        }
+    fn note(&mut self, name: impl Display) {
+        *self.used.entry(name.to_string()).or_default() += 1;
     }
 
-    fn distinctive(&mut self, name: impl Display) {
-        self.count(FeatureDetail::Distinctive, name);
-    }
-
-    fn measured(&mut self, name: impl Display) {
-        self.count(FeatureDetail::Measured, name);
-    }
-
-    /// Returns how many inputs the function block of an instance has, including VAR_IN_OUT.
-    fn inputs_of(&self, instance: VariableId) -> usize {
-        let declared = self.unit.variables(self.program).get(instance.0);
-        let Some(Type::Block(block)) = declared.map(|variable| &variable.ty) else {
-            return 0;
-        };
-        let variables = Unit::Block(*block).variables(self.program).iter();
-        let inputs = variables
-            .filter(|variable| matches!(variable.section, VariableSection::Input | VariableSection::InOut));
-        inputs.count()
+    fn measure(&mut self, name: impl Display) {
+        *self.measured.entry(name.to_string()).or_default() += 1;
     }
 
     /// Names a type by its form, and elementary types by their names.
@@ -166,201 +117,82 @@ impl FeatureCounter<'_> {
             Type::Block(_) => "instance",
         }
     }
-
-    fn literal_features(
-        &mut self,
-        expression: &Expression,
-        value: &stickler_types::Value,
-        form: LiteralForm,
-    ) {
-        let text = value.to_string();
-        // Only literals of texts and characters have an escape.
-        if text.contains('$') {
-            self.distinctive("$");
-            return;
-        }
-        let name = value.type_name();
-        let is_typed = form == LiteralForm::Typed;
-        if is_typed {
-            self.count(FeatureDetail::Complete, format_args!("{name}#"));
-        } else {
-            self.measured(format_args!("{name} literal without its type"));
-        }
-        // A duration has its prefix in either form.
-        let is_duration = matches!(expression.ty, Type::Elementary(ty) if ty.family() == Family::Duration);
-        if (is_typed || is_duration) && text.starts_with(&format!("{name}#-")) {
-            self.count(FeatureDetail::Complete, "#-");
-        }
-    }
 }
 
 impl Visitor for FeatureCounter<'_> {
-    fn enter(&mut self, unit: Unit) {
-        self.unit = unit;
-        match unit {
-            Unit::Function(_) => self.distinctive("FUNCTION"),
-            Unit::Block(_) => self.distinctive("FUNCTION_BLOCK"),
-            Unit::Main | Unit::Types => {}
-        }
-    }
-
     fn declaration(&mut self, declaration: &TypeDeclaration) {
-        match &declaration.kind {
-            DeclaredKind::Structure(fields) => {
-                self.distinctive("STRUCT");
-                for (_, ty, initial) in fields {
-                    self.measured(format_args!("field {}", self.shape(ty)));
-                    if initial.is_some() {
-                        self.measured("initial value of a field");
-                    }
-                }
+        if let DeclaredKind::Structure(fields) = &declaration.kind {
+            for (_, ty, _) in fields {
+                self.measure(format_args!("field {}", self.shape(ty)));
             }
-            DeclaredKind::Enumeration(_) => self.distinctive("enumeration"),
-            DeclaredKind::Alias(_) => self.distinctive("alias"),
         }
         walk_declaration(self, declaration);
     }
 
     fn variable(&mut self, variable: &Variable) {
-        self.measured(format_args!("variable {}", self.shape(&variable.ty)));
-        match variable.section {
-            VariableSection::Constant => self.distinctive("CONSTANT"),
-            VariableSection::InOut => self.distinctive("VAR_IN_OUT"),
-            VariableSection::Output => self.distinctive("VAR_OUTPUT"),
-            VariableSection::Input => self.measured("VAR_INPUT"),
-            VariableSection::Local => self.measured("VAR"),
-        }
-        match variable.initial {
-            Some(InitialValue::Array(_)) => self.distinctive("initial array"),
-            Some(InitialValue::Structure(_)) => self.distinctive("initial structure"),
-            Some(InitialValue::Expression(_)) => self.measured("initial value"),
-            None => {}
-        }
+        self.measure(format_args!("variable {}", self.shape(&variable.ty)));
         walk_variable(self, variable);
     }
 
     fn ty(&mut self, ty: &Type) {
         match ty {
-            Type::Array(array) => {
-                self.distinctive("ARRAY");
-                if array.dimensions.iter().any(|(low, high)| low == high) {
-                    self.distinctive("ARRAY[n..n]");
-                }
-                self.measured(format_args!("element {}", self.shape(&array.element)));
+            Type::Array(array) => self.measure(format_args!("element {}", self.shape(&array.element))),
+            // The text has the others.
+            Type::Elementary(ty @ (ElementaryType::Int | ElementaryType::Bool)) => {
+                self.note(ty.name().to_ascii_lowercase());
             }
-            Type::Elementary(elementary) if is_less_common(*elementary) => self.distinctive(elementary),
-            Type::Elementary(elementary) => self.count(FeatureDetail::Complete, elementary),
-            Type::Declared(_) | Type::Block(_) => {}
+            Type::Elementary(_) | Type::Declared(_) | Type::Block(_) => {}
         }
         walk_type(self, ty);
     }
 
     fn statement(&mut self, statement: &Statement) {
         match &statement.kind {
-            StatementKind::Assign(AssignmentTarget::Place(_), _) => self.measured("assignment"),
-            StatementKind::Assign(AssignmentTarget::Bit(..), _) => self.distinctive("bit written"),
-            StatementKind::Assign(AssignmentTarget::Result, _) => self.distinctive("result"),
-            StatementKind::If(branches, otherwise) => {
-                self.distinctive("IF");
-                if branches.len() > 1 {
-                    self.measured("ELSIF");
-                }
-                if otherwise.is_some() {
-                    self.measured("ELSE of IF");
-                }
-            }
-            StatementKind::Case(_, branches, otherwise) => {
-                self.distinctive("CASE");
-                for label in branches.iter().flat_map(|branch| &branch.labels) {
-                    match label {
-                        CaseLabel::One(_) => self.measured("label"),
-                        CaseLabel::Range(..) => self.distinctive("CASE .."),
-                    }
-                }
-                if otherwise.is_some() {
-                    self.measured("ELSE of CASE");
-                }
-            }
-            StatementKind::For { by, .. } => {
-                self.distinctive("FOR");
-                if by.is_some() {
-                    self.measured("BY");
-                }
-            }
-            StatementKind::While(..) => self.distinctive("WHILE"),
-            StatementKind::Repeat(..) => self.distinctive("REPEAT"),
-            StatementKind::Invoke {
-                instance,
-                inputs,
-                outputs,
-            } => {
-                self.distinctive("invocation");
-                if inputs.len() < self.inputs_of(*instance) {
-                    self.distinctive("input left out");
-                }
-                if !inputs.is_empty() {
-                    self.measured("argument of an invocation");
-                }
-                if !outputs.is_empty() {
-                    self.distinctive("=>");
-                }
-            }
-            StatementKind::Exit => self.distinctive("EXIT"),
-            StatementKind::Return => self.distinctive("RETURN"),
-            StatementKind::Raw(_) => self.distinctive("text"),
+            StatementKind::Assign(AssignmentTarget::Bit(..), _) => self.measure("bit written"),
+            StatementKind::Assign(AssignmentTarget::Result, _) => self.measure("result"),
+            StatementKind::Assign(AssignmentTarget::Place(_), _) => self.measure("assignment"),
+            _ => {}
         }
         walk_statement(self, statement);
-    }
-
-    fn place(&mut self, place: &Place) {
-        for selector in &place.path {
-            self.distinctive(match selector {
-                PlaceSelector::Index(_) => "[]",
-                PlaceSelector::Field(_) => ".field",
-                PlaceSelector::Output(_) => ".output",
-            });
-        }
-        walk_place(self, place);
     }
 
     fn expression(&mut self, expression: &Expression) {
         let shape = self.shape(&expression.ty);
         match &expression.kind {
-            ExpressionKind::Literal(value, form) => self.literal_features(expression, value, *form),
-            ExpressionKind::Read(_) => self.measured(format_args!("read {shape}")),
-            ExpressionKind::Enumerated(_) => self.distinctive("enumerated value"),
-            ExpressionKind::Bit(..) => self.distinctive("bit read"),
+            ExpressionKind::Literal(value, LiteralForm::Typed) => {
+                self.note(format_args!("{}#", value.type_name()))
+            }
+            ExpressionKind::Literal(value, _) => {
+                self.measure(format_args!("{} literal without its type", value.type_name()));
+            }
+            ExpressionKind::Read(_) => self.measure(format_args!("read {shape}")),
+            ExpressionKind::Bit(..) => self.measure("bit read"),
             ExpressionKind::Unary(operator, _) => {
                 let name = match operator {
                     UnaryOperator::Negate => "negation",
                     UnaryOperator::Not => "NOT",
                 };
-                self.distinctive(name);
-                self.measured(format_args!("{name} of {shape}"));
+                self.measure(format_args!("{name} of {shape}"));
             }
             ExpressionKind::Binary(operator, left, _) => {
                 let name = operator_text(*operator);
-                self.distinctive(name);
-                self.measured(format_args!("{name} of {}", self.shape(&left.ty)));
+                self.measure(format_args!("{name} of {}", self.shape(&left.ty)));
             }
             ExpressionKind::Widen(operand) => {
-                self.distinctive(format_args!(
+                self.note(format_args!(
                     "{} to {}",
                     type_name(&operand.ty),
                     type_name(&expression.ty)
                 ));
             }
-            ExpressionKind::Convert(signature, _) => self.distinctive(&signature.function),
+            ExpressionKind::Convert(signature, _) => self.note(&signature.function),
             ExpressionKind::Call(function, arguments) => {
-                self.distinctive("call");
                 let called = self.program.functions.get(*function);
                 if called.is_some_and(|called| arguments.len() < called.inputs().count()) {
-                    self.distinctive("input left out");
-                    self.measured("call that leaves inputs out");
+                    self.measure("call that leaves inputs out");
                 }
             }
-            ExpressionKind::Standard(function, _) => self.distinctive(function_name(*function)),
-            ExpressionKind::Raw(_) => self.distinctive("text"),
+            ExpressionKind::Enumerated(_) | ExpressionKind::Standard(..) | ExpressionKind::Raw(_) => {}
         }
         walk_expression(self, expression);
     }
@@ -368,14 +200,6 @@ impl Visitor for FeatureCounter<'_> {
     fn literal(&mut self, expression: &Expression) {
         self.expression(expression);
     }
-}
-
-/// Returns whether a compiler may well lack the type.
-const fn is_less_common(ty: ElementaryType) -> bool {
-    !matches!(
-        ty.family(),
-        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString | Family::Real
-    )
 }
 
 /// Returns the name of a type in the name of an implicit conversion.
@@ -397,8 +221,7 @@ mod tests {
 
     #[test]
     fn an_input_is_left_out_once_a_call_gives_one_less() {
-        const NAME: &str = "input left out";
-        let has_name = |program: &Program| features(program, FeatureDetail::Distinctive).contains_key(NAME);
+        let has_name = |program: &Program| features(program).contains_key("input-left-out");
         let made = |seed| {
             program(
                 &mut Unstructured::new(&bytes(seed, 2000)),
@@ -433,13 +256,8 @@ mod tests {
                 &mut Unstructured::new(&bytes(seed, 2000)),
                 &GeneratorSettings::default(),
             );
-            let [least, middle, most] = [
-                FeatureDetail::Distinctive,
-                FeatureDetail::Complete,
-                FeatureDetail::Measured,
-            ]
-            .map(|detail| features(&program, detail));
-            assert!(least.iter().all(|(name, count)| middle.get(name) == Some(count)));
+            let (least, middle, most) = (distinctive(&program), features(&program), measured(&program));
+            assert!(least.iter().all(|name| middle.contains_key(name)));
             assert!(middle.iter().all(|(name, count)| most.get(name) == Some(count)));
             assert!(least.len() < middle.len() && middle.len() < most.len());
         }

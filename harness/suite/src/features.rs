@@ -1,6 +1,7 @@
 //! The list of language features, from `features.toml`.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 
 use serde::Deserialize;
 use stickler_syntax::features::FeatureKey;
@@ -60,6 +61,17 @@ impl Case {
 }
 
 impl Features {
+    /// Returns the features of the suite that ships with Stickler, without asking whether their bases have sources.
+    #[must_use]
+    pub fn built_in() -> &'static Features {
+        static BUILT_IN: LazyLock<Features> = LazyLock::new(|| {
+            let text = include_str!("../../../conformance-cases/features.toml");
+            let tables = toml_text::read(text, 0, &Lines::new(text)).unwrap_or_default();
+            features(tables, &Sources::default(), &Lines::new(text)).0
+        });
+        &BUILT_IN
+    }
+
     /// Returns the features, in the order of the file.
     pub fn iter(&self) -> impl Iterator<Item = &Feature> {
         self.0.iter()

@@ -69,6 +69,8 @@ struct FeatureFinder<'t, 's> {
     declared: FxHashMap<CaseFolded<'s>, DeclaredKind>,
     /// The types with which variables and fields are declared, by name.
     types: FxHashMap<CaseFolded<'s>, &'t TypeSpecification<'s>>,
+    /// The number of inputs of each function and function block, VAR_IN_OUT among them.
+    inputs: FxHashMap<CaseFolded<'s>, usize>,
     found: Vec<FeatureUse>,
 }
 
@@ -79,8 +81,19 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             let group = name.group?;
             Some((CaseFolded(name.name.text), &group.specification))
         };
+        let mut inputs: FxHashMap<CaseFolded<'s>, usize> = FxHashMap::default();
+        for name in &names {
+            let is_input = matches!(
+                name.kind,
+                DeclaredKind::Variable(VariableKind::Input | VariableKind::InOut)
+            );
+            if let Some(pou) = name.inside.filter(|_| is_input) {
+                *inputs.entry(CaseFolded(pou.name.text)).or_default() += 1;
+            }
+        }
         FeatureFinder {
             text,
+            inputs,
             declared: names
                 .iter()
                 .map(|name| (CaseFolded(name.name.text), name.kind))
@@ -115,15 +128,20 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         self.declared.get(&CaseFolded(name)).copied()
     }
 
-    /// Returns whether a variable is an instance of a function block that the program declares.
-    fn is_instance(&self, name: &str) -> bool {
-        let specification = self.types.get(&CaseFolded(name));
-        specification.is_some_and(|specification| match &specification.kind {
+    /// Returns the function block that the program declares and of which a variable is an instance; `None` for other variables.
+    fn block_of(&self, variable: &str) -> Option<&'s str> {
+        match self.types.get(&CaseFolded(variable))?.kind {
             TypeSpecificationKind::Named(ty) => {
-                self.declared(ty.text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock))
+                let is_block = self.declared(ty.text) == Some(DeclaredKind::Pou(PouKind::FunctionBlock));
+                is_block.then_some(ty.text)
             }
-            _ => false,
-        })
+            _ => None,
+        }
+    }
+
+    /// Returns the number of inputs of a function or function block.
+    fn inputs_of(&self, pou: &str) -> usize {
+        self.inputs.get(&CaseFolded(pou)).copied().unwrap_or_default()
     }
 
     fn configurations(&mut self, unit: &SourceUnit<'_>) {
@@ -258,7 +276,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
         }
     }
 
-    fn specification(&mut self, specification: &'t TypeSpecification<'s>, _: &Context<'t, 's>) {
+    fn specification(&mut self, specification: &'t TypeSpecification<'s>, at: &Context<'t, 's>) {
         let span = specification.span;
         match &specification.kind {
             TypeSpecificationKind::Named(name) => self.named_type(name),
@@ -273,6 +291,12 @@ impl<'t, 's: 't> Visitor<'t, 's> for FeatureFinder<'t, 's> {
             TypeSpecificationKind::Array { dimensions, .. } => {
                 self.note("array", span);
                 self.note_if(dimensions.len() > 1, "array-dimensions", span);
+                let written =
+                    |id: ExpressionId| at.unit.expression(id).map(|limit| limit.span.text(self.text));
+                let has_one = dimensions
+                    .iter()
+                    .any(|(low, high)| written(*low) == written(*high));
+                self.note_if(has_one, "array-one-element", span);
             }
             TypeSpecificationKind::Enumeration { base, values } => {
                 self.note("enumeration", span);

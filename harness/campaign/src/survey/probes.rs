@@ -5,7 +5,7 @@ use crate::exclusions::Exclusions;
 use crate::inputs::Inputs;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_generate::features::{FeatureDetail, features};
+use stickler_generate::features::features;
 use stickler_generate::model::Program;
 use stickler_generate::reduce::{self, Interestingness, ReductionBudget};
 use stickler_types::DialectName;
@@ -29,7 +29,7 @@ pub(super) struct ProbeProgram {
 impl ProbeProgram {
     /// Evaluates a program; `None` where no document settles all of it.
     fn new(program: Program) -> Option<ProbeProgram> {
-        let words = features(&program, FeatureDetail::Complete).into_keys().collect();
+        let words = features(&program).into_keys().collect();
         let subject = EvaluatedProgram::new(program).ok()?;
         subject
             .opened

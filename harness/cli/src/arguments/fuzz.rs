@@ -47,7 +47,7 @@ pub struct FuzzArguments {
     #[arg(long, requires = "engine")]
     pub open: bool,
     /// With --engine: only programs that have nothing of this, a type or a word that findings show for their programs (MUX,
-    /// CHAR, REAL_TO_INT, 'ARRAY[n..n]'); may be repeated. What an engine was found to reject then no longer hides what else
+    /// CHAR, REAL_TO_INT, array-one-element); may be repeated. What an engine was found to reject then no longer hides what else
     /// is wrong with it. WORD@DIALECT leaves it out of the programs of one dialect
     #[arg(long, value_name = "WORD", requires = "engine", value_delimiter = ',')]
     pub without: Vec<String>,

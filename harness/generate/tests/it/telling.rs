@@ -3,7 +3,7 @@
 
 use arbitrary::Unstructured;
 use stickler_generate::evaluate::evaluate;
-use stickler_generate::features::{FeatureDetail, features};
+use stickler_generate::features::measured;
 use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
@@ -163,7 +163,7 @@ fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
         };
         (0..300).any(|seed| {
             let program = program(&mut Unstructured::new(&bytes(seed, 2000)), &settings);
-            features(&program, FeatureDetail::Measured).contains_key("call that leaves inputs out")
+            measured(&program).contains_key("call that leaves inputs out")
         })
     };
     for &dialect in DIALECTS.iter() {

@@ -26,7 +26,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             }
             ExpressionKind::EnumeratedValue(_) => self.note("enumerated-value-typed", span),
             ExpressionKind::Field { base, .. } => {
-                let is_output = self.name_of(*base, at).is_some_and(|name| self.is_instance(name));
+                let is_output = self
+                    .name_of(*base, at)
+                    .is_some_and(|name| self.block_of(name).is_some());
                 self.note(
                     if is_output {
                         "function-block-output"
@@ -88,7 +90,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         at: &Context<'t, 's>,
     ) {
         let span = call.span;
+        let mut given = 0;
         for argument in arguments {
+            given += usize::from(!matches!(argument, Argument::Output { .. }));
             match argument {
                 Argument::Positional(_) => {}
                 Argument::Named { .. } => self.note("named-argument", span),
@@ -98,14 +102,15 @@ impl<'t, 's> FeatureFinder<'t, 's> {
                 }
             }
         }
-        let Some(name) = self.name_of(callee, at) else {
-            return self.note("function-block-call", span);
-        };
-        match self.declared(name) {
+        let name = self.name_of(callee, at);
+        let block = name.and_then(|name| self.block_of(name));
+        match name.and_then(|name| self.declared(name)) {
             Some(DeclaredKind::Pou(PouKind::Function)) => self.note("function-call", span),
-            Some(_) => self.note("function-block-call", span),
-            None => self.standard_call(name, call),
+            None if name.is_some() => return self.standard_call(name.unwrap_or_default(), call),
+            _ => self.note("function-block-call", span),
         }
+        let inputs = self.inputs_of(block.or(name).unwrap_or_default());
+        self.note_if(given < inputs, "input-left-out", span);
     }
 
     /// Notes the call of a function that the program does not declare.
