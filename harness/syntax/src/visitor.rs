@@ -2,6 +2,7 @@
 //!
 //! The walk keeps its own stack for expressions, so that a chain of a million operators is walked without recursion.
 
+use crate::source::Span;
 use crate::tree::{
     Argument, ArrayElement, CaseLabel, Declaration, Expression, ExpressionId, ExpressionKind, Initializer,
     InitializerKind, Pou, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification,
@@ -78,6 +79,8 @@ pub struct Context<'t, 's> {
     pub statement: Option<&'t Statement>,
     /// The statements around the innermost one, outer ones first.
     pub around: Vec<&'t Statement>,
+    /// The span of the innermost part around; `None` where only the whole text is.
+    pub outer: Option<Span>,
 }
 
 /// Hooks that [`walk`] calls for each part of a tree, before its children.
@@ -126,6 +129,7 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
         declared: None,
         statement: None,
         around: Vec::new(),
+        outer: None,
     };
     let mut walk = Walk {
         visitor,
@@ -138,6 +142,7 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
             Declaration::Types(types) => types.iter().for_each(|declared| walk.type_declaration(declared)),
             Declaration::Globals(section) => walk.section(section),
             Declaration::Configuration(configuration) => {
+                walk.at.outer = Some(configuration.span);
                 configuration
                     .globals
                     .iter()
@@ -147,6 +152,7 @@ pub fn walk<'t, 's>(unit: &'t SourceUnit<'s>, visitor: &mut impl Visitor<'t, 's>
                     .flat_map(|resource| &resource.tasks)
                     .flat_map(|task| &task.properties);
                 properties.for_each(|(_, value)| walk.expression(*value, Place::TaskProperty));
+                walk.at.outer = None;
             }
         }
     }
@@ -222,11 +228,13 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
     fn pou(&mut self, pou: &'t Pou<'s>) {
         self.at.pou = Some(pou);
         self.visitor.pou(pou, &self.at);
+        self.at.outer = Some(pou.span);
         if let Some(result) = &pou.result {
             self.specification(result);
         }
         pou.blocks.iter().for_each(|section| self.section(section));
         self.statements(&pou.body);
+        self.at.outer = None;
         self.at.pou = None;
     }
 
@@ -243,7 +251,9 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
     fn section(&mut self, section: &'t VariableBlock<'s>) {
         self.at.section = Some(section);
         self.visitor.section(section, &self.at);
+        let outer = self.at.outer.replace(section.span);
         section.groups.iter().for_each(|group| self.variables(group));
+        self.at.outer = outer;
         self.at.section = None;
     }
 
@@ -257,6 +267,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
 
     fn specification(&mut self, specification: &'t TypeSpecification<'s>) {
         self.visitor.specification(specification, &self.at);
+        let outer = self.at.outer.replace(specification.span);
         match &specification.kind {
             TypeSpecificationKind::Named(_) | TypeSpecificationKind::Error => {}
             TypeSpecificationKind::Text { length, .. } => self.expression(*length, Place::Length),
@@ -271,6 +282,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
             }
             TypeSpecificationKind::Structure(fields) => fields.iter().for_each(|field| self.variables(field)),
         }
+        self.at.outer = outer;
     }
 
     fn limits(&mut self, (low, high): (ExpressionId, ExpressionId)) {
@@ -280,6 +292,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
 
     fn initializer(&mut self, initializer: &'t Initializer<'s>) {
         self.visitor.initializer(initializer, &self.at);
+        let outer = self.at.outer.replace(initializer.span);
         match &initializer.kind {
             InitializerKind::Expression(value) => self.expression(*value, Place::InitialValue),
             InitializerKind::Array(elements) => {
@@ -296,6 +309,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
                 fields.iter().for_each(|(_, value)| self.initializer(value))
             }
         }
+        self.at.outer = outer;
     }
 
     fn statements(&mut self, statements: &'t [Statement]) {
@@ -314,6 +328,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
 
     fn statement(&mut self, statement: &'t Statement) {
         self.visitor.statement(statement, &self.at);
+        let outer = self.at.outer.replace(statement.span);
         match &statement.kind {
             StatementKind::Assignment { target, value } => {
                 self.expression(*target, Place::Target);
@@ -364,6 +379,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
             }
             StatementKind::Exit | StatementKind::Continue | StatementKind::Return | StatementKind::Empty => {}
         }
+        self.at.outer = outer;
     }
 
     fn otherwise(&mut self, otherwise: Option<&'t [Statement]>) {
