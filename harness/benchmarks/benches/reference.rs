@@ -10,7 +10,7 @@ use stickler_syntax as syntax;
 use stickler_types::Dialect;
 use stickler_types::{DialectName, Observation, Outcome, RunRequest};
 
-const DIALECT: DialectName = DialectName::IronplcEd3;
+const DIALECT: DialectName = DialectName::IRONPLC_ED3;
 
 /// Returns a case of a widening table: it runs if the one type widens to the other, and is rejected otherwise.
 fn case(from: &str, into: &str) -> String {

@@ -31,7 +31,7 @@ const BLOCK: usize = 1024;
 const BLOCKS: u64 = 1024;
 
 fn families(criterion: &mut Criterion) {
-    let dialect = DialectName::Matiec;
+    let dialect = DialectName::MATIEC;
     let mut group = criterion.benchmark_group("sweep");
     group
         .throughput(Throughput::Elements(BLOCKS * BLOCK as u64))

@@ -48,7 +48,7 @@ const COMMENTED: &str = "(* A long comment, as generators and careful people wri
    short: who wrote it, when, by which document, and what it must never do. *)\nPROGRAM p x := 1; END_PROGRAM\n";
 
 fn syntax(criterion: &mut Criterion) {
-    let dialect = Dialect::of(DialectName::IronplcEd3);
+    let dialect = Dialect::of(DialectName::IRONPLC_ED3);
     for (name, piece) in [("usual", USUAL), ("dense", DENSE), ("commented", COMMENTED)] {
         let text = piece.repeat(LENGTH / piece.len());
         let (unit, diagnostics) = parse(&text, &dialect);

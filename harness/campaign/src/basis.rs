@@ -2,7 +2,8 @@
 
 use stickler_exact::{Signature, expected};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Type};
-use stickler_types::{BuiltIn, Code, DialectName, ElementaryType, Value};
+use stickler_types::documents::{DocumentedFunctions, DocumentedImplicit};
+use stickler_types::{Code, DialectName, ElementaryType, Value};
 
 use crate::expressions::each_expression;
 
@@ -70,7 +71,7 @@ fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectNa
 
 /// Basis: the headings of the documents.
 fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
-    if dialect.base() == BuiltIn::Plcnext {
+    if dialect.statements().documents.implicit == DocumentedImplicit::Plcnext {
         return Some(format!("implicit-conversion-table: {from} to {to}"));
     }
     if !is_ironplc(dialect) {
@@ -100,9 +101,6 @@ pub(crate) fn of_code(code: Code, dialect: DialectName) -> String {
     }
 }
 
-const fn is_ironplc(dialect: DialectName) -> bool {
-    matches!(
-        dialect.base(),
-        BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty
-    )
+fn is_ironplc(dialect: DialectName) -> bool {
+    dialect.statements().documents.functions == DocumentedFunctions::Ironplc
 }

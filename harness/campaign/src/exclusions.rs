@@ -146,7 +146,7 @@ mod tests {
 
     #[test]
     fn what_is_left_out_is_in_no_program() {
-        let ed3 = [DialectName::IronplcEd3];
+        let ed3 = [DialectName::IRONPLC_ED3];
         let unwanted = [
             "MUX",
             "SEL",
@@ -184,7 +184,7 @@ mod tests {
         let without = without(&["bool@ironplc-ed3"]).unwrap();
         let program = |dialect| Inputs::new(3).program(1, &[dialect], false);
         let has_it = |program: &Program| features(program).contains_key("bool");
-        let [second, third] = [DialectName::IronplcEd2, DialectName::IronplcEd3].map(program);
+        let [second, third] = [DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3].map(program);
         assert!(has_it(&second) && has_it(&third));
         assert!(without.admits(&second) && !without.admits(&third));
         let unknown = Exclusions::new(&["BOOL@ed3".to_owned()]).unwrap_err().to_string();
@@ -195,7 +195,7 @@ mod tests {
     fn where_every_program_has_it_none_comes() {
         // The checksum of every program is one.
         let without = without(&["LINT"]).unwrap();
-        let program = Inputs::new(3).program_without(0, &[DialectName::Matiec], false, &without);
+        let program = Inputs::new(3).program_without(0, &[DialectName::MATIEC], false, &without);
         assert_eq!(program, None);
     }
 }

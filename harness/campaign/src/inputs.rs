@@ -132,7 +132,7 @@ mod tests {
         assert_eq!(inputs.bytes(5), Inputs::new(7).bytes(5));
         assert_ne!(inputs.bytes(5), inputs.bytes(6));
         assert_ne!(inputs.bytes(5), Inputs::new(8).bytes(5));
-        let dialects = [DialectName::Matiec, DialectName::Plcnext];
+        let dialects = [DialectName::MATIEC, DialectName::PLCNEXT];
         assert_eq!(
             inputs.program(3, &dialects, false),
             inputs.program(3, &dialects, false)
@@ -150,7 +150,7 @@ mod tests {
         assert_eq!((0..200).map(|place| shorter.bytes(place).len()).max(), Some(256));
         assert_eq!(inputs.up_to(1).bytes(9).len(), 32);
         assert_eq!(inputs.up_to(9999), inputs);
-        let named = [DialectName::Matiec, DialectName::Plcnext];
+        let named = [DialectName::MATIEC, DialectName::PLCNEXT];
         let mut dialects: Vec<DialectName> = (0..50)
             .map(|place| inputs.program(place, &named, false).dialect)
             .collect();

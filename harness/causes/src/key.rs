@@ -91,7 +91,7 @@ mod tests {
     use super::*;
     use stickler_types::{Diagnostic, ElementaryType, Value};
 
-    const ED3: DialectName = DialectName::IronplcEd3;
+    const ED3: DialectName = DialectName::IRONPLC_ED3;
 
     fn rejected(program: &str, line: u32) -> CauseKey {
         let diagnostics = vec![Diagnostic {

@@ -20,9 +20,6 @@ use stickler_workers::Shard;
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
 
-/// The file of the dialects in a folder of cases.
-const DIALECTS: &str = "dialects.toml";
-
 /// A folder of cases, found by a search or named on the command line.
 pub struct CaseFolder {
     /// The path of the folder of cases.
@@ -232,13 +229,10 @@ fn named_dialects(plan: &Plan) -> Vec<DialectName> {
     plan.dialects.iter().copied().chain(in_filters).collect()
 }
 
-/// Defines the variants of dialects that the suite has, so that the command line may name them. Does nothing where there is no folder of
-/// cases; mistakes in its file are reported where its cases are loaded.
-pub fn define_variants(named: Option<&Path>) {
-    if let Ok(folder) = CaseFolder::locate(named)
-        && let Ok(text) = fs::read_to_string(folder.path.join(DIALECTS))
-    {
-        let _ = Dialects::of_file(DIALECTS, &text);
+/// Defines the dialects of the suite, so that the command line may name them. Does nothing where there is no folder of cases.
+pub fn define_dialects(named: Option<&Path>) {
+    if let Ok(folder) = CaseFolder::locate(named) {
+        Dialects::define_those_of(&folder.path);
     }
 }
 
@@ -275,7 +269,7 @@ fn defined(dialects: impl IntoIterator<Item = DialectName>) -> Vec<DialectName> 
 fn note_left_out(left_out: &[Case]) {
     for dialect in DialectName::defined() {
         let number = left_out.iter().filter(|case| case.dialect == dialect).count();
-        let base = dialect.base().name();
+        let base = dialect.base();
         let cases = match number {
             0 => continue,
             1 => format!("1 case of {base} is left out of {dialect}, because what it overrides changes it"),

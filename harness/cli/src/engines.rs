@@ -241,8 +241,8 @@ pub fn no_such(name: &str, configuration: &ConfigurationFile) -> NoSuchEngine {
     let names = names(configuration);
     NoSuchEngine {
         name: name.to_owned(),
-        meant: stickler_configuration::nearest(name, names.iter().copied()).map(str::to_owned),
-        known: stickler_configuration::list(names),
+        meant: stickler_types::dialect_file::nearest(name, names.iter().copied()).map(str::to_owned),
+        known: stickler_types::dialect_file::list(names),
     }
 }
 

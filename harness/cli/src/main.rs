@@ -51,7 +51,7 @@ fn main() -> ExitCode {
     // The command line may name the dialects of stickler.toml and the variants of the suite.
     let configured = engines::configure();
     if let Some(cases) = engines::named_cases() {
-        case_folder::define_variants(cases.as_deref());
+        case_folder::define_dialects(cases.as_deref());
     }
     let arguments = match (Arguments::try_parse(), configured) {
         (Ok(arguments), Ok(())) => arguments,

@@ -293,7 +293,7 @@ mod tests {
     #[test]
     fn what_was_recorded_fails_nothing() {
         let of = |recorded: Option<&str>| DialectMatrix {
-            dialect: DialectName::Matiec,
+            dialect: DialectName::MATIEC,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
             bases: CellBases::from([(WIDENING, "here: there".into())]),
@@ -317,7 +317,7 @@ mod tests {
     #[test]
     fn several_engines_stand_in_one_cell_which_is_marked_where_one_of_them_differs() {
         let matrix = DialectMatrix {
-            dialect: DialectName::Matiec,
+            dialect: DialectName::MATIEC,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
             bases: CellBases::from([(WIDENING, "here: there".into())]),

@@ -1,11 +1,11 @@
 //! Reads the tables `[engines.NAME]`.
 
-use crate::near::list;
-use crate::table::{ConfigurationMistake, read, table, text};
 use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
 use stickler_engines::{Compiler, DependencyPaths, Description};
+use stickler_types::dialect_file::list;
+use stickler_types::dialect_file::{ConfigurationMistake, read, table, text};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

@@ -1,15 +1,14 @@
 //! Finds and reads `stickler.toml`.
 
-use crate::dialects::definitions;
 use crate::engines::{EngineEntry, TableContext, entry};
 use crate::error::ConfigurationError;
-use crate::table::{ConfigurationMistake, mistake, table};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use stickler_types::DialectName;
+use stickler_types::dialect_file::{ConfigurationMistake, definitions, mistake, table};
+use stickler_types::{DialectName, ElementaryType};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -157,11 +156,16 @@ fn dialects(
     place: TableContext<'_>,
 ) -> Result<Vec<DialectName>, ConfigurationMistake> {
     // All of them are right before the first is defined.
-    let definitions = definitions(table("dialects", value)?, place.written)?;
+    let definitions = definitions(table("dialects", value)?, place.written, converts)?;
     let define = |(definition, span)| {
         DialectName::define(definition).map_err(|taken| ConfigurationMistake::at(span, taken.to_string()))
     };
     definitions.into_iter().map(define).collect()
+}
+
+/// Returns whether a conversion function for a pair of types exists, in a dialect that has all types.
+fn converts(from: ElementaryType, to: ElementaryType) -> bool {
+    !stickler_exact::signatures(&format!("{from}_TO_{to}"), DialectName::IRONPLC_ED3).is_empty()
 }
 
 /// Returns the line and column of a byte offset in a text, from 1; the column in Unicode scalar values.

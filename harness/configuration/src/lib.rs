@@ -8,16 +8,10 @@
 //! means, and the crates with the rules decide what an override of a dialect means.
 #![forbid(unsafe_code)]
 
-mod dialects;
-mod draft;
 mod engines;
 mod error;
 mod file;
-mod near;
-mod override_tables;
-mod table;
 
 pub use engines::{EngineEntry, EngineKind};
 pub use error::ConfigurationError;
 pub use file::{ConfigurationFile, FILE_NAME};
-pub use near::{list, nearest};

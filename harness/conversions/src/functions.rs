@@ -10,9 +10,9 @@ const MAX_DISTANCE: usize = 3;
 
 /// IronPLC's dialects, which differ in no conversion of the types that they share.
 const IRONPLC: [DialectName; 3] = [
-    DialectName::IronplcEd2,
-    DialectName::IronplcEd3,
-    DialectName::IronplcRusty,
+    DialectName::IRONPLC_ED2,
+    DialectName::IRONPLC_ED3,
+    DialectName::IRONPLC_RUSTY,
 ];
 
 /// The requested dialects, divided into those that have a function and those that lack it.
@@ -114,9 +114,9 @@ pub fn short_names(dialects: &[DialectName]) -> Vec<String> {
         return vec!["every dialect".to_owned()];
     }
     let together = all(&IRONPLC);
-    let names = dialects.iter().filter_map(|dialect| match dialect {
-        DialectName::IronplcEd2 if together => Some("ironplc-*".to_owned()),
-        dialect if together && IRONPLC.contains(dialect) => None,
+    let names = dialects.iter().filter_map(|&dialect| match dialect {
+        DialectName::IRONPLC_ED2 if together => Some("ironplc-*".to_owned()),
+        dialect if together && IRONPLC.contains(&dialect) => None,
         dialect => Some(dialect.to_string()),
     });
     names.collect()
@@ -153,7 +153,7 @@ mod tests {
 
     #[test]
     fn a_function_of_other_dialects_is_told_from_one_of_none() {
-        let error = find_function("ROUND", &[DialectName::Matiec])
+        let error = find_function("ROUND", &[DialectName::MATIEC])
             .unwrap_err()
             .to_string();
         assert!(
@@ -162,11 +162,11 @@ mod tests {
         );
         assert!(error.contains("plcnext"), "{error}");
         let dialects = find_function("ROUND", &[]).unwrap();
-        assert_eq!(dialects.lacking, [DialectName::Matiec]);
-        let twice = [DialectName::Plcnext, DialectName::Plcnext];
+        assert_eq!(dialects.lacking, [DialectName::MATIEC]);
+        let twice = [DialectName::PLCNEXT, DialectName::PLCNEXT];
         assert_eq!(
             find_function("ROUND", &twice).unwrap().having,
-            [DialectName::Plcnext]
+            [DialectName::PLCNEXT]
         );
     }
 
@@ -175,7 +175,7 @@ mod tests {
         assert_eq!(dialect_list(&DialectName::ALL), "every dialect");
         assert_eq!(dialect_list(&DialectName::ALL[..4]), "ironplc-*, matiec");
         assert_eq!(
-            dialect_list(&[DialectName::IronplcEd3, DialectName::Plcnext]),
+            dialect_list(&[DialectName::IRONPLC_ED3, DialectName::PLCNEXT]),
             "ironplc-ed3, plcnext"
         );
     }

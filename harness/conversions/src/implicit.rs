@@ -165,7 +165,7 @@ mod tests {
         let count = || {
             answered.fetch_add(1, Ordering::Relaxed);
         };
-        let found = answers(&Reference::default(), DialectName::Matiec, &pairs, 0, &count).unwrap();
+        let found = answers(&Reference::default(), DialectName::MATIEC, &pairs, 0, &count).unwrap();
         // In matiec each type converts to itself only.
         for (pair, answer) in pairs.iter().zip(&found) {
             let expected = match pair.0 == pair.1 {

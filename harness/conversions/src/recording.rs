@@ -275,7 +275,7 @@ mod tests {
             commit: Some("a\"b".to_owned()),
             ..origin
         };
-        let dialects = [DialectName::Matiec, DialectName::IronplcEd2];
+        let dialects = [DialectName::MATIEC, DialectName::IRONPLC_ED2];
         let reference = Reference::default();
         let sections = &RecordedSection::ALL;
         let recording = Recording::ask(&reference, with_commit, &dialects, sections, 0, &|| {}).unwrap();
@@ -283,7 +283,7 @@ mod tests {
         recording.write(&mut text).unwrap();
         let mut read = parsed(std::str::from_utf8(&text).unwrap()).unwrap();
         read.dialects
-            .sort_by_key(|dialect| *dialect != DialectName::Matiec);
+            .sort_by_key(|dialect| *dialect != DialectName::MATIEC);
         assert_eq!(read, recording);
     }
 
@@ -303,9 +303,9 @@ mod tests {
         new.complete_from(of(
             "[answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = \"rejected\"\n",
         ));
-        let signature = &stickler_exact::signatures("INT_TO_SINT", DialectName::Matiec)[0];
+        let signature = &stickler_exact::signatures("INT_TO_SINT", DialectName::MATIEC)[0];
         let calls = [["INT#1"], ["INT#0"]].map(|call| call.map(|text| Value::parse(text).unwrap()).to_vec());
-        let results = new.results(DialectName::Matiec, signature, &calls);
+        let results = new.results(DialectName::MATIEC, signature, &calls);
         let results = results
             .into_iter()
             .map(|result| result.map_err(|refusal| refusal.kind));
@@ -320,14 +320,14 @@ mod tests {
              \"INT_TO_BOOL(INT) : BOOL\" = \"rejected\"\n"
         );
         let recording = parsed(&text).unwrap();
-        let implicit = |into| recording.implicit(DialectName::Matiec, (ElementaryType::Int, into));
+        let implicit = |into| recording.implicit(DialectName::MATIEC, (ElementaryType::Int, into));
         assert_eq!(implicit(ElementaryType::Dint), Some(MatrixAnswer::Accepts));
         assert_eq!(implicit(ElementaryType::Real), None);
         let results = |function, operands: &[&str]| -> Vec<Result<Value, RefusalKind>> {
-            let signature = &stickler_exact::signatures(function, DialectName::Matiec)[0];
+            let signature = &stickler_exact::signatures(function, DialectName::MATIEC)[0];
             let call = |literal: &&str| vec![Value::parse(literal).unwrap()];
             let calls: Vec<Vec<Value>> = operands.iter().map(call).collect();
-            let results = recording.results(DialectName::Matiec, signature, &calls);
+            let results = recording.results(DialectName::MATIEC, signature, &calls);
             let kind = |result: Result<Value, crate::Refusal>| result.map_err(|refusal| refusal.kind);
             results.into_iter().map(kind).collect()
         };

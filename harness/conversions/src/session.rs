@@ -262,12 +262,12 @@ mod tests {
 
     #[test]
     fn what_no_literal_says_is_computed_in_the_program() {
-        let signature = &stickler_exact::signatures("REAL_TO_LREAL", DialectName::Matiec)[0];
+        let signature = &stickler_exact::signatures("REAL_TO_LREAL", DialectName::MATIEC)[0];
         let calls = ["REAL#NaN", "REAL#Infinity", "REAL#-Infinity", "REAL#-0.0"];
         let calls: Vec<_> = calls.iter().map(|literal| vec![value(literal)]).collect();
         let reference = Reference::default();
         let mut session = FunctionSession::open(&reference).unwrap();
-        let results = session.results(DialectName::Matiec, signature, &calls);
+        let results = session.results(DialectName::MATIEC, signature, &calls);
         let expected = ["LREAL#NaN", "LREAL#Infinity", "LREAL#-Infinity", "LREAL#-0.0"];
         assert_eq!(results, expected.map(|literal| Ok(value(literal))));
     }
@@ -314,9 +314,9 @@ mod tests {
             ("REAL_TO_INT", ["REAL#-2.5", "REAL#1.0"], ["INT#-2", "INT#1"]),
             ("SINT_TO_INT", ["SINT#-128", "SINT#5"], ["INT#-128", "INT#5"]),
         ] {
-            let signature = &stickler_exact::signatures(function, DialectName::Matiec)[0];
+            let signature = &stickler_exact::signatures(function, DialectName::MATIEC)[0];
             let calls = operands.map(|operand| vec![value(operand)]);
-            let given = session.results(DialectName::Matiec, signature, &calls);
+            let given = session.results(DialectName::MATIEC, signature, &calls);
             assert_eq!(given, results.map(|result| Ok(value(result))));
         }
     }
@@ -324,11 +324,11 @@ mod tests {
     #[test]
     fn a_call_that_is_rejected_does_not_take_the_others_with_it() {
         // An enumeration is no operand of any conversion function.
-        let signature = &stickler_exact::signatures("INT_TO_DINT", DialectName::Matiec)[0];
+        let signature = &stickler_exact::signatures("INT_TO_DINT", DialectName::MATIEC)[0];
         let reference = Reference::default();
         let mut session = FunctionSession::open(&reference).unwrap();
         let calls = [vec![value("INT#5")], vec![value("COLOR#RED")]];
-        let results = session.results(DialectName::Matiec, signature, &calls);
+        let results = session.results(DialectName::MATIEC, signature, &calls);
         assert_eq!(results[0], Ok(value("DINT#5")));
         let refusal = results[1].clone().unwrap_err();
         assert_eq!(refusal.kind, RefusalKind::Rejected);

@@ -116,7 +116,7 @@ impl Identity {
     /// does, so an engine that has never heard of it is asked by the base. `None` where the engine speaks neither.
     #[must_use]
     pub fn asked_in(&self, dialect: DialectName) -> Option<DialectName> {
-        let base = dialect.base().name();
+        let base = dialect.base();
         // Of a variant, an engine that does not know its options would do something else.
         let base = (!dialect.is_variant()).then_some(base);
         [Some(dialect), base]
@@ -181,28 +181,28 @@ pub enum EngineError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::{BuiltIn, Definition};
+    use stickler_types::Definition;
 
     #[test]
     fn who_does_not_know_a_defined_dialect_is_asked_by_its_base() {
-        let define = |name| DialectName::define(Definition::new(name, BuiltIn::Matiec, "here"));
+        let define = |name| DialectName::define(Definition::new(name, DialectName::MATIEC, "here"));
         let (known, unknown) = (define("announced").unwrap(), define("unheard-of").unwrap());
         let identity = Identity {
             name: "compiler".to_owned(),
             version: String::new(),
-            dialects: vec![DialectName::Matiec, known],
+            dialects: vec![DialectName::MATIEC, known],
             abilities: Vec::new(),
             grade: Grade::Code,
             lacks: Vec::new(),
         };
         assert_eq!(identity.asked_in(known), Some(known));
-        assert_eq!(identity.asked_in(unknown), Some(DialectName::Matiec));
-        assert_eq!(identity.asked_in(DialectName::Matiec), Some(DialectName::Matiec));
+        assert_eq!(identity.asked_in(unknown), Some(DialectName::MATIEC));
+        assert_eq!(identity.asked_in(DialectName::MATIEC), Some(DialectName::MATIEC));
         let variant = DialectName::define(Definition {
-            is_variant: true,
-            ..Definition::new("matiec-with-an-option", BuiltIn::Matiec, "here")
+            kind: stickler_types::DialectKind::Variant,
+            ..Definition::new("matiec-with-an-option", DialectName::MATIEC, "here")
         });
         assert_eq!(identity.asked_in(variant.unwrap()), None);
-        assert!(!identity.speaks(DialectName::Plcnext));
+        assert!(!identity.speaks(DialectName::PLCNEXT));
     }
 }

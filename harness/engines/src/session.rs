@@ -167,7 +167,7 @@ mod tests {
     }
 
     fn request(source: &str) -> RunRequest<'_> {
-        RunRequest::once(DialectName::Matiec, source, &[])
+        RunRequest::once(DialectName::MATIEC, source, &[])
     }
 
     #[test]

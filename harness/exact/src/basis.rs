@@ -13,7 +13,8 @@ use crate::real::{self, Real, Whole};
 use crate::signature::{Operation, Signature};
 use crate::value::value;
 use crate::{bcd, integer, moment};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MomentUnits, Rounding, Value};
+use stickler_types::documents::DocumentedFunctions as Rules;
+use stickler_types::{DialectName, ElementaryType, Family, MomentUnits, Rounding, Value};
 use tested::{STRUCPP_TEXTS, STRUCPP_TIME, STRUCPP_TO_TIME};
 
 /// The expected result of a call, and the document that states it.
@@ -40,7 +41,7 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
                 signature,
                 from,
                 to: signature.result,
-                rules: Rules::of(dialect),
+                rules: dialect.statements().documents.functions,
             };
             match dialect.definition() {
                 None => call.basis(operand),
@@ -78,7 +79,7 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
             signature,
             from,
             to: signature.result,
-            rules: Rules::of(dialect),
+            rules: dialect.statements().documents.functions,
         }
         .is_overridden(operand, definition, &choices_of(dialect)),
         _ => false,
@@ -120,53 +121,19 @@ const BOOL_RULE: &str = "rule: bool-is-zero-or-one";
 const MILLISECONDS_RULE: &str = "rule: time-in-milliseconds";
 const NOT_FINITE_RULE: &str = "rule: not-finite-to-zero";
 
-/// The system whose documents apply.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Rules {
-    Ironplc,
-    Matiec,
-    Plcnext,
-    Strucpp,
-    Rusty,
-    /// Control Expert, of whose functions a page on REAL speaks.
-    ControlExpert,
-    /// Omron NJ, of whose functions printed examples speak.
-    Omron,
-    /// The third edition of the standard.
-    ThirdEdition,
-    /// The systems of which single values are known: tables have them.
-    InTables,
+/// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for the other
+/// systems, whose documents do not state it.
+fn documented(rules: Rules, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
+    match rules {
+        Rules::Ironplc => Some(ironplc),
+        Rules::Matiec => Some(matiec),
+        _ => None,
+    }
 }
 
-impl Rules {
-    const fn of(dialect: DialectName) -> Rules {
-        match dialect.base() {
-            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty => Rules::Ironplc,
-            BuiltIn::Matiec => Rules::Matiec,
-            BuiltIn::Plcnext => Rules::Plcnext,
-            BuiltIn::Strucpp => Rules::Strucpp,
-            BuiltIn::Rusty => Rules::Rusty,
-            BuiltIn::ControlExpert => Rules::ControlExpert,
-            BuiltIn::Omron => Rules::Omron,
-            BuiltIn::IecEd3 => Rules::ThirdEdition,
-            BuiltIn::Codesys | BuiltIn::Twincat | BuiltIn::Logix => Rules::InTables,
-        }
-    }
-
-    /// Returns the basis of a result that IronPLC and the ForgeIEC page state, each in its own document; `None` for the other
-    /// systems, whose documents do not state it.
-    fn documented(self, ironplc: &'static str, matiec: &'static str) -> Option<&'static str> {
-        match self {
-            Rules::Ironplc => Some(ironplc),
-            Rules::Matiec => Some(matiec),
-            _ => None,
-        }
-    }
-
-    /// Returns the basis of a result that only the ForgeIEC page states; `None` for the other systems.
-    fn only_matiec(self, basis: &'static str) -> Option<&'static str> {
-        (self == Rules::Matiec).then_some(basis)
-    }
+/// Returns the basis of a result that only the ForgeIEC page states; `None` for the other systems.
+fn only_matiec(rules: Rules, basis: &'static str) -> Option<&'static str> {
+    (rules == Rules::Matiec).then_some(basis)
 }
 
 /// A call with one argument.
@@ -211,21 +178,21 @@ impl UnaryCall<'_> {
     fn of_page_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Boolean, Date, DateAndTime, Real, Signed, Text, Unsigned};
         match (self.from.family(), self.to.family()) {
-            (Signed | Unsigned, Signed | Unsigned) => self.rules.documented(IRONPLC_INTEGERS, RANGE),
-            (BitString, Signed | Unsigned) => self.rules.documented(BITS_AND_NUMBERS, RANGE),
+            (Signed | Unsigned, Signed | Unsigned) => documented(self.rules, IRONPLC_INTEGERS, RANGE),
+            (BitString, Signed | Unsigned) => documented(self.rules, BITS_AND_NUMBERS, RANGE),
             (Signed | Unsigned, BitString) => self.of_integer_to_bits(raw),
-            (BitString, BitString) => self.rules.documented(BITS_TO_BITS, BITS_TO_BITS),
+            (BitString, BitString) => documented(self.rules, BITS_TO_BITS, BITS_TO_BITS),
             (Boolean, Signed | Unsigned) | (Signed | Unsigned, Boolean) => {
-                self.rules.documented(IRONPLC_BOOLEAN, NAMING)
+                documented(self.rules, IRONPLC_BOOLEAN, NAMING)
             }
-            (Boolean, BitString | Real) | (BitString, Boolean) => self.rules.documented(BOOL_RULE, NAMING),
+            (Boolean, BitString | Real) | (BitString, Boolean) => documented(self.rules, BOOL_RULE, NAMING),
             // "0 → FALSE, anything else → TRUE" speaks of numbers, and a NaN is none.
             (Real, Boolean) if real::decode(raw, self.from) == real::Real::NotANumber => None,
-            (Real, Boolean) => self.rules.documented(BOOL_RULE, NAMING),
+            (Real, Boolean) => documented(self.rules, BOOL_RULE, NAMING),
             (Signed | Unsigned, Real) => Some(ROUNDED),
             (Real, Real) => Some(self.of_real_to_real(raw)),
             (Real, Signed | Unsigned) => self.of_real_to_integer(raw),
-            (Signed | Unsigned, Text) if self.to == ElementaryType::String => self.rules.only_matiec(NAMING),
+            (Signed | Unsigned, Text) if self.to == ElementaryType::String => only_matiec(self.rules, NAMING),
             (Date | DateAndTime, _) => self.of_date(raw),
             _ if self.from == ElementaryType::Time || self.to == ElementaryType::Time => self.of_time(raw),
             _ => None,
@@ -240,7 +207,7 @@ impl UnaryCall<'_> {
         } else {
             BITS_AND_NUMBERS
         };
-        self.rules.documented(ironplc, RANGE)
+        documented(self.rules, ironplc, RANGE)
     }
 
     /// Returns whether the integer is negative and the target has more bits.
@@ -260,9 +227,9 @@ impl UnaryCall<'_> {
     /// Returns the basis of `<SRC>_TO_<DST>` from a real number to an integer.
     fn of_real_to_integer(self, raw: u64) -> Option<&'static str> {
         match self.rounded(raw, Rounding::Truncate) {
-            WholePosition::Inside => self.rules.documented(IRONPLC_REAL_TO_INTEGER, RANGE),
-            WholePosition::Outside => self.rules.only_matiec(RANGE),
-            WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+            WholePosition::Inside => documented(self.rules, IRONPLC_REAL_TO_INTEGER, RANGE),
+            WholePosition::Outside => only_matiec(self.rules, RANGE),
+            WholePosition::NoNumber => only_matiec(self.rules, NOT_FINITE_RULE),
         }
     }
 
@@ -351,7 +318,9 @@ impl UnaryCall<'_> {
     fn of_date(self, raw: u64) -> Option<&'static str> {
         use ElementaryType::{Date, Dt, Tod};
         match (self.from, self.to) {
-            (Date, Dt) | (Dt, Tod | Date) if moment::is_in_every_range(raw) => self.rules.only_matiec(NAMING),
+            (Date, Dt) | (Dt, Tod | Date) if moment::is_in_every_range(raw) => {
+                only_matiec(self.rules, NAMING)
+            }
             _ => None,
         }
     }
@@ -382,14 +351,14 @@ impl UnaryCall<'_> {
         let truncated = self.rounded(raw, Rounding::Truncate);
         match name {
             "TRUNC" if truncated == WholePosition::Inside => {
-                self.rules.documented(IRONPLC_TRUNC, MATIEC_TRUNC)
+                documented(self.rules, IRONPLC_TRUNC, MATIEC_TRUNC)
             }
             "TRUNC_INT" | "TRUNC_DINT" | "TRUNC_LINT" => match truncated {
-                WholePosition::NoNumber => self.rules.only_matiec(NOT_FINITE_RULE),
+                WholePosition::NoNumber => only_matiec(self.rules, NOT_FINITE_RULE),
                 _ if !page_has_truncation(self.signature) => None,
-                WholePosition::Outside => self.rules.only_matiec(RANGE),
-                WholePosition::Inside if name == "TRUNC_DINT" => self.rules.only_matiec(MATIEC_TRUNC),
-                WholePosition::Inside => self.rules.only_matiec(NAMING),
+                WholePosition::Outside => only_matiec(self.rules, RANGE),
+                WholePosition::Inside if name == "TRUNC_DINT" => only_matiec(self.rules, MATIEC_TRUNC),
+                WholePosition::Inside => only_matiec(self.rules, NAMING),
             },
             _ => None,
         }

@@ -8,8 +8,7 @@ use crate::pair;
 use crate::signature::{Operation, Signature};
 use std::collections::HashMap;
 use std::sync::OnceLock;
-use stickler_types::definition::Flag;
-use stickler_types::{BuiltIn, DialectName, ElementaryType, MomentUnits};
+use stickler_types::{Dialect, DialectName, ElementaryType, MomentUnits};
 
 /// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
 ///
@@ -97,7 +96,7 @@ impl Features {
     fn of(dialect: DialectName) -> Features {
         Features {
             third_edition: has_type(ElementaryType::Ltime, dialect),
-            roundings: stated(dialect, Flag::RoundingFunctions).unwrap_or(dialect.base() != BuiltIn::Matiec),
+            roundings: !Dialect::of(dialect).only_standard_rounding,
             moment_units: choices_of(dialect).moment_units,
             long_dates: has_type(ElementaryType::Ldate, dialect),
         }
@@ -269,21 +268,10 @@ const REALS: [ElementaryType; 2] = [ElementaryType::Real, ElementaryType::Lreal]
 /// recordings/twincat.build.json (no LDATE, LTOD, LDT).
 #[must_use]
 pub fn has_type(ty: ElementaryType, dialect: DialectName) -> bool {
-    !ty.is_third_edition()
-        || stated(dialect, Flag::ThirdEditionTypes).unwrap_or(match dialect.base() {
-            BuiltIn::IronplcEd2 | BuiltIn::Matiec => false,
-            BuiltIn::Twincat => !is_long_date(ty),
-            _ => true,
-        })
+    Dialect::of(dialect).has(ty)
 }
 
 /// Returns whether a type is LDATE, LTOD or LDT.
 fn is_long_date(ty: ElementaryType) -> bool {
     ty.is_third_edition() && ty.is_date_or_time()
-}
-
-/// Returns the value that the definition of a dialect states for a flag; `None` for a dialect of a documented system, or a
-/// definition that does not mention it.
-fn stated(dialect: DialectName, flag: Flag) -> Option<bool> {
-    dialect.definition().and_then(|definition| definition.flag(flag))
 }

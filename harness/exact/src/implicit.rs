@@ -6,7 +6,8 @@
 
 use crate::catalogue::has_type;
 use stickler_types::definition::Flag;
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
+use stickler_types::documents::DocumentedImplicit;
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
 /// Returns whether a value of the type `from` converts implicitly to `to` in a dialect.
 ///
@@ -26,10 +27,8 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if !has_type(from, dialect) || !has_type(to, dialect) {
         return MatrixWord::No;
     }
-    if let Some(stated) = dialect
-        .definition()
-        .and_then(|definition| definition.implicit(from, to))
-    {
+    let rules = Dialect::of(dialect);
+    if let Some(stated) = rules.cells.get(&(from, to)) {
         return stated.value;
     }
     let widens_across = dialect
@@ -38,20 +37,18 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if let Some(on) = widens_across.filter(|_| is_cross_family(from, to)) {
         return said(on);
     }
-    match dialect.base() {
-        BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 => ironplc(from, to),
-        BuiltIn::IronplcRusty if is_cross_family(from, to) => MatrixWord::Yes,
-        BuiltIn::IronplcRusty => ironplc(from, to),
-        BuiltIn::Matiec => MatrixWord::No,
-        BuiltIn::Plcnext => plcnext(from, to),
-        BuiltIn::Strucpp => strucpp(from, to),
-        BuiltIn::Rusty => rusty(from, to),
-        BuiltIn::Codesys | BuiltIn::Twincat => codesys(from, to),
-        BuiltIn::Logix => logix(from, to),
-        BuiltIn::ControlExpert => control_expert(from, to),
-        // The page on its operands says nothing of assignments.
-        BuiltIn::Omron => MatrixWord::Open,
-        BuiltIn::IecEd3 => iec_ed3(from, to),
+    match dialect.statements().documents.implicit {
+        DocumentedImplicit::Ironplc if is_cross_family(from, to) => said(rules.cross_family_widening),
+        DocumentedImplicit::Ironplc => ironplc(from, to),
+        DocumentedImplicit::None => MatrixWord::No,
+        DocumentedImplicit::Plcnext => plcnext(from, to),
+        DocumentedImplicit::Strucpp => strucpp(from, to),
+        DocumentedImplicit::Rusty => rusty(from, to),
+        DocumentedImplicit::Codesys => codesys(from, to),
+        DocumentedImplicit::Logix => logix(from, to),
+        DocumentedImplicit::ControlExpert => control_expert(from, to),
+        DocumentedImplicit::ThirdEdition => iec_ed3(from, to),
+        DocumentedImplicit::Open => MatrixWord::Open,
     }
 }
 

@@ -21,9 +21,9 @@
 //! use stickler_exact::{expected, signatures};
 //! use stickler_types::{DialectName, Value};
 //!
-//! let signature = &signatures("DINT_TO_INT", DialectName::Matiec)[0];
+//! let signature = &signatures("DINT_TO_INT", DialectName::MATIEC)[0];
 //! let operand = Value::parse("DINT#100000").expect("a typed literal");
-//! let given = expected(signature, &[operand], DialectName::Matiec);
+//! let given = expected(signature, &[operand], DialectName::MATIEC);
 //! assert_eq!(given.value.to_string(), "INT#-31072");
 //! assert_eq!(given.basis, Some("forgeiec-conversion-functions: Range and precision"));
 //! ```

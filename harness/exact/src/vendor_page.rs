@@ -4,11 +4,7 @@ use crate::choices::choices_of;
 use crate::real;
 use crate::signature::{Operation, Signature};
 use crate::value::value;
-use stickler_types::{BuiltIn, ConversionChoices, DialectName, OutOfRange, Rounding, Value};
-
-/// Basis: codesys-real-to, whose sentences say that the fractions .5 to .9 are rounded up, the others down, and that the first bytes of a number outside the
-/// range of the target are ignored.
-const CODESYS_REALS: &str = "codesys-real-to: Conversions: REAL, LREAL";
+use stickler_types::{ConversionChoices, DialectName, Value};
 
 /// Returns the result that the vendor's page states of a call in a dialect whose cases rest on recordings, with its basis; `None` where the
 /// page does not speak of the call, or there is no such page.
@@ -20,16 +16,17 @@ pub fn stated_by_vendor(
     operands: &[Value],
     dialect: DialectName,
 ) -> Option<(Value, &'static str)> {
-    let is_codesys = dialect.base() == BuiltIn::Codesys && dialect.definition().is_none();
-    if !is_codesys || !is_of_finite_real(signature, operands) {
+    let statements = dialect.definition().is_none().then(|| dialect.statements());
+    let page = statements?.documents.page_on_reals.as_ref()?;
+    if !is_of_finite_real(signature, operands) {
         return None;
     }
-    let page = ConversionChoices {
-        rounding: Rounding::HalfAwayFromZero,
-        out_of_range: OutOfRange::Wrap,
+    let choices = ConversionChoices {
+        rounding: page.rounding,
+        out_of_range: page.out_of_range,
         ..choices_of(dialect)
     };
-    Some((value(signature, operands, &page), CODESYS_REALS))
+    Some((value(signature, operands, &choices), &page.basis))
 }
 
 /// Returns whether a call is one of `REAL_TO_x` or `LREAL_TO_x` to an integer or bit string, with a number.
@@ -61,7 +58,7 @@ mod tests {
 
     #[test]
     fn the_page_of_codesys_ignores_the_first_bytes_of_a_number_outside_the_range() {
-        let codesys = |function, operand| stated(function, operand, DialectName::Codesys);
+        let codesys = |function, operand| stated(function, operand, DialectName::CODESYS);
         assert_eq!(
             codesys("LREAL_TO_DINT", "LREAL#-3.0E9"),
             Some("DINT#1294967296".to_owned())
@@ -73,6 +70,6 @@ mod tests {
         assert_eq!(codesys("REAL_TO_INT", "REAL#-1.5"), Some("INT#-2".to_owned()));
         assert_eq!(codesys("REAL_TO_INT", "REAL#NaN"), None);
         assert_eq!(codesys("DINT_TO_INT", "DINT#70000"), None);
-        assert_eq!(stated("REAL_TO_INT", "REAL#-1.5", DialectName::Twincat), None);
+        assert_eq!(stated("REAL_TO_INT", "REAL#-1.5", DialectName::TWINCAT), None);
     }
 }

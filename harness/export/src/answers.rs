@@ -89,7 +89,7 @@ mod tests {
     #[test]
     fn answers_are_a_word_and_an_id() {
         let text = format!("{TEMPLATE}\r\n  Rejected  a/b::c(INT,*,1)\r\ncrashed x/y@matiec\naccepted z\n");
-        let answers = parse(&text, Path::new("answers.txt"), DialectName::Matiec).expect("answers");
+        let answers = parse(&text, Path::new("answers.txt"), DialectName::MATIEC).expect("answers");
         let reported: Vec<(&str, ReportedOutcome)> = answers
             .iter()
             .map(|(id, (answer, _))| (id.as_str(), *answer))
@@ -112,7 +112,7 @@ mod tests {
             [0xFF, 0xFE].into_iter().chain(utf_16).collect(),
         ] {
             fs::write(folder.path().join(ANSWERS), bytes).expect("written");
-            let answers = read(folder.path(), DialectName::Matiec).expect("answers");
+            let answers = read(folder.path(), DialectName::MATIEC).expect("answers");
             assert_eq!(answers["a/b"].0, ReportedOutcome::Rejected);
         }
     }
@@ -127,7 +127,7 @@ mod tests {
                 "answers.txt:2: a has another answer at answers.txt:1",
             ),
         ] {
-            let error = parse(text, Path::new("answers.txt"), DialectName::Matiec)
+            let error = parse(text, Path::new("answers.txt"), DialectName::MATIEC)
                 .expect_err("a mistake")
                 .to_string();
             assert!(error.starts_with(expected), "{error}");

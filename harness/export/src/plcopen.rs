@@ -18,7 +18,7 @@ use stickler_syntax::parse;
 use stickler_syntax::source::{LineIndex, Span};
 use stickler_syntax::tree::{Declaration, Pou, PouKind, SourceUnit, TypeDeclaration};
 use stickler_types::Dialect;
-use stickler_types::{BuiltIn, DialectName};
+use stickler_types::DialectName;
 use xml::{TextElement, Xml, attribute, empty, fits, formatted, nested};
 
 /// The namespace of the format.
@@ -35,7 +35,7 @@ pub struct ProjectPlan {
 
 /// A project that is filled page by page.
 pub(crate) struct Project {
-    dialect: Dialect,
+    dialect: &'static Dialect,
     text_element: TextElement,
     data_types: Xml,
     pous: Xml,
@@ -49,7 +49,7 @@ impl Project {
             dialect: Dialect::of(dialect),
             // matiec is the compiler of Beremiz.
             text_element: match dialect.base() {
-                BuiltIn::Matiec => TextElement::Paragraph,
+                DialectName::MATIEC => TextElement::Paragraph,
                 _ => TextElement::Xhtml,
             },
             data_types: Writer::new_with_indent(Vec::new(), b' ', 1),
@@ -79,7 +79,7 @@ impl Project {
         if let Some((at, character)) = text.char_indices().find(|(_, character)| !fits(*character)) {
             return Err(ExportError::Character(place(at), character));
         }
-        let (unit, diagnostics) = parse(&text, &self.dialect);
+        let (unit, diagnostics) = parse(&text, self.dialect);
         if let Some(first) = diagnostics.first() {
             return Err(ExportError::Syntax(
                 place(first.span.start as usize),

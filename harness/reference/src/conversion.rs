@@ -12,7 +12,7 @@
 //! use stickler_reference::conversion;
 //! use stickler_types::{DialectName, ElementaryType};
 //!
-//! let dialect = Dialect::of(DialectName::Matiec);
+//! let dialect = Dialect::of(DialectName::MATIEC);
 //! let function = conversion::function("TRUNC_INT", &dialect).expect("the dialect has it");
 //! let operand = ElementaryType::Real;
 //! assert!(function.accepts(operand));

@@ -21,7 +21,7 @@
 //! let source = "PROGRAM main VAR big : DINT := 100000; small : INT; END_VAR
 //!     small := DINT_TO_INT(big); END_PROGRAM";
 //! let observe = [Observation::last("small", "INT")];
-//! let request = RunRequest::once(DialectName::Matiec, source, &observe);
+//! let request = RunRequest::once(DialectName::MATIEC, source, &observe);
 //! let small = Value::parse("INT#-31072").expect("a typed literal");
 //! let values = vec![("small".to_owned(), small)];
 //! assert_eq!(run(&request, Limits::default()), Ok(Outcome::executed(values)));

@@ -175,8 +175,8 @@ mod tests {
     #[test]
     fn a_filter_names_the_dialect_at_its_end() {
         let named = |text: &str| Filter::new(text).dialect();
-        assert_eq!(named("a/b@matiec"), Some(DialectName::Matiec));
-        assert_eq!(named("*@x@plcnext"), Some(DialectName::Plcnext));
+        assert_eq!(named("a/b@matiec"), Some(DialectName::MATIEC));
+        assert_eq!(named("*@x@plcnext"), Some(DialectName::PLCNEXT));
         for text in ["matiec", "*@mat*", "a@matiec2", "@", ""] {
             assert_eq!(named(text), None, "{text}");
         }

@@ -53,10 +53,10 @@ pub fn drop_changed_cases(plan: &Plan, cases: &mut Vec<Case>) -> Result<Vec<Case
 #[must_use]
 pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<DefinedHeader> {
     let header = |dialect: &DialectName| {
-        let definition = dialect.definition().filter(|definition| !definition.is_variant)?;
+        let definition = dialect.definition().filter(|_| dialect.is_custom())?;
         Some(DefinedHeader {
             name: definition.name.clone(),
-            extends: definition.base.name().as_str().to_owned(),
+            extends: definition.base.as_str().to_owned(),
             about: definition.about.clone(),
             overrides: definition.overrides(),
             left_out: left_out.iter().filter(|case| case.dialect == *dialect).count() as u64,
@@ -68,7 +68,7 @@ pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<Defin
 /// Returns whether the reference does something else with a case in its dialect than in the dialect's base.
 fn is_changed(session: &mut EngineSession<'_>, case: &Case) -> Result<bool, RunError> {
     let in_base = Case {
-        dialect: case.dialect.base().name(),
+        dialect: case.dialect.base(),
         ..case.clone()
     };
     let mut happens = |case: &Case| {

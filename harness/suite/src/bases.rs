@@ -83,12 +83,12 @@ mod tests {
         let sources = Suite::load_files(dir.path(), &[], |_, _| false).sources;
         let bases = "page: s | standard: 5 | other: s";
         for (dialect, chosen) in [
-            (DialectName::Matiec, Some("page: s")),
-            (DialectName::IronplcEd3, Some("standard: 5")),
-            (DialectName::Plcnext, Some("standard: 5")),
+            (DialectName::MATIEC, Some("page: s")),
+            (DialectName::IRONPLC_ED3, Some("standard: 5")),
+            (DialectName::PLCNEXT, Some("standard: 5")),
         ] {
             assert_eq!(sources.choose(bases, dialect), chosen, "{dialect}");
         }
-        assert_eq!(sources.choose("page: s | nowhere: s", DialectName::Plcnext), None);
+        assert_eq!(sources.choose("page: s | nowhere: s", DialectName::PLCNEXT), None);
     }
 }

@@ -1,35 +1,31 @@
-//! The dialects and groups of dialects that case files may name: `dialects.toml`.
+//! The dialects and groups of dialects that case files may name: `dialects/*.toml` and `dialects.toml`.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use serde::Deserialize;
-use stickler_types::DialectName;
-use stickler_types::definition::{Definition, Flag, Stated};
+use stickler_types::dialect_file::read_documented;
+use stickler_types::{Definition, DialectName};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake};
-use crate::near::suggestion;
 use crate::place::Lines;
-use crate::toml_text;
+use crate::{files, toml_text};
+
+/// The folder of the files of dialects, below the root of a suite.
+const FOLDER: &str = "dialects";
+
+/// The file of the groups, below the root of a suite.
+const GROUPS: &str = "dialects.toml";
 
 /// The dialects and groups of dialects that case files may name.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Dialects {
     groups: BTreeMap<String, Vec<DialectName>>,
-    entries: BTreeMap<DialectName, DialectEntry>,
+    /// The documented systems that the folder has besides those that Stickler carries.
+    added: Vec<DialectName>,
     /// The user-defined dialects that take over the cases of the dialects that they extend.
     defined: Vec<DialectName>,
-}
-
-/// The entry of one dialect in `dialects.toml`.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct DialectEntry {
-    /// A name for a person.
-    pub title: String,
-    /// A description of the system or the rules that the dialect stands for.
-    pub description: String,
-    /// The dialect whose cases it takes over.
-    pub extends: Option<DialectName>,
 }
 
 #[derive(Deserialize)]
@@ -37,38 +33,6 @@ pub struct DialectEntry {
 struct DialectsFile {
     #[serde(default)]
     groups: BTreeMap<String, Vec<Spanned<String>>>,
-    #[serde(default)]
-    dialect: BTreeMap<Spanned<String>, EntryFile>,
-    #[serde(default)]
-    variant: BTreeMap<Spanned<String>, VariantFile>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct EntryFile {
-    title: String,
-    description: String,
-    extends: Option<Spanned<String>>,
-}
-
-/// A variant of a documented system: its documents say what compiler options do.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct VariantFile {
-    extends: Spanned<String>,
-    description: String,
-    flags: BTreeMap<Spanned<String>, bool>,
-}
-
-impl Default for Dialects {
-    /// Returns the dialects under their own names, without groups.
-    fn default() -> Self {
-        Dialects {
-            groups: BTreeMap::new(),
-            entries: BTreeMap::new(),
-            defined: Vec::new(),
-        }
-    }
 }
 
 impl Dialects {
@@ -79,38 +43,69 @@ impl Dialects {
         self
     }
 
-    /// Reads `dialects.toml`; returns its usable part and its mistakes.
-    pub(crate) fn read(text: &str) -> (Dialects, Vec<Mistake>) {
-        let lines = Lines::new(text);
-        match toml_text::read::<DialectsFile>(text, 0, &lines) {
-            Ok(file) => DialectsReader {
-                lines,
-                mistakes: Vec::new(),
-            }
-            .read(file),
-            Err(mistake) => (Dialects::default(), vec![mistake]),
-        }
+    /// Defines the dialects of a suite's folder, so that a command line may name them; what is wrong with its files is reported
+    /// where its cases are loaded.
+    pub fn define_those_of(folder: &Path) {
+        let _ = read(&files::Root::new(folder));
     }
 
     /// Reads the text of the `dialects.toml` that reports show as `shown`; returns its usable part and its mistakes.
     #[must_use]
     pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
-        let (dialects, mistakes) = Dialects::read(text);
+        let (dialects, mistakes) = Dialects::default().with_groups(text);
         let errors = mistakes.into_iter().map(|mistake| mistake.in_file(shown));
         (dialects, errors.collect())
     }
 
-    /// Returns every dialect that case files may name, user-defined ones among them.
-    pub(crate) fn all(&self) -> Vec<DialectName> {
-        DialectName::ALL
-            .into_iter()
-            .chain(self.defined.iter().copied())
-            .collect()
+    /// Adds the groups of the text of a `dialects.toml`; returns its mistakes, too.
+    fn with_groups(mut self, text: &str) -> (Dialects, Vec<Mistake>) {
+        let lines = Lines::new(text);
+        let file = match toml_text::read::<DialectsFile>(text, 0, &lines) {
+            Ok(file) => file,
+            Err(mistake) => return (self, vec![mistake]),
+        };
+        let mut mistakes = Vec::new();
+        for (group, members) in file.groups {
+            let read = |member: &Spanned<String>| match member.get_ref().parse() {
+                Ok(dialect) => Some(dialect),
+                Err(unknown) => {
+                    let unknown: stickler_types::UnknownDialect = unknown;
+                    let line = lines.line(member.span().start);
+                    mistakes.push(Mistake::new(line, unknown.to_string()).key(&format!("groups.{group}")));
+                    None
+                }
+            };
+            let members = members.iter().filter_map(read).collect();
+            self.groups.insert(group, members);
+        }
+        (self, mistakes)
     }
 
-    /// Returns the dialects that the file has an entry for, with their entries.
-    pub fn entries(&self) -> impl Iterator<Item = (DialectName, &DialectEntry)> {
-        self.entries.iter().map(|(&name, entry)| (name, entry))
+    /// Defines the dialect of the text of a file `dialects/NAME.toml` for the lifetime of the process, unless Stickler carries it.
+    fn define(&mut self, name: &str, text: &str, place: &str) -> Result<(), Mistake> {
+        if DialectName::ALL.iter().any(|carried| carried.as_str() == name) {
+            return Ok(());
+        }
+        let extended = |other: &str| Some(other.parse::<DialectName>().ok()?.statements().clone());
+        // A dialect that is not defined yet stands for itself in its own definition.
+        let own = DialectName::IEC_ED3;
+        let lines = Lines::new(text);
+        let file = read_documented((name, own), text, place, &extended)
+            .map_err(|mistake| Mistake::new(lines.line(mistake.span.start), mistake.message))?;
+        let define =
+            |definition| DialectName::define(definition).map_err(|taken| Mistake::new(1, taken.to_string()));
+        let base = define(file.definition)?;
+        for variant in file.variants {
+            define(Definition { base, ..variant })?;
+        }
+        self.added.push(base);
+        Ok(())
+    }
+
+    /// Returns every dialect that case files may name, user-defined ones among them.
+    pub(crate) fn all(&self) -> Vec<DialectName> {
+        let added = self.added.iter().chain(&self.defined).copied();
+        DialectName::ALL.into_iter().chain(added).collect()
     }
 
     /// Returns the groups, each with its dialects.
@@ -130,22 +125,9 @@ impl Dialects {
             (None, Ok(dialect)) => vec![dialect],
             (None, Err(_)) => return Err(self.unknown(name)),
         };
-        // Extensions of extensions come in as long as there are new ones.
-        let mut next = 0;
-        while let Some(&base) = found.get(next) {
-            let extending = self
-                .entries
-                .iter()
-                .filter(|(_, entry)| entry.extends == Some(base));
-            let defined = self.defined.iter().filter(|name| name.base().name() == base);
-            let new: Vec<_> = extending
-                .map(|(&name, _)| name)
-                .chain(defined.copied())
-                .filter(|name| !found.contains(name))
-                .collect();
-            found.extend(new);
-            next += 1;
-        }
+        let extending = self.defined.iter().filter(|name| found.contains(&name.base()));
+        let extending: Vec<DialectName> = extending.copied().collect();
+        found.extend(extending);
         found.sort_unstable();
         found.dedup();
         Ok(found)
@@ -158,99 +140,43 @@ impl Dialects {
     }
 }
 
-struct DialectsReader {
-    lines: Lines,
-    mistakes: Vec<Mistake>,
-}
-
-impl DialectsReader {
-    fn read(mut self, file: DialectsFile) -> (Dialects, Vec<Mistake>) {
-        let mut dialects = Dialects::default();
-        // Groups may name them.
-        for (name, variant) in file.variant {
-            self.define(&name, variant);
-        }
-        for (group, members) in file.groups {
-            let key = format!("groups.{group}");
-            let members = members
-                .iter()
-                .filter_map(|member| self.dialect(member, &key))
-                .collect();
-            dialects.groups.insert(group, members);
-        }
-        for (name, entry) in file.dialect {
-            let key = format!("dialect.{}", name.get_ref());
-            let Some(dialect) = self.dialect(&name, &key) else {
-                continue;
-            };
-            let entry = self.entry(entry, &key);
-            dialects.entries.insert(dialect, entry);
-        }
-        (dialects, self.mistakes)
-    }
-
-    /// Defines a variant for the lifetime of the process, so that its name is one of a dialect.
-    fn define(&mut self, name: &Spanned<String>, variant: VariantFile) {
-        let key = format!("variant.{}", name.get_ref());
-        let Some(base) = self.dialect(&variant.extends, &key) else {
-            return;
-        };
-        let place = format!("dialects.toml:{}", self.lines.line(name.span().start));
-        let mut definition = Definition {
-            is_variant: true,
-            about: Some(variant.description),
-            ..Definition::new(name.get_ref(), base.base(), &place)
-        };
-        for (word, value) in variant.flags {
-            match Flag::from_word(word.get_ref()) {
-                Some(flag) => {
-                    let basis = format!("{}: {} ({place})", name.get_ref(), flag.as_str());
-                    definition.flags.insert(flag, Stated { value, basis });
-                }
-                None => {
-                    let known = Flag::ALL.iter().map(|flag| flag.as_str());
-                    let message = format!(
-                        "no flag `{}`; {}",
-                        word.get_ref(),
-                        suggestion(word.get_ref(), known)
-                    );
-                    self.mistake(&word, &key, message);
-                }
-            }
-        }
-        if let Err(taken) = DialectName::define(definition) {
-            self.mistake(name, &key, taken.to_string());
+/// Reads the dialects and groups of a suite: `dialects/*.toml` and `dialects.toml`; returns what is wrong with the files, too.
+pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
+    let mut dialects = Dialects::default();
+    let mut errors = Vec::new();
+    for name in files::names(&root.path().join(FOLDER), "toml") {
+        let below = format!("{FOLDER}/{name}.toml");
+        let shown = root.shown(&below);
+        let read = files::read(&root.path().join(&below));
+        if let Err(mistake) = read.and_then(|text| dialects.define(&name, &text, &shown)) {
+            errors.push(mistake.in_file(&shown));
         }
     }
-
-    fn entry(&mut self, entry: EntryFile, key: &str) -> DialectEntry {
-        DialectEntry {
-            title: entry.title,
-            description: entry.description,
-            extends: entry.extends.and_then(|base| self.dialect(&base, key)),
+    let shown = root.shown(GROUPS);
+    match files::read(&root.path().join(GROUPS)) {
+        Ok(text) => {
+            let (with, mistakes) = dialects.with_groups(&text);
+            errors.extend(mistakes.into_iter().map(|mistake| mistake.in_file(&shown)));
+            (with, errors)
         }
-    }
-
-    fn dialect(&mut self, name: &Spanned<String>, key: &str) -> Option<DialectName> {
-        let dialect = name.get_ref().parse();
-        dialect
-            .map_err(|error: stickler_types::UnknownDialect| self.mistake(name, key, error.to_string()))
-            .ok()
-    }
-
-    fn mistake(&mut self, at: &Spanned<String>, key: &str, message: String) {
-        self.mistakes
-            .push(Mistake::new(self.lines.line(at.span().start), message).key(key));
+        Err(mistake) => {
+            errors.push(mistake.in_file(&shown));
+            (dialects, errors)
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use DialectName::{IronplcEd2, IronplcEd3, IronplcRusty, Matiec};
+    use stickler_types::definition::Flag;
+    use stickler_types::{Dialect, Rounding};
+
+    const ED2: DialectName = DialectName::IRONPLC_ED2;
+    const MATIEC: DialectName = DialectName::MATIEC;
 
     fn read(text: &str) -> Dialects {
-        let (dialects, mistakes) = Dialects::read(text);
+        let (dialects, mistakes) = Dialects::default().with_groups(text);
         assert_eq!(mistakes, []);
         dialects
     }
@@ -258,74 +184,72 @@ mod tests {
     #[test]
     fn a_group_stands_for_its_members() {
         let dialects = read("[groups]\nboth = [\"matiec\", \"ironplc-ed2\"]");
-        assert_eq!(dialects.resolve("both"), Ok(vec![IronplcEd2, Matiec]));
-        assert_eq!(dialects.resolve("matiec"), Ok(vec![Matiec]));
+        assert_eq!(dialects.resolve("both"), Ok(vec![ED2, MATIEC]));
+        assert_eq!(dialects.resolve("matiec"), Ok(vec![MATIEC]));
         let unknown = dialects.resolve("neither").unwrap_err();
         assert!(unknown.contains("`neither`") && unknown.contains("both") && unknown.contains("plcnext"));
     }
 
     #[test]
     fn a_variant_is_named_and_takes_over_no_cases() {
-        let dialects = read(
-            "[groups]\nwith = [\"matiec\", \"test+bits\"]\n[variant.\"test+bits\"]\nextends = 'ironplc-ed2'\n\
-             description = 'bits'\nflags = { allow-partial-access-syntax = true }",
-        );
-        let variant: DialectName = "test+bits".parse().expect("it is defined");
+        let dialects = read("[groups]\nwith = [\"matiec\", \"ironplc-ed2+partial-access\"]");
+        let variant: DialectName = "ironplc-ed2+partial-access".parse().expect("its file has it");
         assert!(variant.is_variant() && !variant.is_custom());
-        let definition = variant.definition().expect("it is defined");
+        let definition = variant.definition().expect("it is a variant");
         assert_eq!(definition.flag(Flag::PartialAccessSyntax), Some(true));
-        assert_eq!(dialects.resolve("with"), Ok(vec![Matiec, variant]));
-        assert_eq!(dialects.resolve("ironplc-ed2"), Ok(vec![IronplcEd2]));
+        assert_eq!(dialects.resolve("with"), Ok(vec![MATIEC, variant]));
+        assert_eq!(dialects.resolve("ironplc-ed2"), Ok(vec![ED2]));
     }
 
     #[test]
-    fn a_flag_of_a_variant_that_there_is_not_is_named_with_the_nearest() {
-        let (_, mistakes) = Dialects::read(
-            "[variant.test-flag]\nextends = 'matiec'\ndescription = ''\nflags = { bit-acces = true }",
-        );
-        let [mistake] = &mistakes[..] else {
-            panic!("{mistakes:?}")
-        };
-        assert!(
-            format!("{mistake:?}").contains("did you mean `bit-access`?"),
-            "{mistake:?}"
-        );
-    }
-
-    #[test]
-    fn an_extending_dialect_takes_over_the_cases() {
-        let dialects = read(
-            "[dialect.ironplc-ed3]\ntitle=''\ndescription=''\nextends='ironplc-ed2'\n\
-             [dialect.ironplc-rusty]\ntitle=''\ndescription=''\nextends='ironplc-ed3'",
-        );
+    fn a_file_adds_a_dialect_and_its_variants_without_rust() {
+        let mut dialects = Dialects::default();
+        let text = "title = 'Trial'\nextends = 'matiec'\n[flags]\nbit-access = true\n[conversions]\nrounding = 'half-to-even'\n\
+                    [variants.'trial+comments'.flags]\nline-comments = true\n";
+        dialects
+            .define("trial", text, "dialects/trial.toml")
+            .expect("it can be read");
+        let trial: DialectName = "trial".parse().expect("it is defined");
         assert_eq!(
-            dialects.resolve("ironplc-ed2"),
-            Ok(vec![IronplcEd2, IronplcEd3, IronplcRusty])
+            (trial.base(), trial.is_custom(), trial.definition()),
+            (trial, false, None)
         );
-        assert_eq!(dialects.resolve("ironplc-rusty"), Ok(vec![IronplcRusty]));
+        let rules = Dialect::of(trial);
+        assert!(rules.bit_access && !rules.line_comments && rules.only_standard_rounding);
+        assert_eq!(rules.conversions.rounding, Rounding::HalfToEven);
+        let variant: DialectName = "trial+comments".parse().expect("it is defined");
+        assert!(variant.is_variant() && variant.base() == trial && Dialect::of(variant).line_comments);
+        assert_eq!(dialects.resolve("trial"), Ok(vec![trial]));
+        assert!(dialects.all().contains(&trial));
     }
 
     #[test]
-    fn dialects_that_extend_each_other_come_to_an_end() {
-        let dialects = read(
-            "[dialect.ironplc-ed3]\ntitle=''\ndescription=''\nextends='ironplc-ed2'\n\
-             [dialect.ironplc-ed2]\ntitle=''\ndescription=''\nextends='ironplc-ed3'",
+    fn mistakes_in_the_file_of_a_dialect_have_their_line() {
+        let mistake = |text: &str| {
+            Dialects::default()
+                .define("wrong", text, "dialects/wrong.toml")
+                .unwrap_err()
+        };
+        let unknown = mistake("title = ''\n[flags]\nbit-acces = true");
+        assert_eq!(unknown.line, 3);
+        assert!(
+            format!("{unknown:?}").contains("did you mean `bit-access`?"),
+            "{unknown:?}"
         );
-        assert_eq!(dialects.resolve("ironplc-ed2"), Ok(vec![IronplcEd2, IronplcEd3]));
+        assert_eq!(mistake("title = ''\nextends = 'nowhere'").line, 2);
+        assert_eq!(mistake("about = ''").line, 1);
     }
 
     #[test]
     fn mistakes_have_their_line_and_the_rest_is_used() {
-        let (dialects, mistakes) = Dialects::read(
-            "[groups]\nsome = [\"matiec\",\n\"matieck\"]\n[dialect.codesis]\ntitle=''\ndescription=''\n\
-             [dialect.matiec]\ntitle=''\ndescription=''\nextends='nowhere'",
-        );
+        let (dialects, mistakes) =
+            Dialects::default().with_groups("[groups]\nsome = [\"matiec\",\n\"matieck\"]\n");
         assert_eq!(
             mistakes.iter().map(|mistake| mistake.line).collect::<Vec<_>>(),
-            [3, 4, 10]
+            [3]
         );
-        assert_eq!(dialects.resolve("some"), Ok(vec![Matiec]));
-        let (dialects, mistakes) = Dialects::read("groups = 3");
+        assert_eq!(dialects.resolve("some"), Ok(vec![MATIEC]));
+        let (dialects, mistakes) = Dialects::default().with_groups("groups = 3");
         assert_eq!(mistakes[0].line, 1);
         assert!(dialects.resolve("matiec").is_ok());
     }

@@ -127,12 +127,26 @@ fn slashes(path: &Path) -> String {
     parts.join("/")
 }
 
+/// Returns the names of the files in a folder with this extension, without it and in their order; none where there is no such
+/// folder.
+pub(crate) fn names(folder: &Path, extension: &str) -> Vec<String> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let paths = entries
+        .map(|entry| entry.path())
+        .filter(|path| path.extension().is_some_and(|own| own == extension));
+    let mut names: Vec<String> = paths
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    names.sort();
+    names
+}
+
 /// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`, `places.toml`), for recordings and for all
 /// others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
         "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml" => None,
-        _ if is_recording(below_root) => None,
+        _ if is_recording(below_root) || is_dialect(below_root) => None,
         _ if below_root.ends_with(".st") => Some(FileKind::Program),
         _ if below_root.ends_with(".toml") => Some(FileKind::Table),
         _ => None,
@@ -193,6 +207,11 @@ fn is_known(below_root: &str) -> bool {
         "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml"
     ) || below_root.ends_with(".md")
         || is_recording(below_root)
+        || is_dialect(below_root)
+}
+
+fn is_dialect(below_root: &str) -> bool {
+    below_root.starts_with("dialects/") && below_root.ends_with(".toml")
 }
 
 fn is_recording(below_root: &str) -> bool {

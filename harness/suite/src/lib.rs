@@ -50,7 +50,7 @@ mod unmarked;
 
 pub use bases::{Bases, OR};
 pub use citations::NOT_STATED;
-pub use dialects::{DialectEntry, Dialects};
+pub use dialects::Dialects;
 pub use error::CaseFileError;
 pub use features::{Feature, Features};
 pub use files::{FileKind, RECORDINGS};

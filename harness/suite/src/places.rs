@@ -191,7 +191,7 @@ impl Places {
                 }
                 let kept = present[hash.folded() as usize % present.len()];
                 dialects.retain(|dialect| {
-                    let base = dialect.base().name();
+                    let base = dialect.base();
                     base == kept || !present.contains(&base)
                 });
             }

@@ -173,7 +173,7 @@ impl Source {
     pub fn speaks_for(&self, section: &str, dialect: DialectName) -> bool {
         let dialects = self.dialects_of(section);
         let names = |dialect| dialects.contains(&dialect);
-        self.kind.speaks_for_all() || names(dialect) || names(dialect.base().name())
+        self.kind.speaks_for_all() || names(dialect) || names(dialect.base())
     }
 
     /// Returns the dialects for which a section speaks: of a recording, those in which its product was asked, and of every other source its
@@ -298,8 +298,8 @@ mod tests {
                 .get(key)
                 .is_some_and(|source| source.speaks_for("", dialect))
         };
-        assert!(speaks("page", DialectName::Matiec) && !speaks("page", DialectName::Plcnext));
-        assert!(speaks("std", DialectName::Plcnext) && speaks("rule", DialectName::Plcnext));
+        assert!(speaks("page", DialectName::MATIEC) && !speaks("page", DialectName::PLCNEXT));
+        assert!(speaks("std", DialectName::PLCNEXT) && speaks("rule", DialectName::PLCNEXT));
         let page = sources.get("page").unwrap();
         assert_eq!(
             page.address_of("A heading"),

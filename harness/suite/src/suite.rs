@@ -6,7 +6,7 @@ use std::thread;
 
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
-use stickler_types::{DefinedDialect, DialectName};
+use stickler_types::DialectName;
 use stickler_workers::{SpawnError, WorkerPool};
 
 use crate::assembly::TypeNames;
@@ -17,7 +17,7 @@ use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
 use crate::places::Places;
 use crate::{Case, CaseFileError, Dialects, Features, Sources};
-use crate::{features, files, ident, places, single, sources, table, toml_text};
+use crate::{dialects, features, files, ident, places, single, sources, table, toml_text};
 
 /// The cases of a folder, and the mistakes in its files.
 #[derive(Clone, Debug, Default)]
@@ -140,7 +140,7 @@ impl Suite {
     }
 
     fn read_dialects(&mut self, root: &files::Root) {
-        let (dialects, errors) = dialects(root);
+        let (dialects, errors) = dialects::read(root);
         self.dialects = dialects;
         self.errors.extend(errors);
     }
@@ -159,7 +159,7 @@ impl Suite {
 /// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
 pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     let root = files::Root::new(root);
-    let (dialects, mut errors) = dialects(&root);
+    let (dialects, mut errors) = dialects::read(&root);
     let file = match root.case_file(path) {
         Ok(file) => file,
         Err(error) => {
@@ -220,14 +220,6 @@ struct SuiteNames<'a> {
     sources: Option<&'a Sources>,
     places: &'a Places,
     types: &'a TypeNames,
-}
-
-fn dialects(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
-    let shown = root.shown("dialects.toml");
-    match files::read(&root.path().join("dialects.toml")) {
-        Ok(text) => Dialects::of_file(&shown, &text),
-        Err(mistake) => (Dialects::default(), vec![mistake.in_file(&shown)]),
-    }
 }
 
 fn read_file(file: &files::CaseFile, names: SuiteNames<'_>) -> Harvest {
@@ -305,25 +297,27 @@ fn drop_duplicates(harvest: &mut Harvest) {
 /// A set of dialects.
 #[derive(Clone, Debug, Default)]
 struct DialectSet {
-    /// The dialects of documented systems, one bit each.
-    built_in: u32,
-    /// The user-defined dialects of the set; usually few.
-    defined: Vec<DefinedDialect>,
+    /// The first dialects, one bit each.
+    first: u64,
+    /// The other dialects of the set; usually none.
+    others: Vec<DialectName>,
 }
 
 impl DialectSet {
     /// Adds a dialect; returns false if the set had it already.
     fn insert(&mut self, dialect: DialectName) -> bool {
-        if let DialectName::Defined(defined) = dialect {
-            let is_new = !self.defined.contains(&defined);
+        let Some(bit) = u32::try_from(dialect.index())
+            .ok()
+            .and_then(|index| 1_u64.checked_shl(index))
+        else {
+            let is_new = !self.others.contains(&dialect);
             if is_new {
-                self.defined.push(defined);
+                self.others.push(dialect);
             }
             return is_new;
-        }
-        let bit = 1 << dialect.base() as u32;
-        let is_new = self.built_in & bit == 0;
-        self.built_in |= bit;
+        };
+        let is_new = self.first & bit == 0;
+        self.first |= bit;
         is_new
     }
 }

@@ -228,7 +228,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
 mod tests {
     use super::*;
     use crate::parse;
-    use stickler_types::Dialect;
+    use stickler_types::{Dialect, DialectName};
 
     const TEXT: &str = "TYPE color : (red, green); pair : STRUCT low, high : INT; END_STRUCT; END_TYPE
         FUNCTION_BLOCK fb VAR_INPUT n : INT; END_VAR END_FUNCTION_BLOCK
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn every_declared_name_is_found_with_its_kind() {
-        let (unit, diagnostics) = parse(TEXT, &Dialect::ironplc_ed3());
+        let (unit, diagnostics) = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, []);
         let described = |one: &DeclaredName<'_, '_>| {
             let inside = one.inside.map_or("", |pou| pou.name.text);
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn every_use_of_a_name_is_found_with_its_kind() {
-        let (unit, _) = parse(TEXT, &Dialect::ironplc_ed3());
+        let (unit, _) = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3));
         let found: Vec<String> = used(&unit)
             .iter()
             .map(|one| format!("{} {:?}", one.name.text, one.kind))

@@ -207,11 +207,12 @@ impl TokenKind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
     #[test]
     fn a_text_that_no_dialect_reads_has_tokens() {
         let text = "x ^:= 'a' \u{e4}; (* PROGRAM *) {p} T#1s";
-        let dialect = Dialect::ironplc_ed2();
+        let dialect = Dialect::of(DialectName::IRONPLC_ED2);
         let found_tokens = tokens(text, &dialect);
         let list = &found_tokens.list;
         let found: Vec<&str> = list.iter().map(|token| token.span.text(text)).collect();

@@ -416,7 +416,7 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
 mod tests {
     use super::*;
     use crate::parse;
-    use stickler_types::Dialect;
+    use stickler_types::{Dialect, DialectName};
 
     /// The texts of all expressions that are no operators, with their places.
     struct Leaves<'s> {
@@ -441,7 +441,7 @@ mod tests {
     }
 
     fn leaves(text: &str) -> Vec<String> {
-        let (unit, diagnostics) = parse(text, &Dialect::ironplc_ed3());
+        let (unit, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, [], "{text}");
         let mut leaves = Leaves {
             text,

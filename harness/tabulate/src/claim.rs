@@ -16,7 +16,11 @@ const RECORD_MORE: [&str; 5] = [
 ];
 
 /// The dialects that differ in their documents; the three of IronPLC have one page on conversion functions.
-const DOCUMENTED: [DialectName; 3] = [DialectName::Matiec, DialectName::IronplcEd3, DialectName::Plcnext];
+const DOCUMENTED: [DialectName; 3] = [
+    DialectName::MATIEC,
+    DialectName::IRONPLC_ED3,
+    DialectName::PLCNEXT,
+];
 
 /// The word of a row whose result no document states.
 const OPEN: &str = "open";
@@ -192,7 +196,7 @@ impl Table {
 fn is_named(call: &Call, dialect: DialectName) -> bool {
     let (from, to) = (call.from(), call.to());
     let is_number = |ty: ElementaryType| ty.is_integer() || ty.is_real();
-    if dialect != DialectName::Matiec {
+    if dialect != DialectName::MATIEC {
         return false;
     }
     match &*call.signature.function {

@@ -1,11 +1,11 @@
 //! The points in which documented systems differ, and the options of each: which types convert implicitly, and what a conversion
 //! function does with the values that it cannot keep as they are.
 //!
-//! This module names the options. Which of them a dialect chooses is stated twice, on purpose: by the reference implementation,
-//! and by `stickler-exact`, which the reference is tested against.
+//! This module names the options; the file of a dialect says which of them it chooses. What an option means is implemented twice,
+//! on purpose: by the reference implementation, and by `stickler-exact`, which the reference is tested against.
 
-use crate::Definition;
 use crate::words::words;
+use std::borrow::Cow;
 
 words! {
     /// The answer of a matrix, a document or a definition for one pair of types: the type of the value, and that of the
@@ -162,6 +162,89 @@ words! {
     }
 }
 
+/// A choice that a dialect's file states by a word.
+pub(crate) trait Choice: Copy {
+    /// Returns the choice of a word; `None` where it is none.
+    fn read(word: &str) -> Option<Self>;
+
+    /// Returns the word of the choice.
+    fn written(self) -> Cow<'static, str>;
+
+    /// Returns the words that there are.
+    fn known() -> Vec<&'static str>;
+}
+
+/// Makes choices of enumerations of words; a list of variants limits those that a file may state.
+macro_rules! choices_of_words {
+    ($($name:ty $(: $all:expr)?,)*) => {
+        $(impl Choice for $name {
+            fn read(word: &str) -> Option<Self> {
+                choices_of_words!(@all $name $(, $all)?).iter().copied().find(|known| known.as_str() == word)
+            }
+
+            fn written(self) -> Cow<'static, str> {
+                self.as_str().into()
+            }
+
+            fn known() -> Vec<&'static str> {
+                choices_of_words!(@all $name $(, $all)?).iter().map(|known| known.as_str()).collect()
+            }
+        })*
+    };
+    (@all $name:ty) => { <$name>::ALL };
+    (@all $name:ty, $all:expr) => { $all };
+}
+
+choices_of_words! {
+    Rounding: Rounding::OF_CONVERSIONS,
+    OutOfRange,
+    TextReading,
+    BitStringText,
+    MomentText,
+    BitsAsReal,
+    BitStringAsBool,
+    MomentUnits,
+    crate::ImplicitWarnings,
+    crate::OperandTypes,
+    crate::ComparedTypes,
+    crate::ResultSigns,
+    crate::ConstantTypes,
+    crate::ShiftCounts,
+    crate::dialect::Widening,
+    crate::dialect::PartialAccess,
+    crate::dialect::ThirdEditionTypes,
+    crate::documents::DocumentedImplicit,
+    crate::documents::DocumentedFunctions,
+}
+
+impl Choice for RealText {
+    fn read(word: &str) -> Option<RealText> {
+        /// The permitted numbers of significant digits; a real number of 64 bits never needs more than 17.
+        const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
+        match word {
+            "shortest" => Some(RealText::Shortest),
+            "by-width" => Some(RealText::ByWidth),
+            digits => digits
+                .parse()
+                .ok()
+                .filter(|digits| DIGITS.contains(digits))
+                .map(RealText::SignificantDigits),
+        }
+    }
+
+    fn written(self) -> Cow<'static, str> {
+        match self {
+            RealText::Shortest => "shortest".into(),
+            RealText::ByWidth => "by-width".into(),
+            RealText::SignificantDigits(digits) => digits.to_string().into(),
+        }
+    }
+
+    fn known() -> Vec<&'static str> {
+        vec!["shortest", "by-width"]
+    }
+}
+
 /// The choices of a dialect on which a conversion depends besides its types and its operand.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct ConversionChoices {
@@ -201,29 +284,6 @@ impl ConversionChoices {
             rounding: Rounding::Truncate,
             out_of_range: self.truncation_out_of_range,
             ..self
-        }
-    }
-
-    /// Returns a copy in which the choices that a definition states replace the present ones.
-    #[must_use]
-    pub fn overridden(self, definition: &Definition) -> ConversionChoices {
-        fn stated<T: Copy>(stated: &Option<crate::Stated<T>>, otherwise: T) -> T {
-            stated.as_ref().map_or(otherwise, |stated| stated.value)
-        }
-        ConversionChoices {
-            rounding: stated(&definition.rounding, self.rounding),
-            out_of_range: stated(&definition.out_of_range, self.out_of_range),
-            truncation_out_of_range: stated(
-                &definition.truncation_out_of_range,
-                stated(&definition.out_of_range, self.truncation_out_of_range),
-            ),
-            text_reading: stated(&definition.text_reading, self.text_reading),
-            real_text: stated(&definition.real_text, self.real_text),
-            bit_string_text: stated(&definition.bit_string_text, self.bit_string_text),
-            moment_text: stated(&definition.moment_text, self.moment_text),
-            bits_as_real: stated(&definition.bits_as_real, self.bits_as_real),
-            bit_string_as_bool: stated(&definition.bit_string_as_bool, self.bit_string_as_bool),
-            moment_units: stated(&definition.moment_units, self.moment_units),
         }
     }
 }

@@ -1,114 +1,69 @@
-//! Definitions of dialects in `stickler.toml`: the overrides of a dialect that extends another one, and their keywords.
+//! What a dialect's file states: the choices in which it differs from the dialect that it extends, or from the defaults.
 //!
-//! The meaning of an override is implemented twice, independently: by the reference and by exact arithmetic.
+//! The meaning of a choice is implemented twice, independently: by the reference and by exact arithmetic.
 
+use crate::choices::Choice;
+use crate::dialect::{PartialAccess, ThirdEditionTypes, Widening};
+use crate::documents::Documents;
 use crate::words::words;
 use crate::{
-    BitStringAsBool, BitStringText, BitsAsReal, BuiltIn, ComparedTypes, ConstantTypes, ElementaryType,
-    ImplicitWarnings, MatrixWord, MomentText, MomentUnits, OperandTypes, OutOfRange, RealText, ResultSigns,
-    Rounding, ShiftCounts, TextReading,
+    BitStringAsBool, BitStringText, BitsAsReal, ComparedTypes, ConstantTypes, ConversionChoices, Dialect,
+    DialectName, ElementaryType, ImplicitWarnings, MatrixWord, MomentText, MomentUnits, OperandTypes,
+    OutOfRange, RealText, ResultSigns, Rounding, ShiftCounts, TextReading,
 };
 use std::collections::BTreeMap;
 
-/// A user-defined dialect: another dialect with some rules overridden.
+/// The kind of a dialect, which says whose cases it has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum DialectKind {
+    /// A documented system, which case files name.
+    Documented,
+    /// A documented system with compiler options on or off, which case files name; it takes over no cases.
+    Variant,
+    /// A dialect of `stickler.toml`, which takes over the cases of its base.
+    Custom,
+}
+
+/// The content of a dialect's file, together with that of the files that it extends.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Definition {
     /// The name of the dialect.
     pub name: String,
-    /// The dialect of a documented system whose rules apply where the definition states nothing.
-    pub base: BuiltIn,
+    /// The name of the system, for people.
+    pub title: String,
+    /// The documented system that it is, or whose rules apply where the definition states nothing.
+    pub base: DialectName,
     /// A description of the dialect, for people.
     pub about: Option<String>,
-    /// Whether the dialect is a variant of a documented system that the suite itself defines: its documents say what a compiler option
-    /// does, and case files name the variant. Otherwise the dialect takes over the cases of its base.
-    pub is_variant: bool,
+    /// The kind of the dialect.
+    pub kind: DialectKind,
     /// The file and line of the definition, such as `stickler.toml:3`.
     pub place: String,
+    /// Whether the sources say single things of the system, pairs of types and values, and not what its language is: only tables
+    /// that name it speak for it, and no programs are generated in it.
+    pub is_known_in_part: bool,
+    /// What the documents of the system say, in the words by which exact arithmetic and the generator know them.
+    pub documents: Documents,
     /// The pairs of types, of the value and of the target, for which the definition states whether they convert implicitly.
     pub implicit: BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>,
     /// The language features that the definition enables or disables.
     pub flags: BTreeMap<Flag, Stated<bool>>,
-    /// The rounding of real numbers to integers.
-    pub rounding: Option<Stated<Rounding>>,
-    /// The result for a real number that lies outside the integer.
-    pub out_of_range: Option<Stated<OutOfRange>>,
-    /// The result of TRUNC and its kin for such a number, where it is another one.
-    pub truncation_out_of_range: Option<Stated<OutOfRange>>,
-    /// The part of a text that must be a number.
-    pub text_reading: Option<Stated<TextReading>>,
-    /// The digits in which a real number is written as text.
-    pub real_text: Option<Stated<RealText>>,
-    /// The form in which a bit string is written as text.
-    pub bit_string_text: Option<Stated<BitStringText>>,
-    /// The form in which a duration, date or time of day is written as text.
-    pub moment_text: Option<Stated<MomentText>>,
-    /// The meaning of the bits of a bit string as a real of the same width.
-    pub bits_as_real: Option<Stated<BitsAsReal>>,
-    /// The bits of a bit string that decide whether it converts to TRUE.
-    pub bit_string_as_bool: Option<Stated<BitStringAsBool>>,
-    /// The unit in which a number counts a duration, date or time of day.
-    pub moment_units: Option<Stated<MomentUnits>>,
+    /// The choices of the language.
+    pub language: LanguageOverrides,
+    /// The choices of conversion functions.
+    pub conversions: ConversionOverrides,
     /// The choices of operators.
     pub operators: OperatorOverrides,
 }
 
-/// The choices of operators that a definition states.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct OperatorOverrides {
-    /// The implicit conversions that are warned of.
-    pub implicit_warnings: Option<Stated<ImplicitWarnings>>,
-    /// The types in which two integers or bit strings meet.
-    pub operands: Option<Stated<OperandTypes>>,
-    /// The pairs of numbers and bit strings that a comparison takes.
-    pub compared: Option<Stated<ComparedTypes>>,
-    /// The signs of what operators on bits and prefix operators give.
-    pub result_signs: Option<Stated<ResultSigns>>,
-    /// The types of operations on constants.
-    pub constant_types: Option<Stated<ConstantTypes>>,
-    /// The bits of the count of a shift.
-    pub shift_counts: Option<Stated<ShiftCounts>>,
-}
-
-impl OperatorOverrides {
-    /// Returns the overrides in the notation of `stickler.toml`: `operands = promoted`.
-    fn written(&self) -> Vec<String> {
-        [
-            word(
-                "implicit-warnings",
-                &self.implicit_warnings,
-                ImplicitWarnings::as_str,
-            ),
-            word("operands", &self.operands, OperandTypes::as_str),
-            word("compared", &self.compared, ComparedTypes::as_str),
-            word("result-signs", &self.result_signs, ResultSigns::as_str),
-            word("constant-types", &self.constant_types, ConstantTypes::as_str),
-            word("shift-counts", &self.shift_counts, ShiftCounts::as_str),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
-    }
-}
-
-/// Returns a stated choice in the notation of `stickler.toml`.
-fn word<T: Copy>(
-    key: &str,
-    stated: &Option<Stated<T>>,
-    as_str: impl Fn(T) -> &'static str,
-) -> Option<String> {
-    stated
-        .as_ref()
-        .map(|stated| format!("{key} = {}", as_str(stated.value)))
-}
-
-/// A statement of a definition, with its basis.
+/// A statement of a definition.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Stated<T> {
     /// The stated value.
     pub value: T,
     /// The basis of an expectation that follows from the statement, in the form of a case file: `mine: rounding
-    /// (stickler.toml:9)`.
-    pub basis: String,
+    /// (stickler.toml:9)`. `None` in the file of a documented system, whose documents are the basis.
+    pub basis: Option<String>,
 }
 
 /// The error of a name under which no dialect can be defined, because another dialect has it.
@@ -116,34 +71,189 @@ pub struct Stated<T> {
 #[error("there is a dialect `{0}` already")]
 pub struct TakenName(pub String);
 
+/// Declares the choices of a table of a dialect's file, each with the key by which the file states it.
+macro_rules! overrides {
+    ($(#[$about:meta])* $name:ident of $target:ty {
+        $($(#[$said:meta])* $field:ident : $choice:ty = $key:literal,)*
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, PartialEq, Eq, Default, Debug)]
+        pub struct $name {
+            $($(#[$said])* pub $field: Option<Stated<$choice>>,)*
+        }
+
+        impl $name {
+            /// The keys of the table, in the order of the declaration.
+            pub const KEYS: &'static [&'static str] = &[$($key),*];
+
+            /// Sets the choice of a key to a word. The error lists the words that the key may have.
+            ///
+            /// Returns `None` for an unknown key.
+            pub(crate) fn set(
+                &mut self,
+                key: &str,
+                word: &str,
+                basis: Option<String>,
+            ) -> Option<Result<(), Vec<&'static str>>> {
+                match key {
+                    $($key => Some(match <$choice>::read(word) {
+                        Some(value) => {
+                            self.$field = Some(Stated { value, basis });
+                            Ok(())
+                        }
+                        None => Err(<$choice>::known()),
+                    }),)*
+                    _ => None,
+                }
+            }
+
+            /// Makes the stated choices in `target`.
+            pub(crate) fn apply(&self, target: &mut $target) {
+                $(if let Some(stated) = &self.$field {
+                    target.$field = stated.value;
+                })*
+            }
+
+            /// Returns the statements with a basis in the notation of the file: `operands = promoted`.
+            fn written(&self) -> Vec<String> {
+                let mut written = Vec::new();
+                $(if let Some(stated) = self.$field.as_ref().filter(|stated| stated.basis.is_some()) {
+                    written.push(format!("{} = {}", $key, stated.value.written()));
+                })*
+                written
+            }
+
+            /// Returns the statements as those of a dialect of another name.
+            fn renamed(&self, name: &str) -> $name {
+                $name { $($field: self.$field.as_ref().map(|stated| stated.renamed(name)),)* }
+            }
+        }
+    };
+}
+
+overrides! {
+    /// The choices of the language that a definition states.
+    LanguageOverrides of Dialect {
+        /// The pairs of types that convert implicitly.
+        widening: Widening = "implicit",
+        /// The forms of partial access.
+        partial_access: PartialAccess = "partial-access",
+        /// The types of the third edition.
+        third_edition_types: ThirdEditionTypes = "third-edition-types",
+    }
+}
+
+overrides! {
+    /// The choices of conversion functions that a definition states.
+    ConversionOverrides of ConversionChoices {
+        /// The rounding of real numbers to integers.
+        rounding: Rounding = "rounding",
+        /// The result for a real number that lies outside the integer.
+        out_of_range: OutOfRange = "out-of-range",
+        /// The result of TRUNC and its kin for such a number, where it is another one.
+        truncation_out_of_range: OutOfRange = "truncation-out-of-range",
+        /// The part of a text that must be a number.
+        text_reading: TextReading = "text-reading",
+        /// The digits in which a real number is written as text.
+        real_text: RealText = "real-text",
+        /// The form in which a bit string is written as text.
+        bit_string_text: BitStringText = "bit-string-text",
+        /// The form in which a duration, date or time of day is written as text.
+        moment_text: MomentText = "moment-text",
+        /// The meaning of the bits of a bit string as a real of the same width.
+        bits_as_real: BitsAsReal = "bits-as-real",
+        /// The bits of a bit string that decide whether it converts to TRUE.
+        bit_string_as_bool: BitStringAsBool = "bit-string-as-bool",
+        /// The unit in which a number counts a duration, date or time of day.
+        moment_units: MomentUnits = "moment-units",
+    }
+}
+
+overrides! {
+    /// The choices of operators that a definition states.
+    OperatorOverrides of Dialect {
+        /// The implicit conversions that are warned of.
+        implicit_warnings: ImplicitWarnings = "implicit-warnings",
+        /// The types in which two integers or bit strings meet.
+        operands: OperandTypes = "operands",
+        /// The pairs of numbers and bit strings that a comparison takes.
+        compared: ComparedTypes = "compared",
+        /// The signs of what operators on bits and prefix operators give.
+        result_signs: ResultSigns = "result-signs",
+        /// The types of operations on constants.
+        constant_types: ConstantTypes = "constant-types",
+        /// The bits of the count of a shift.
+        shift_counts: ShiftCounts = "shift-counts",
+    }
+}
+
+impl<T: Copy> Stated<T> {
+    /// Returns the statement as one of a dialect of another name.
+    fn renamed(&self, name: &str) -> Stated<T> {
+        let rename = |basis: &String| {
+            let rest = basis.split_once(':').map_or("", |(_, rest)| rest);
+            format!("{name}:{rest}")
+        };
+        Stated {
+            value: self.value,
+            basis: self.basis.as_ref().map(rename),
+        }
+    }
+}
+
 impl Definition {
-    /// Returns a definition that overrides nothing.
-    pub fn new(name: &str, base: BuiltIn, place: &str) -> Definition {
+    /// Returns the definition of a dialect that extends another one and overrides nothing.
+    pub fn new(name: &str, base: DialectName, place: &str) -> Definition {
+        Definition::extending(base.statements(), name, place)
+    }
+
+    /// Returns the definition of a documented system that states nothing.
+    pub(crate) fn documented(name: &str, own: DialectName, place: &str) -> Definition {
         Definition {
             name: name.to_owned(),
-            base,
+            title: String::new(),
+            base: own,
             about: None,
-            is_variant: false,
+            kind: DialectKind::Documented,
             place: place.to_owned(),
+            is_known_in_part: false,
+            documents: Documents::default(),
             implicit: BTreeMap::new(),
             flags: BTreeMap::new(),
-            rounding: None,
-            out_of_range: None,
-            truncation_out_of_range: None,
-            text_reading: None,
-            real_text: None,
-            bit_string_text: None,
-            moment_text: None,
-            bits_as_real: None,
-            bit_string_as_bool: None,
-            moment_units: None,
+            language: LanguageOverrides::default(),
+            conversions: ConversionOverrides::default(),
             operators: OperatorOverrides::default(),
         }
     }
 
-    /// Returns the stated value of a flag; `None` if the definition does not state it.
+    /// Returns what another definition states under the name of a custom dialect that extends it.
+    pub(crate) fn extending(other: &Definition, name: &str, place: &str) -> Definition {
+        Definition {
+            name: name.to_owned(),
+            about: None,
+            kind: DialectKind::Custom,
+            place: place.to_owned(),
+            implicit: other
+                .implicit
+                .iter()
+                .map(|(pair, stated)| (*pair, stated.renamed(name)))
+                .collect(),
+            flags: other
+                .flags
+                .iter()
+                .map(|(flag, stated)| (*flag, stated.renamed(name)))
+                .collect(),
+            language: other.language.renamed(name),
+            conversions: other.conversions.renamed(name),
+            operators: other.operators.renamed(name),
+            ..other.clone()
+        }
+    }
+
+    /// Returns what the definition states of a flag beside the documents of its base; `None` if it states nothing.
     pub fn flag(&self, flag: Flag) -> Option<bool> {
-        self.flags.get(&flag).map(|stated| stated.value)
+        let stated = self.flags.get(&flag).filter(|stated| stated.basis.is_some());
+        stated.map(|stated| stated.value)
     }
 
     /// Returns the overrides in the notation of `stickler.toml`: `implicit INT.BOOL = yes`.
@@ -159,38 +269,12 @@ impl Definition {
             .filter(|(_, stated)| Some(&stated.basis) != cross_family);
         let cells =
             cells.map(|((from, to), stated)| format!("implicit {from}.{to} = {}", stated.value.as_str()));
-        let flags = self
-            .flags
-            .iter()
-            .map(|(flag, stated)| format!("{} = {}", flag.as_str(), stated.value));
-        let choices = [
-            word("rounding", &self.rounding, Rounding::as_str),
-            word("out-of-range", &self.out_of_range, OutOfRange::as_str),
-            word(
-                "truncation-out-of-range",
-                &self.truncation_out_of_range,
-                OutOfRange::as_str,
-            ),
-            word("text-reading", &self.text_reading, TextReading::as_str),
-            self.real_text.as_ref().map(|stated| match stated.value {
-                RealText::Shortest => "real-text = shortest".to_owned(),
-                RealText::ByWidth => "real-text = by-width".to_owned(),
-                RealText::SignificantDigits(digits) => format!("real-text = {digits}"),
-            }),
-            word("bit-string-text", &self.bit_string_text, BitStringText::as_str),
-            word("moment-text", &self.moment_text, MomentText::as_str),
-            word("bits-as-real", &self.bits_as_real, BitsAsReal::as_str),
-            word(
-                "bit-string-as-bool",
-                &self.bit_string_as_bool,
-                BitStringAsBool::as_str,
-            ),
-            word("moment-units", &self.moment_units, MomentUnits::as_str),
-        ];
-        let choices = choices.into_iter().flatten();
+        let flags = self.flags.iter().filter(|(_, stated)| stated.basis.is_some());
+        let flags = flags.map(|(flag, stated)| format!("{} = {}", flag.as_str(), stated.value));
         cells
             .chain(flags)
-            .chain(choices)
+            .chain(self.language.written())
+            .chain(self.conversions.written())
             .chain(self.operators.written())
             .collect()
     }
@@ -248,6 +332,10 @@ words! {
         MixedLocations = "mixed-locations",
         /// A subrange may have a single value.
         SingleValueSubranges = "single-value-subranges",
+        /// An untyped real literal may stand where an integer is expected; it converts as a value does.
+        RealLiteralAsInteger = "real-literal-as-integer",
+        /// A user-defined name of an elementary type, and a subrange of one, convert implicitly as the type does.
+        DerivedTypesConvert = "derived-types-convert",
     }
 }
 
@@ -264,7 +352,7 @@ mod tests {
 
     #[test]
     fn a_new_definition_says_nothing() {
-        let definition = Definition::new("mine", BuiltIn::Plcnext, "stickler.toml:1");
+        let definition = Definition::new("mine", DialectName::PLCNEXT, "stickler.toml:1");
         assert_eq!(definition.flag(Flag::BitAccess), None);
         assert_eq!(
             definition.implicit(ElementaryType::Int, ElementaryType::Bool),

@@ -1,6 +1,7 @@
-//! The language rules of a dialect: what the sources leave to a system, and what a definition overrides.
+//! The language rules of a dialect: what the sources leave to a system.
 //!
-//! [`crate::built_in_dialects`] is the one place where the name of a built-in dialect becomes behaviour.
+//! The file of a dialect, `conformance-cases/dialects/NAME.toml` or a table of `stickler.toml`, states those in which it differs
+//! from the [defaults](DEFAULTS) or from the dialect that it extends.
 
 use crate::definition::Flag;
 pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
@@ -11,9 +12,8 @@ use crate::{
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 use std::collections::BTreeMap;
 
-/// The language rules of one documented system. Each field names a choice that the sources make differently
-/// (conformance-cases/sources.toml and rules.md name the basis of each); nothing else in this crate asks for a dialect's
-/// name.
+/// The language rules of a dialect. Each field names a choice that the sources make differently (conformance-cases/sources.toml
+/// and rules.md name the basis of each).
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Dialect {
     /// The name.
@@ -21,7 +21,7 @@ pub struct Dialect {
     /// The pairs of elementary types that convert implicitly.
     pub widening: Widening,
     /// The pairs of which a definition says something else.
-    pub cells: Option<&'static Cells>,
+    pub cells: &'static Cells,
     /// The implicit conversions that are accepted with a warning.
     pub implicit_warnings: ImplicitWarnings,
     /// The types in which two integers or bit strings meet.
@@ -144,70 +144,105 @@ pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
     moment_units: MomentUnits::Seconds,
 };
 
-/// Replaces a choice by the one that a definition states, if it states one.
-fn override_by<T: Copy>(choice: &mut T, stated: &Option<Stated<T>>) {
-    if let Some(stated) = stated {
-        *choice = stated.value;
-    }
-}
-
 /// The statements of a definition about pairs of types: of the value, and of the target.
 pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
 
+/// The rules of a dialect whose file states nothing: those of the third edition that most systems share, without implicit conversions.
+///
+/// Basis: iec-61131-3: third edition, Tables 3, 5, 10, 71; iec-60559: Operations (rounding to nearest); rule: not-stated for
+/// what is open.
+pub const DEFAULTS: Dialect = Dialect {
+    name: DialectName::IEC_ED3,
+    widening: Widening::None,
+    cells: &Cells::new(),
+    implicit_warnings: ImplicitWarnings::None,
+    operands: OperandTypes::OneOfTheirs,
+    compared: ComparedTypes::Any,
+    constant_types: ConstantTypes::OfOperands,
+    result_signs: ResultSigns::OfOperands,
+    nan_differs: true,
+    literals_by_width: false,
+    enumerations_as_integers: false,
+    derived_types_convert: true,
+    lengths_in_parentheses: false,
+    ampersand_and_power: true,
+    modulo_by_zero_is_zero: false,
+    division_stops: false,
+    mux_outside_takes_last: false,
+    shift_counts: ShiftCounts::All,
+    functions_promote: false,
+    negates_durations: true,
+    cross_family_widening: false,
+    integer_literal_as_real: true,
+    real_literal_as_integer: false,
+    integer_literal_as_bit_string: true,
+    bit_access: true,
+    partial_access: PartialAccess::BitsOnly,
+    line_comments: true,
+    nested_comments: true,
+    third_edition_types: ThirdEditionTypes::All,
+    only_standard_rounding: false,
+    mixed_locations: true,
+    single_value_subranges: true,
+    conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
+};
+
 impl Dialect {
-    /// The rules of the dialect of this name.
+    /// Returns the rules of a dialect.
     #[must_use]
-    pub fn of(name: DialectName) -> Dialect {
-        let base = Dialect::built_in(name.base());
-        match name.definition() {
-            None => base,
-            Some(definition) => Dialect {
-                name,
-                ..base.overridden(definition)
-            },
-        }
+    pub fn of(name: DialectName) -> &'static Dialect {
+        name.rules()
     }
 
-    /// Returns these rules with the overrides of a definition.
-    fn overridden(mut self, definition: &'static Definition) -> Dialect {
-        for (flag, stated) in &definition.flags {
-            let on = stated.value;
-            match flag {
-                Flag::CrossFamilyWidening => self.cross_family_widening = on,
-                Flag::PartialAccessSyntax if on => self.partial_access = self.partial_access.enabled(),
-                Flag::PartialAccessSyntax => self.partial_access = PartialAccess::Disabled,
-                Flag::BitAccess => self.bit_access = on,
-                Flag::IntegerLiteralAsReal => self.integer_literal_as_real = on,
-                Flag::IntegerLiteralAsBitString => self.integer_literal_as_bit_string = on,
-                Flag::LineComments => self.line_comments = on,
-                Flag::NestedComments => self.nested_comments = on,
-                Flag::ThirdEditionTypes if on => self.third_edition_types = ThirdEditionTypes::All,
-                Flag::ThirdEditionTypes => self.third_edition_types = ThirdEditionTypes::None,
-                Flag::RoundingFunctions => self.only_standard_rounding = !on,
-                Flag::LiteralsByWidth => self.literals_by_width = on,
-                Flag::EnumerationsAsIntegers => self.enumerations_as_integers = on,
-                Flag::LengthsInParentheses => self.lengths_in_parentheses = on,
-                Flag::AmpersandAndPower => self.ampersand_and_power = on,
-                Flag::ModuloByZeroIsZero => self.modulo_by_zero_is_zero = on,
-                Flag::DivisionStops => self.division_stops = on,
-                Flag::MuxOutsideTakesLast => self.mux_outside_takes_last = on,
-                Flag::FunctionsPromote => self.functions_promote = on,
-                Flag::NegatesDurations => self.negates_durations = on,
-                Flag::NanDiffers => self.nan_differs = on,
-                Flag::MixedLocations => self.mixed_locations = on,
-                Flag::SingleValueSubranges => self.single_value_subranges = on,
-            }
+    /// Returns the rules that a definition states under a name; the defaults where it states none.
+    pub(crate) fn stated(name: DialectName, definition: &'static Definition) -> Dialect {
+        let mut rules = Dialect {
+            name,
+            cells: &definition.implicit,
+            ..DEFAULTS
+        };
+        definition.language.apply(&mut rules);
+        definition.operators.apply(&mut rules);
+        let conversions = &definition.conversions;
+        conversions.apply(&mut rules.conversions);
+        if conversions.truncation_out_of_range.is_none() {
+            rules.conversions.truncation_out_of_range = rules.conversions.out_of_range;
         }
-        let operators = &definition.operators;
-        override_by(&mut self.implicit_warnings, &operators.implicit_warnings);
-        override_by(&mut self.operands, &operators.operands);
-        override_by(&mut self.compared, &operators.compared);
-        override_by(&mut self.result_signs, &operators.result_signs);
-        override_by(&mut self.constant_types, &operators.constant_types);
-        override_by(&mut self.shift_counts, &operators.shift_counts);
-        self.cells = Some(&definition.implicit);
-        self.conversions = self.conversions.overridden(definition);
-        self
+        for (flag, stated) in &definition.flags {
+            rules.switch(*flag, stated.value);
+        }
+        rules
+    }
+
+    /// Switches a feature of the language on or off.
+    fn switch(&mut self, flag: Flag, on: bool) {
+        match flag {
+            Flag::CrossFamilyWidening => self.cross_family_widening = on,
+            Flag::PartialAccessSyntax if on => self.partial_access = self.partial_access.enabled(),
+            Flag::PartialAccessSyntax => self.partial_access = PartialAccess::Disabled,
+            Flag::BitAccess => self.bit_access = on,
+            Flag::IntegerLiteralAsReal => self.integer_literal_as_real = on,
+            Flag::RealLiteralAsInteger => self.real_literal_as_integer = on,
+            Flag::IntegerLiteralAsBitString => self.integer_literal_as_bit_string = on,
+            Flag::LineComments => self.line_comments = on,
+            Flag::NestedComments => self.nested_comments = on,
+            Flag::ThirdEditionTypes if on => self.third_edition_types = ThirdEditionTypes::All,
+            Flag::ThirdEditionTypes => self.third_edition_types = ThirdEditionTypes::None,
+            Flag::RoundingFunctions => self.only_standard_rounding = !on,
+            Flag::LiteralsByWidth => self.literals_by_width = on,
+            Flag::EnumerationsAsIntegers => self.enumerations_as_integers = on,
+            Flag::DerivedTypesConvert => self.derived_types_convert = on,
+            Flag::LengthsInParentheses => self.lengths_in_parentheses = on,
+            Flag::AmpersandAndPower => self.ampersand_and_power = on,
+            Flag::ModuloByZeroIsZero => self.modulo_by_zero_is_zero = on,
+            Flag::DivisionStops => self.division_stops = on,
+            Flag::MuxOutsideTakesLast => self.mux_outside_takes_last = on,
+            Flag::FunctionsPromote => self.functions_promote = on,
+            Flag::NegatesDurations => self.negates_durations = on,
+            Flag::NanDiffers => self.nan_differs = on,
+            Flag::MixedLocations => self.mixed_locations = on,
+            Flag::SingleValueSubranges => self.single_value_subranges = on,
+        }
     }
 
     /// Returns whether the dialect has this elementary type.
@@ -237,6 +272,6 @@ mod tests {
                 false, true, true, false, true, true, true, true, true, true, true, true, true
             ]
         );
-        assert!(Dialect::ironplc_ed2().has(ElementaryType::Time));
+        assert!(Dialect::of(DialectName::IRONPLC_ED2).has(ElementaryType::Time));
     }
 }

@@ -1,125 +1,98 @@
-//! The names of the dialects; the reference and exact arithmetic implement their rules.
+//! The names of the dialects, and the registry of what their files state.
 
-use crate::definition::{Definition, TakenName};
-use std::cmp::Ordering;
+use crate::definition::{Definition, DialectKind, TakenName};
+use crate::{Dialect, dialect_file};
 use std::fmt;
-use std::hash::{Hash, Hasher};
 use std::str::FromStr;
-use std::sync::{PoisonError, RwLock};
+use std::sync::{LazyLock, PoisonError, RwLock};
 
-/// Declares the dialects of documented systems, and the name of each.
-macro_rules! built_in {
-    ($($(#[$said:meta])* $dialect:ident = $text:literal,)*) => {
-        /// A named set of language rules: those of one documented system, or of a user-defined dialect that overrides some
-        /// rules of another.
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        pub enum DialectName {
-            $($(#[$said])* $dialect,)*
-            /// A user-defined dialect, from `stickler.toml`; it follows its [base](DialectName::base) wherever its definition
-            /// does not state otherwise.
-            Defined(DefinedDialect),
-        }
+/// A named set of language rules: those of a documented system, or of a dialect that overrides some rules of another. Dialects
+/// compare in the order in which reports name them: documented systems first, then the others in the order of their definitions.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct DialectName(u16);
 
-        /// A dialect of a documented system, which every user-defined dialect extends. Rules that a definition cannot override
-        /// depend on it alone.
-        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-        pub enum BuiltIn {
-            $($(#[$said])* $dialect,)*
-        }
+// The files of the documented systems, as `EMBEDDED`, and a constant for each of their names.
+include!(concat!(env!("OUT_DIR"), "/dialects.rs"));
 
-        impl DialectName {
-            /// The dialects of documented systems, in the order of the declaration, in which reports name them. User-defined
-            /// dialects ([`DialectName::defined`]) are not included.
-            pub const ALL: [DialectName; [$(BuiltIn::$dialect),*].len()] = [$(DialectName::$dialect),*];
-
-            /// Returns the name of the dialect, such as `ironplc-ed2`.
-            pub const fn as_str(self) -> &'static str {
-                match self {
-                    $(DialectName::$dialect => $text,)*
-                    DialectName::Defined(defined) => defined.definition.name.as_str(),
-                }
-            }
-
-            /// Returns the dialect of a documented system that this one is, or that it finally extends.
-            pub const fn base(self) -> BuiltIn {
-                match self {
-                    $(DialectName::$dialect => BuiltIn::$dialect,)*
-                    DialectName::Defined(defined) => defined.definition.base,
-                }
-            }
-        }
-
-        impl BuiltIn {
-            /// Returns the name of the dialect.
-            pub const fn name(self) -> DialectName {
-                match self {
-                    $(BuiltIn::$dialect => DialectName::$dialect,)*
-                }
-            }
-        }
-    };
-}
-
-built_in! {
-    /// IronPLC as documented, with the second edition of the standard.
-    IronplcEd2 = "ironplc-ed2",
-    /// IronPLC as documented, with the third edition of the standard.
-    IronplcEd3 = "ironplc-ed3",
-    /// IronPLC as documented, with the extensions that follow RuSTy.
-    IronplcRusty = "ironplc-rusty",
-    /// matiec, as the page on its conversion functions documents it.
-    Matiec = "matiec",
-    /// PLCnext Engineer, as the page and the table on its implicit conversions document it.
-    Plcnext = "plcnext",
-    /// STruC++, as its documentation and the tests in its repository document it.
-    Strucpp = "strucpp",
-    /// RuSTy, as its book and the tests in its repository document it.
-    Rusty = "rusty",
-    /// CODESYS 3.5.21 with a 64-bit target, as it was recorded.
-    Codesys = "codesys",
-    /// TwinCAT 3, as its builds were recorded.
-    Twincat = "twincat",
-    /// Rockwell Logix 5000, as its manual and its help document it.
-    Logix = "logix",
-    /// Schneider Control Expert with implicit type conversion enabled, as its help documents it.
-    ControlExpert = "control-expert",
-    /// Omron NJ, as the manuals of its CPU unit and its instructions document it.
-    Omron = "omron",
-    /// The third edition of the standard, as public pages restate it.
-    IecEd3 = "iec-ed3",
-}
-
-/// A [defined](DialectName::define) dialect. Dialects that were defined earlier compare as less.
+/// A dialect with what its file states.
 #[derive(Clone, Copy)]
-pub struct DefinedDialect {
-    /// The number of dialects that were defined before this one.
-    index: usize,
+struct Registered {
     definition: &'static Definition,
+    rules: &'static Dialect,
 }
 
-/// The defined dialects, in their order. They live as long as the process, because a name is copied into every case.
-static DEFINED: RwLock<Vec<DefinedDialect>> = RwLock::new(Vec::new());
+/// Every dialect, by its number. They live as long as the process, because a name is copied into every case.
+static REGISTRY: LazyLock<RwLock<Vec<Registered>>> = LazyLock::new(|| {
+    let definitions = dialect_file::documented(&EMBEDDED).into_iter();
+    RwLock::new((0..).map(DialectName).zip(definitions).map(registered).collect())
+});
+
+fn registered((name, definition): (DialectName, Definition)) -> Registered {
+    let definition = Box::leak(Box::new(definition));
+    Registered {
+        rules: Box::leak(Box::new(Dialect::stated(name, definition))),
+        definition,
+    }
+}
 
 impl DialectName {
-    /// Returns the definition of a user-defined dialect; `None` for a dialect of a documented system.
-    pub const fn definition(self) -> Option<&'static Definition> {
-        match self {
-            DialectName::Defined(defined) => Some(defined.definition),
-            _ => None,
+    /// The dialects of documented systems that Stickler carries, in the order in which reports name them.
+    pub const ALL: [DialectName; EMBEDDED.len()] = {
+        let mut all = [DialectName(0); EMBEDDED.len()];
+        let mut index = 0;
+        while index < all.len() {
+            all[index] = DialectName(index as u16);
+            index += 1;
+        }
+        all
+    };
+
+    fn registered(self) -> Registered {
+        let registry = REGISTRY.read().unwrap_or_else(PoisonError::into_inner);
+        registry[usize::from(self.0)]
+    }
+
+    /// Returns the name of the dialect, such as `ironplc-ed2`.
+    pub fn as_str(self) -> &'static str {
+        match EMBEDDED.get(usize::from(self.0)) {
+            Some((name, _)) => name,
+            None => &self.registered().definition.name,
         }
     }
 
-    /// Returns whether this is a [variant](Definition::is_variant) of a documented system.
-    pub const fn is_variant(self) -> bool {
-        match self {
-            DialectName::Defined(defined) => defined.definition.is_variant,
-            _ => false,
-        }
+    /// Returns the number of the dialect in the order of the dialects.
+    pub const fn index(self) -> usize {
+        self.0 as usize
+    }
+
+    /// Returns what the file of the dialect states.
+    pub fn statements(self) -> &'static Definition {
+        self.registered().definition
+    }
+
+    /// Returns the rules of the dialect.
+    pub(crate) fn rules(self) -> &'static Dialect {
+        self.registered().rules
+    }
+
+    /// Returns the documented system that this one is, or that it finally extends.
+    pub fn base(self) -> DialectName {
+        self.statements().base
+    }
+
+    /// Returns what the file of a variant or of a custom dialect states; `None` for a documented system.
+    pub fn definition(self) -> Option<&'static Definition> {
+        Some(self.statements()).filter(|definition| definition.kind != DialectKind::Documented)
+    }
+
+    /// Returns whether this is a [variant](DialectKind::Variant) of a documented system.
+    pub fn is_variant(self) -> bool {
+        self.statements().kind == DialectKind::Variant
     }
 
     /// Returns whether this is a dialect of `stickler.toml`, which takes over the cases of its base.
-    pub const fn is_custom(self) -> bool {
-        matches!(self, DialectName::Defined(_)) && !self.is_variant()
+    pub fn is_custom(self) -> bool {
+        self.statements().kind == DialectKind::Custom
     }
 
     /// Defines a dialect for the lifetime of the process. Defining the same dialect again changes nothing.
@@ -127,78 +100,47 @@ impl DialectName {
     /// # Errors
     /// [`TakenName`] if another dialect has the name; names that differ only in case count as the same.
     pub fn define(definition: Definition) -> Result<DialectName, TakenName> {
-        let mut defined = DEFINED.write().unwrap_or_else(PoisonError::into_inner);
-        if let Some(same) = defined.iter().find(|other| *other.definition == definition) {
-            return Ok(DialectName::Defined(*same));
-        }
-        let others = defined.iter().map(|other| other.definition.name.as_str());
-        let built_in = DialectName::ALL.iter().map(|dialect| dialect.as_str());
-        if let Some(taken) = built_in
-            .chain(others)
-            .find(|name| name.eq_ignore_ascii_case(&definition.name))
+        let mut registry = REGISTRY.write().unwrap_or_else(PoisonError::into_inner);
+        let mut named = (0..).map(DialectName).zip(registry.iter());
+        if let Some((name, other)) =
+            named.find(|(_, other)| other.definition.name.eq_ignore_ascii_case(&definition.name))
         {
-            return Err(TakenName(taken.to_owned()));
+            let base = match definition.kind {
+                DialectKind::Documented => name,
+                DialectKind::Variant | DialectKind::Custom => definition.base,
+            };
+            let is_same = *other.definition == Definition { base, ..definition };
+            return match is_same {
+                true => Ok(name),
+                false => Err(TakenName(other.definition.name.clone())),
+            };
         }
-        let dialect = DefinedDialect {
-            index: defined.len(),
-            definition: Box::leak(Box::new(definition)),
+        // No file has so many dialects that 16 bits do not count them.
+        let name = DialectName(u16::try_from(registry.len()).unwrap_or(u16::MAX));
+        // A system that extends no other is its own base.
+        let base = match definition.kind {
+            DialectKind::Documented => name,
+            DialectKind::Variant | DialectKind::Custom => definition.base,
         };
-        defined.push(dialect);
-        Ok(DialectName::Defined(dialect))
+        registry.push(registered((name, Definition { base, ..definition })));
+        Ok(name)
     }
 
-    /// Returns every defined dialect, variants of the suite among them, in the order of the definitions.
+    /// Returns every dialect that was defined besides those of [`DialectName::ALL`], variants among them, in the order of the
+    /// definitions.
     pub fn defined() -> Vec<DialectName> {
-        let defined = DEFINED.read().unwrap_or_else(PoisonError::into_inner);
-        defined.iter().copied().map(DialectName::Defined).collect()
+        let registry = REGISTRY.read().unwrap_or_else(PoisonError::into_inner);
+        (0..)
+            .map(DialectName)
+            .take(registry.len())
+            .skip(EMBEDDED.len())
+            .collect()
     }
 }
 
-impl BuiltIn {
-    /// Returns whether the sources say single things of the system, pairs of types and values, and not what its language is: only
-    /// tables that name it speak for it, and no programs are generated in it.
-    pub const fn is_known_in_part(self) -> bool {
-        matches!(
-            self,
-            BuiltIn::Codesys
-                | BuiltIn::Twincat
-                | BuiltIn::Logix
-                | BuiltIn::ControlExpert
-                | BuiltIn::Omron
-                | BuiltIn::IecEd3
-        )
-    }
-}
-
-impl fmt::Debug for DefinedDialect {
+impl fmt::Debug for DialectName {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.definition.name)
-    }
-}
-
-impl PartialEq for DefinedDialect {
-    fn eq(&self, other: &DefinedDialect) -> bool {
-        self.index == other.index
-    }
-}
-
-impl Eq for DefinedDialect {}
-
-impl PartialOrd for DefinedDialect {
-    fn partial_cmp(&self, other: &DefinedDialect) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for DefinedDialect {
-    fn cmp(&self, other: &DefinedDialect) -> Ordering {
-        self.index.cmp(&other.index)
-    }
-}
-
-impl Hash for DefinedDialect {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        self.index.hash(state);
+        f.write_str(self.as_str())
     }
 }
 
@@ -250,7 +192,7 @@ mod tests {
     fn every_dialect_is_read_back_from_its_name() {
         for dialect in DialectName::ALL {
             assert_eq!(dialect.to_string().parse(), Ok(dialect));
-            assert_eq!(dialect.base().name(), dialect);
+            assert_eq!(dialect.base(), dialect);
             assert_eq!(dialect.definition(), None);
         }
     }
@@ -269,12 +211,12 @@ mod tests {
 
     #[test]
     fn a_dialect_that_was_defined_is_read_back_and_goes_by_its_base() {
-        let define = |name| DialectName::define(Definition::new(name, BuiltIn::Matiec, "here"));
+        let define = |name| DialectName::define(Definition::new(name, DialectName::MATIEC, "here"));
         let (first, second) = (define("first-of-two").unwrap(), define("second-of-two").unwrap());
         assert_eq!("first-of-two".parse(), Ok(first));
         assert_eq!(second.to_string(), "second-of-two");
-        assert_eq!(first.base(), BuiltIn::Matiec);
-        assert!(DialectName::Plcnext < first && first < second);
+        assert_eq!(first.base(), DialectName::MATIEC);
+        assert!(DialectName::PLCNEXT < first && first < second);
         assert!(DialectName::defined().contains(&first) && !DialectName::ALL.contains(&first));
         let message = "third-of-two".parse::<DialectName>().unwrap_err().to_string();
         assert!(message.contains("`first-of-two`"), "{message}");
@@ -282,7 +224,7 @@ mod tests {
         for taken in ["First-Of-Two", "matiec", "MATIEC"] {
             assert!(define(taken).is_err(), "{taken}");
         }
-        let otherwise = Definition::new("first-of-two", BuiltIn::Plcnext, "there");
+        let otherwise = Definition::new("first-of-two", DialectName::PLCNEXT, "there");
         assert!(DialectName::define(otherwise).is_err());
     }
 }

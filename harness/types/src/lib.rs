@@ -9,7 +9,8 @@
 //! | a typed value and its one canonical spelling, which the wire protocol carries | [`Value`] |
 //! | a value with the literal that a program writes for it | [`WrittenValue`] |
 //! | the values at which conversions go wrong | [`boundaries`] |
-//! | a dialect's name, and a dialect that `stickler.toml` defines | [`DialectName`], [`Definition`] |
+//! | a dialect's name, its rules, and what its file states | [`DialectName`], [`Dialect`], [`Definition`] |
+//! | the files of dialects | [`dialect_file`] |
 //! | what dialects choose differently | [`ConversionChoices`], [`MatrixWord`] |
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
@@ -17,13 +18,14 @@
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
 pub mod boundaries;
-mod built_in_dialects;
 pub mod choices;
 pub mod code;
 pub mod definition;
 pub mod diagnostic;
 pub mod dialect;
+pub mod dialect_file;
 pub mod dialect_name;
+pub mod documents;
 pub mod elementary;
 pub mod fault;
 mod hash;
@@ -48,10 +50,10 @@ pub use choices::{
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
-pub use definition::{Definition, Stated};
+pub use definition::{Definition, DialectKind, Stated};
 pub use diagnostic::{Diagnostic, Severity};
 pub use dialect::Dialect;
-pub use dialect_name::{BuiltIn, DefinedDialect, DialectName, UnknownDialect};
+pub use dialect_name::{DialectName, UnknownDialect};
 pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};
 pub use hash::Fnv1a;

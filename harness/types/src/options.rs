@@ -1,39 +1,42 @@
-//! The options of the choices in which dialects differ, apart from those of conversions.
+//! The options of the choices in which dialects differ, apart from those of conversions and operators.
 
 use crate::ElementaryType;
+use crate::words::words;
 
-/// The pairs of elementary types that convert implicitly.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Widening {
-    /// IronPLC's three matrices and its general rule.
-    Ironplc,
-    /// No pair at all.
-    None,
-    /// The coloured table of PLCnext Engineer's SEM1189.
-    Plcnext,
-    /// Every pair of numbers and bit strings: what narrows is only warned of.
-    Numbers,
-    /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
-    NumbersAndMoments,
-    /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
-    NumbersUnlessNarrower,
-    /// Every pair of numbers and bit strings; BOOL stands for itself alone.
-    NumbersApartFromBool,
-    /// Every pair of numbers and bit strings but reals into bit strings; BOOL into all of them, and nothing into BOOL.
-    NumbersButNoRealAsBits,
+words! {
+    /// The pairs of elementary types that convert implicitly.
+    Widening {
+        /// IronPLC's three matrices and its general rule.
+        Ironplc = "ironplc-matrices",
+        /// No pair at all.
+        None = "none",
+        /// The coloured table of PLCnext Engineer's SEM1189.
+        Plcnext = "plcnext-table",
+        /// Every pair of numbers and bit strings: what narrows is only warned of.
+        Numbers = "numbers",
+        /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.
+        NumbersAndMoments = "numbers-and-moments",
+        /// Integers and bit strings into those with as many bits or more, and every number and bit string into REAL and LREAL.
+        NumbersUnlessNarrower = "numbers-unless-narrower",
+        /// Every pair of numbers and bit strings; BOOL stands for itself alone.
+        NumbersApartFromBool = "numbers-apart-from-bool",
+        /// Every pair of numbers and bit strings but reals into bit strings; BOOL into all of them, and nothing into BOOL.
+        NumbersButNoRealAsBits = "numbers-but-no-real-as-bits",
+    }
 }
 
-/// The treatment of `.%Xn` and its kin.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PartialAccess {
-    /// `.%Xn` selects a bit; the wider forms are P0003.
-    BitsOnly,
-    /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
-    UpToDoubleWords,
-    /// P4033 for every form.
-    Disabled,
-    /// P0002 for every form.
-    SyntaxError,
+words! {
+    /// The treatment of `.%Xn` and its kin.
+    PartialAccess {
+        /// `.%Xn` selects a bit; the wider forms are P0003.
+        BitsOnly = "bits-only",
+        /// `.%Xn` selects a bit, `.%Bn`, `.%Wn` and `.%Dn` a byte, a word and a double word; `.%Ln` is P0003.
+        UpToDoubleWords = "up-to-double-words",
+        /// P4033 for every form.
+        Disabled = "disabled",
+        /// P0002 for every form.
+        SyntaxError = "syntax-error",
+    }
 }
 
 impl PartialAccess {
@@ -46,17 +49,18 @@ impl PartialAccess {
     }
 }
 
-/// The types of the third edition that a dialect has.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ThirdEditionTypes {
-    /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
-    All,
-    /// All types of the third edition but LDATE, LTOD and LDT.
-    ///
-    /// Basis: twincat-builds: recordings/twincat.build.json (`prim_default_…`, `xp_…`).
-    WithoutLongDates,
-    /// None of them.
-    None,
+words! {
+    /// The types of the third edition that a dialect has.
+    ThirdEditionTypes {
+        /// LTIME, LDATE, LTOD, LDT, CHAR and WCHAR.
+        All = "all",
+        /// All types of the third edition but LDATE, LTOD and LDT.
+        ///
+        /// Basis: twincat-builds: recordings/twincat.build.json (`prim_default_…`, `xp_…`).
+        WithoutLongDates = "without-long-dates",
+        /// None of them.
+        None = "none",
+    }
 }
 
 impl ThirdEditionTypes {

@@ -68,7 +68,7 @@ fn surveyed(engine: &Lacking, without: &[&str], going: &(dyn Fn() -> bool + Sync
     }];
     let plan = SurveyPlan {
         engines: &engines,
-        dialects: &[DialectName::IronplcEd3],
+        dialects: &[DialectName::IRONPLC_ED3],
         without: &Exclusions::new(&words).unwrap(),
         jobs: 1,
         time: None,
@@ -81,7 +81,7 @@ fn surveyed(engine: &Lacking, without: &[&str], going: &(dyn Fn() -> bool + Sync
 fn an_engine_is_blamed_for_what_it_lacks_and_for_nothing_that_only_occurs_beside_it() {
     let lacking = Lacking::new(&["ARRAY", " MOD "]);
     let survey = surveyed(&lacking, &[], &|| true);
-    let dialects = [DialectName::IronplcEd3];
+    let dialects = [DialectName::IRONPLC_ED3];
     let mut words = survey.words(&dialects);
     words.sort();
     assert_eq!(words, ["array", "mod"]);
@@ -100,7 +100,7 @@ fn an_engine_is_blamed_for_what_it_lacks_and_for_nothing_that_only_occurs_beside
 #[test]
 fn a_word_has_its_dialect_where_it_fails_in_some_only() {
     let survey = surveyed(&Lacking::new(&[" MOD "]), &[], &|| true);
-    let dialects = [DialectName::IronplcEd2, DialectName::IronplcEd3];
+    let dialects = [DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3];
     assert_eq!(survey.words(&dialects), ["mod@ironplc-ed3"]);
     assert!(survey.exclusions(&["CHAR".to_owned()], &dialects).is_ok());
 }

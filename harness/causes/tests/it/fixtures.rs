@@ -13,7 +13,7 @@ pub fn identity() -> Identity {
     Identity {
         name: "defective".to_owned(),
         version: "1".to_owned(),
-        dialects: vec![DialectName::IronplcEd2, DialectName::IronplcEd3],
+        dialects: vec![DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3],
         abilities: vec![Ability::Execute],
         grade: Grade::Code,
         lacks: Vec::new(),
@@ -48,7 +48,7 @@ pub fn case(id: &str, program: &str, must: &str) -> Case {
         area: "area".into(),
         expectation: Arc::new(expectation),
         observe: observe.into(),
-        ..Case::of_program(id, DialectName::IronplcEd3, program)
+        ..Case::of_program(id, DialectName::IRONPLC_ED3, program)
     }
 }
 

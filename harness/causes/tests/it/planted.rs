@@ -106,7 +106,7 @@ impl Session for Compiling<'_> {
 
 /// Returns a case in both dialects.
 fn case(id: &str, program: &str, must: &str) -> [Case; 2] {
-    [DialectName::IronplcEd2, DialectName::IronplcEd3].map(|dialect| Case {
+    [DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3].map(|dialect| Case {
         dialect,
         ..fixtures::case(id, program, must)
     })

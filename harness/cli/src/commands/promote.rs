@@ -92,7 +92,7 @@ fn promote_recording(
     let owner = owner(arguments, &recording)?;
     let asked = match recording.dialects.contains(&owner) {
         true => owner,
-        false => owner.base().name(),
+        false => owner.base(),
     };
     let name = arguments.name.as_deref().unwrap_or(&recording.name);
     check_name(name)?;
@@ -156,7 +156,7 @@ fn owner(arguments: &PromoteArguments, recording: &Recording) -> anyhow::Result<
             names()
         ),
     };
-    if !recording.dialects.contains(&owner) && !recording.dialects.contains(&owner.base().name()) {
+    if !recording.dialects.contains(&owner) && !recording.dialects.contains(&owner.base()) {
         bail!("the recording has no answers in {owner}, only in {}", names());
     }
     Ok(owner)

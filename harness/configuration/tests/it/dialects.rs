@@ -2,7 +2,7 @@
 
 use stickler_types::definition::Flag;
 use stickler_types::{
-    BitStringText, BuiltIn, Definition, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
+    BitStringText, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
     TextReading,
 };
 
@@ -50,7 +50,7 @@ shift-counts = "low-bits"
 "#,
     );
     use ElementaryType::{Bool, Dint, Int, Sint};
-    assert_eq!(definition.base, BuiltIn::IronplcEd3);
+    assert_eq!(definition.base, DialectName::IRONPLC_ED3);
     assert_eq!(definition.about.as_deref(), Some("MyPLC 2.1"));
     assert_eq!(definition.place, "stickler.toml:2");
     let cells: Vec<_> = definition
@@ -68,31 +68,33 @@ shift-counts = "low-bits"
     );
     let basis = "all-kinds: implicit INT.BOOL (stickler.toml:7; https://example.org/manual)";
     assert_eq!(
-        definition.implicit(Int, Bool).map(|stated| &*stated.basis),
+        definition
+            .implicit(Int, Bool)
+            .map(|stated| stated.basis.as_deref().unwrap()),
         Some(basis)
     );
     assert_eq!(definition.flag(Flag::NestedComments), Some(false));
     assert_eq!(definition.flag(Flag::LineComments), None);
-    let stated = definition.rounding.as_ref().unwrap();
+    let stated = definition.conversions.rounding.as_ref().unwrap();
     assert_eq!(stated.value, Rounding::HalfAwayFromZero);
     assert_eq!(
-        stated.basis,
+        stated.basis.as_deref().unwrap(),
         "all-kinds: rounding (stickler.toml:13; https://example.org/manual)"
     );
     assert_eq!(
-        definition.out_of_range.as_ref().unwrap().value,
+        definition.conversions.out_of_range.as_ref().unwrap().value,
         OutOfRange::Saturate
     );
     assert_eq!(
-        definition.text_reading.as_ref().unwrap().value,
+        definition.conversions.text_reading.as_ref().unwrap().value,
         TextReading::LeadingNumber
     );
     assert_eq!(
-        definition.real_text.as_ref().unwrap().value,
+        definition.conversions.real_text.as_ref().unwrap().value,
         RealText::SignificantDigits(6)
     );
     assert_eq!(
-        definition.bit_string_text.as_ref().unwrap().value,
+        definition.conversions.bit_string_text.as_ref().unwrap().value,
         BitStringText::Shortest
     );
     // Each of them is there, and is written as the file has it.
@@ -162,7 +164,7 @@ fn cross_family_widening_is_another_word_for_its_cells() {
         .implicit(ElementaryType::Byte, ElementaryType::Int)
         .unwrap();
     assert_eq!(
-        (cell.value, &*cell.basis),
+        (cell.value, cell.basis.as_deref().unwrap()),
         (MatrixWord::No, "wide-but: implicit BYTE.INT (stickler.toml:4)")
     );
 }
@@ -180,10 +182,16 @@ fn a_dialect_extends_another_of_the_file_wherever_that_stands() {
     };
     assert!(second.as_str() == "b-second" && first.as_str() == "a-first");
     let second = second.definition().unwrap();
-    assert_eq!(second.base, BuiltIn::Plcnext);
-    assert_eq!(second.rounding.as_ref().unwrap().value, Rounding::Truncate);
-    let taken_over = second.out_of_range.as_ref().unwrap();
-    assert_eq!(taken_over.basis, "b-second: out-of-range (stickler.toml:8)");
+    assert_eq!(second.base, DialectName::PLCNEXT);
+    assert_eq!(
+        second.conversions.rounding.as_ref().unwrap().value,
+        Rounding::Truncate
+    );
+    let taken_over = second.conversions.out_of_range.as_ref().unwrap();
+    assert_eq!(
+        taken_over.basis.as_deref().unwrap(),
+        "b-second: out-of-range (stickler.toml:8)"
+    );
 }
 
 #[test]
@@ -210,7 +218,7 @@ fn a_file_may_have_many_dialects_and_be_read_twice() {
         .collect();
     let chain = format!("{chain}[dialects.chain-0]\nextends = \"plcnext\"\n");
     let last = read(&chain).unwrap().dialects()[298];
-    assert_eq!(last.base(), BuiltIn::Plcnext);
+    assert_eq!(last.base(), DialectName::PLCNEXT);
     assert_eq!(read("[dialects]\n").unwrap().dialects(), []);
 }
 

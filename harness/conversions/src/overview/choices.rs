@@ -260,7 +260,7 @@ mod tests {
 
     #[test]
     fn dialects_are_named_only_where_they_differ() {
-        let both = [DialectName::Matiec, DialectName::Plcnext];
+        let both = [DialectName::MATIEC, DialectName::PLCNEXT];
         assert_eq!(
             text("REAL_TO_INT", &both),
             "rounding     toward zero: matiec\n             to the nearest, halves to the even one: plcnext\n\
@@ -280,7 +280,7 @@ mod tests {
 
     #[test]
     fn what_a_number_counts_is_said_of_every_moment() {
-        let matiec = [DialectName::Matiec];
+        let matiec = [DialectName::MATIEC];
         assert_eq!(
             text("TIME_TO_DINT", &matiec),
             "unit  the number counts milliseconds\n"

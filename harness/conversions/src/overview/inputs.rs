@@ -276,7 +276,7 @@ mod tests {
 
     #[test]
     fn reals_show_ties_and_both_sides_of_the_targets_limits() {
-        let signature = &stickler_exact::signatures("REAL_TO_INT", DialectName::Matiec)[0];
+        let signature = &stickler_exact::signatures("REAL_TO_INT", DialectName::MATIEC)[0];
         let literals: Vec<String> = boundaries(signature)
             .iter()
             .map(|call| call[0].to_string())

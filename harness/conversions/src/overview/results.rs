@@ -262,7 +262,7 @@ mod tests {
             let call = std::slice::from_ref(&operand);
             ExpectedResult::of(signature, call, dialect, Some((&recorded, &source)))
         };
-        let codesys = of(DialectName::Codesys);
+        let codesys = of(DialectName::CODESYS);
         assert_eq!(
             (codesys.value, codesys.basis),
             (recorded.clone(), Some(source.clone()))
@@ -273,7 +273,7 @@ mod tests {
             (page.value.to_string().as_str(), &*page.basis),
             ("INT#3", "codesys-real-to: Conversions: REAL, LREAL")
         );
-        let matiec = of(DialectName::Matiec);
+        let matiec = of(DialectName::MATIEC);
         assert_eq!(matiec.otherwise, None);
         assert_eq!(matiec.value.to_string(), "INT#2");
         assert!(matiec.basis.is_some_and(|basis| basis.starts_with("forgeiec")));

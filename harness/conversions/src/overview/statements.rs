@@ -146,15 +146,15 @@ mod tests {
 
     fn statements() -> Statements {
         let dialects = vec![
-            DialectName::IronplcEd3,
-            DialectName::Matiec,
-            DialectName::Plcnext,
-            DialectName::Codesys,
+            DialectName::IRONPLC_ED3,
+            DialectName::MATIEC,
+            DialectName::PLCNEXT,
+            DialectName::CODESYS,
         ];
         let mut builder = StatementsBuilder::new(dialects);
         let case = Arc::from("w::assignment(INT,DINT,1)");
         let statement = CaseStatement {
-            dialect: DialectName::Matiec,
+            dialect: DialectName::MATIEC,
             word: MatrixWord::No,
             basis: "measured: here",
             case: &case,
@@ -168,7 +168,7 @@ mod tests {
         let recorded = stickler_types::Value::parse("INT#77").unwrap();
         let program = CaseProgram {
             case: &Arc::from("c::p(REAL,INT,2.25)"),
-            dialect: DialectName::Codesys,
+            dialect: DialectName::CODESYS,
             source: PROGRAM,
             result: Some(&recorded),
             basis: &Arc::from("codesys-recording: here"),

@@ -244,7 +244,7 @@ mod tests {
 
     #[test]
     fn a_value_that_is_given_twice_is_asked_for_once() {
-        let signatures = stickler_exact::signatures("INT_TO_DINT", DialectName::Matiec);
+        let signatures = stickler_exact::signatures("INT_TO_DINT", DialectName::MATIEC);
         let texts = ["5", "7", "INT#5"].map(str::to_owned);
         let rows = calls(&texts, signatures).unwrap();
         let value = |literal| vec![Value::parse(literal).unwrap()];
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn a_typed_value_chooses_among_the_signatures_of_an_overloaded_name() {
-        let signatures = stickler_exact::signatures("TO_INT", DialectName::IronplcEd3);
+        let signatures = stickler_exact::signatures("TO_INT", DialectName::IRONPLC_ED3);
         let chosen = calls(&["REAL#2.5".to_owned()], signatures.clone()).unwrap();
         assert_eq!(chosen.len(), 1);
         assert_eq!(chosen[0].0.operands, [ElementaryType::Real]);
@@ -263,7 +263,7 @@ mod tests {
 
     #[test]
     fn values_of_a_call_with_two_come_in_pairs() {
-        let signatures = || stickler_exact::signatures("CONCAT_DATE_TOD", DialectName::Matiec);
+        let signatures = || stickler_exact::signatures("CONCAT_DATE_TOD", DialectName::MATIEC);
         let texts = ["2024-02-29".to_owned(), "12:00:00".to_owned()];
         assert_eq!(calls(&texts, signatures()).unwrap()[0].1.len(), 1);
         let error = calls(&texts[..1], signatures()).unwrap_err().to_string();

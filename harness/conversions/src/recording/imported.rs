@@ -161,7 +161,7 @@ mod tests {
     use stickler_engines::{Engine, EngineSession, Outcome, Reference, RunRequest};
     use stickler_types::DialectName;
 
-    const DIALECT: DialectName = DialectName::Matiec;
+    const DIALECT: DialectName = DialectName::MATIEC;
 
     fn origin() -> RecordingOrigin {
         RecordingOrigin {

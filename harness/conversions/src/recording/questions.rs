@@ -184,7 +184,7 @@ mod tests {
 
     #[test]
     fn questions_have_names_and_programs_of_their_own() {
-        let questions = Question::all(DialectName::Codesys);
+        let questions = Question::all(DialectName::CODESYS);
         for text in [
             |question: &Question| question.id(),
             |question: &Question| question.program().source,

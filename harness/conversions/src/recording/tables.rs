@@ -229,7 +229,7 @@ mod tests {
     #[test]
     fn answers_become_rows_with_the_recording_as_their_basis() {
         let recording = Recording::parse("recordings/mine.toml", MINE).unwrap();
-        let made = recording.case_tables(DialectName::Codesys, "my-plc");
+        let made = recording.case_tables(DialectName::CODESYS, "my-plc");
         let rows: Vec<(RecordedSection, usize)> = made
             .tables
             .iter()

@@ -6,7 +6,7 @@ use stickler_types::{DialectName, Value};
 
 /// Returns the findings of a sweep over the reference's conversion, whose results `spoil` changes.
 fn spoilt(function: &str, spoil: impl Fn(u64, u64) -> u64 + Sync) -> SweepFindings {
-    let sweep = sweep(function, DialectName::Matiec);
+    let sweep = sweep(function, DialectName::MATIEC);
     assert_eq!(findings(&sweep, &sweep.reference).mismatches, 0, "{function}");
     let converter = Spoilt { sweep: &sweep, spoil };
     findings(&sweep, &converter)
@@ -113,7 +113,7 @@ impl Converter for Shouting<'_> {
 
 #[test]
 fn a_text_with_a_character_too_many() {
-    let sweep = sweep("SINT_TO_STRING", DialectName::Matiec);
+    let sweep = sweep("SINT_TO_STRING", DialectName::MATIEC);
     assert_eq!(findings(&sweep, &sweep.reference).mismatches, 0);
     let found = findings(&sweep, &Shouting(&sweep.reference));
     assert_eq!(found.mismatches, 256);

@@ -76,15 +76,15 @@ fn dialects_with_the_same_rule_share_a_sweep() {
     assert_eq!(
         rounding[1].dialects,
         [
-            DialectName::Plcnext,
-            DialectName::Logix,
-            DialectName::ControlExpert,
-            DialectName::Omron,
-            DialectName::IecEd3
+            DialectName::PLCNEXT,
+            DialectName::LOGIX,
+            DialectName::CONTROL_EXPERT,
+            DialectName::OMRON,
+            DialectName::IEC_ED3
         ]
     );
-    assert_eq!(rounding[2].dialects, [DialectName::Strucpp, DialectName::Rusty]);
-    assert_eq!(rounding[3].dialects, [DialectName::Codesys, DialectName::Twincat]);
+    assert_eq!(rounding[2].dialects, [DialectName::STRUCPP, DialectName::RUSTY]);
+    assert_eq!(rounding[3].dialects, [DialectName::CODESYS, DialectName::TWINCAT]);
     let separate = agenda(
         "DINT_TO_INT",
         &DialectName::ALL,
@@ -96,7 +96,7 @@ fn dialects_with_the_same_rule_share_a_sweep() {
 
 #[test]
 fn an_overloaded_name_is_swept_for_each_of_its_types() {
-    let types: Vec<String> = sampled("TRUNC", &[DialectName::Matiec], None)
+    let types: Vec<String> = sampled("TRUNC", &[DialectName::MATIEC], None)
         .iter()
         .map(|sweep| format!("{} {}", sweep.signature.operands[0], sweep.signature.result))
         .collect();
@@ -107,7 +107,7 @@ fn an_overloaded_name_is_swept_for_each_of_its_types() {
 fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
     let error = agenda(
         "ROUND",
-        &[DialectName::Matiec],
+        &[DialectName::MATIEC],
         Sampling::default(),
         SweepMethod::Conversion,
     );

@@ -43,7 +43,7 @@ fn assert_clean(function: &str, found: &ForeignFindings) {
 
 #[test]
 fn the_reference_is_exact_through_programs_that_count() {
-    for dialect in [DialectName::IronplcEd3, DialectName::Matiec] {
+    for dialect in [DialectName::IRONPLC_ED3, DialectName::MATIEC] {
         for function in [
             "SINT_TO_BYTE",
             "INT_TO_SINT",
@@ -69,12 +69,12 @@ fn the_reference_is_exact_through_programs_that_count() {
 
 #[test]
 fn the_reference_is_exact_through_programs_that_list() {
-    exact_through_lists(DialectName::IronplcEd3);
+    exact_through_lists(DialectName::IRONPLC_ED3);
 }
 
 #[test]
 fn the_reference_is_exact_through_programs_that_list_in_another_dialect() {
-    exact_through_lists(DialectName::Matiec);
+    exact_through_lists(DialectName::MATIEC);
 }
 
 fn exact_through_lists(dialect: DialectName) {
@@ -105,7 +105,7 @@ fn exact_through_lists(dialect: DialectName) {
 
 #[test]
 fn what_no_literal_says_is_counted_as_left_out() {
-    let sweep = &sweeps("LREAL_TO_INT", DialectName::Matiec, Some(0))[0];
+    let sweep = &sweeps("LREAL_TO_INT", DialectName::MATIEC, Some(0))[0];
     let found = found(sweep, &Reference::new());
     assert!((1..100).contains(&found.left_out), "{found:?}");
     assert_eq!(found.answered(), found.inputs - found.left_out);
@@ -151,7 +151,7 @@ fn one_wrong_input_among_all_of_sixteen_bits_is_named() {
         ),
     ] {
         let found = found(
-            &sweeps(function, DialectName::Matiec, None)[0],
+            &sweeps(function, DialectName::MATIEC, None)[0],
             &wrong(function, from, to, body),
         );
         assert_eq!(
@@ -172,7 +172,7 @@ fn one_wrong_input_among_a_list_is_named() {
         "INT",
         "Wrong := RIGHT; IF x = LINT#32768 THEN Wrong := INT#32767; END_IF;",
     );
-    let found = found(&sweeps("LINT_TO_INT", DialectName::Matiec, Some(100))[0], &engine);
+    let found = found(&sweeps("LINT_TO_INT", DialectName::MATIEC, Some(100))[0], &engine);
     assert_eq!(found.mismatches, 1);
     assert_eq!(
         found.first[0].to_string(),
@@ -183,7 +183,7 @@ fn one_wrong_input_among_a_list_is_named() {
 #[test]
 fn where_everything_is_wrong_the_first_are_named_and_the_rest_not_looked_into() {
     let engine = wrong("INT_TO_UINT", "INT", "UINT", "Wrong := RIGHT + UINT#1;");
-    let found = found(&sweeps("INT_TO_UINT", DialectName::Matiec, None)[0], &engine);
+    let found = found(&sweeps("INT_TO_UINT", DialectName::MATIEC, None)[0], &engine);
     assert_eq!(found.first.len(), 10);
     assert_eq!(found.first[0].to_string(), "INT#0 gives UINT#1, not UINT#0");
     assert_eq!(found.mismatches + found.unexamined, 65_536);
@@ -195,7 +195,7 @@ fn what_no_document_speaks_of_is_an_observation() {
     // The engine stays at the limit, which PLCnext's documents neither demand nor forbid.
     let limit = "IF x > 127 THEN Wrong := SINT#127; ELSIF x < -128 THEN Wrong := SINT#-128; ELSE Wrong := RIGHT; END_IF;";
     let engine = wrong("INT_TO_SINT", "INT", "SINT", limit);
-    let found = found(&sweeps("INT_TO_SINT", DialectName::Plcnext, None)[0], &engine);
+    let found = found(&sweeps("INT_TO_SINT", DialectName::PLCNEXT, None)[0], &engine);
     assert_eq!((found.mismatches, found.unexamined), (0, 0));
     assert!(
         found.observed >= 10 && found.unexamined_observed > 0 && !found.has_failures(),
@@ -215,7 +215,7 @@ fn an_input_that_is_not_answered_is_told_apart_with_its_reason() {
         "DINT",
         "Wrong := RIGHT / (RIGHT - DINT#77); Wrong := RIGHT;",
     );
-    let found = found(&sweeps("INT_TO_DINT", DialectName::Matiec, None)[0], &engine);
+    let found = found(&sweeps("INT_TO_DINT", DialectName::MATIEC, None)[0], &engine);
     assert_eq!((found.mismatches, found.observed), (0, 0));
     let [unanswered] = &found.unanswered[..] else {
         panic!("{found:?}")
@@ -239,7 +239,7 @@ fn an_engine_that_crashes_at_one_input_is_asked_on() {
         },
     };
     let found = found(
-        &sweeps("STRING_TO_INT", DialectName::Matiec, Some(10))[0],
+        &sweeps("STRING_TO_INT", DialectName::MATIEC, Some(10))[0],
         &engine,
     );
     assert_eq!(found.unanswered.len(), 1, "{found:?}");
@@ -259,7 +259,7 @@ fn an_engine_that_allows_few_steps_gets_shorter_programs() {
             }
         },
     };
-    let sweep = &sweeps("INT_TO_DINT", DialectName::Matiec, None)[0];
+    let sweep = &sweeps("INT_TO_DINT", DialectName::MATIEC, None)[0];
     let found = found(sweep, &engine);
     assert_eq!(found.mismatches, 0, "{found:?}");
 }
@@ -278,7 +278,7 @@ fn a_sum_that_is_wrong_although_each_result_is_right_is_told_apart() {
             })
         },
     };
-    let found = found(&sweeps("SINT_TO_DINT", DialectName::Matiec, None)[0], &engine);
+    let found = found(&sweeps("SINT_TO_DINT", DialectName::MATIEC, None)[0], &engine);
     assert_eq!((found.mismatches, found.observed), (0, 0));
     assert!(found.unexplained > 0 && found.has_failures(), "{found:?}");
 }
@@ -295,7 +295,7 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
             })
         },
     };
-    let sweep = &sweeps("INT_TO_DINT", DialectName::Matiec, None)[0];
+    let sweep = &sweeps("INT_TO_DINT", DialectName::MATIEC, None)[0];
     let error = run(sweep, &engine, 1, &|_| {}, &Cancellation::new()).expect_err("it knows no such function");
     let error = error.to_string();
     assert!(
@@ -307,7 +307,7 @@ fn an_engine_that_answers_nothing_is_an_error_with_its_words() {
 
 #[test]
 fn a_sweep_of_an_engine_can_be_cancelled() {
-    let sweep = &sweeps("DINT_TO_INT", DialectName::Matiec, None)[0];
+    let sweep = &sweeps("DINT_TO_INT", DialectName::MATIEC, None)[0];
     let cancel = Cancellation::new();
     let progress = |reached: stickler_conversions::sweep::SweepProgress| {
         if reached.done > 10_000 {

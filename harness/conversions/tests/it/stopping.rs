@@ -8,7 +8,7 @@ use stickler_workers::Cancellation;
 
 #[test]
 fn progress_counts_every_input_and_every_mismatch() {
-    let sweep = sweep("UINT_TO_INT", DialectName::Matiec);
+    let sweep = sweep("UINT_TO_INT", DialectName::MATIEC);
     let converter = Spoilt {
         sweep: &sweep,
         spoil: |operand, right| right ^ (operand & 1),
@@ -27,7 +27,7 @@ fn progress_counts_every_input_and_every_mismatch() {
 
 #[test]
 fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
-    let sweep = sweep("DINT_TO_INT", DialectName::Matiec);
+    let sweep = sweep("DINT_TO_INT", DialectName::MATIEC);
     // Everything is wrong, so that the count of mismatches tells what was looked at.
     let converter = Spoilt {
         sweep: &sweep,
@@ -49,7 +49,7 @@ fn a_cancelled_sweep_has_looked_at_everything_up_to_a_place() {
 
 #[test]
 fn a_sweep_that_is_cancelled_before_it_begins_looks_at_nothing() {
-    let sweep = sweep("SINT_TO_INT", DialectName::Matiec);
+    let sweep = sweep("SINT_TO_INT", DialectName::MATIEC);
     let cancel = Cancellation::new();
     cancel.request();
     let found = run(&sweep, &sweep.reference, 2, &|_| {}, &cancel).expect("threads");

@@ -134,12 +134,12 @@ impl Session for IronplcSession<'_> {
 /// Returns the dialects that the compiler speaks: its presets, and the defined dialects that extend one.
 fn dialects() -> Vec<DialectName> {
     let presets = [
-        DialectName::IronplcEd2,
-        DialectName::IronplcEd3,
-        DialectName::IronplcRusty,
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_ED3,
+        DialectName::IRONPLC_RUSTY,
     ];
     let defined = DialectName::defined().into_iter();
-    let defined = defined.filter(|dialect| presets.contains(&dialect.base().name()));
+    let defined = defined.filter(|dialect| presets.contains(&dialect.base()));
     presets.into_iter().chain(defined).collect()
 }
 

@@ -28,7 +28,7 @@ pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use stickler_types::{BuiltIn, DialectName};
+use stickler_types::DialectName;
 
 /// Returns the configuration without which no C is written. It stands behind the program, so that no line of the program moves.
 fn configuration(program: &str) -> String {
@@ -90,7 +90,7 @@ impl Matiec {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                dialects: vec![DialectName::Matiec],
+                dialects: vec![DialectName::MATIEC],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler has no diagnostic codes.
                 grade: Grade::Line,
@@ -193,7 +193,7 @@ fn no_rendering() -> Outcome {
 
 fn speaks(dialect: DialectName) -> Result<(), Outcome> {
     match dialect.base() {
-        BuiltIn::Matiec => Ok(()),
+        DialectName::MATIEC => Ok(()),
         _ => Err(Outcome::Unsupported {
             reason: format!("it does not speak {dialect}"),
         }),

@@ -35,7 +35,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::slice;
 use std::sync::OnceLock;
-use stickler_types::{BuiltIn, DialectName};
+use stickler_types::DialectName;
 
 const COMPILER: Dependency = Dependency {
     key: "plc",
@@ -93,7 +93,7 @@ impl Rusty {
             identity: Identity {
                 name: called.to_owned(),
                 version: short(&version),
-                dialects: vec![DialectName::Rusty],
+                dialects: vec![DialectName::RUSTY],
                 abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
                 // The compiler's codes classify mistakes otherwise than the registry does.
                 grade: Grade::Line,
@@ -238,7 +238,7 @@ fn unsupported(reason: &str) -> Outcome {
 
 fn speaks(dialect: DialectName) -> Result<(), Outcome> {
     match dialect.base() {
-        BuiltIn::Rusty => Ok(()),
+        DialectName::RUSTY => Ok(()),
         _ => Err(unsupported(&format!("it does not speak {dialect}"))),
     }
 }

@@ -30,7 +30,7 @@ use std::sync::{Mutex, OnceLock, PoisonError};
 use stickler_types::{Code, DialectName};
 
 /// The dialect of STruC++'s own documentation.
-const DIALECT: DialectName = DialectName::Strucpp;
+const DIALECT: DialectName = DialectName::STRUCPP;
 
 /// The script that Node runs.
 const TRANSLATOR: &str = include_str!("strucpp/translator.mjs");

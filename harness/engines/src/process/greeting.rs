@@ -138,7 +138,7 @@ mod tests {
             "abilities":["check","sing"],"grade":"line","colour":"green"}"#;
         let identity = identity(understood(answer).unwrap()).unwrap();
         assert_eq!(identity.name, "new");
-        assert_eq!(identity.dialects, [DialectName::Matiec]);
+        assert_eq!(identity.dialects, [DialectName::MATIEC]);
         assert_eq!(identity.abilities, [Ability::Check]);
         assert_eq!(identity.grade, Grade::Line);
     }

@@ -192,7 +192,7 @@ fn ironplc_behaves() {
         ["dollar = STRING#'$$'", "wide = WSTRING#\"a~b\""]
     );
     let rendered = engine.session().unwrap().render(
-        DialectName::IronplcEd2,
+        DialectName::IRONPLC_ED2,
         "PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM",
     );
     assert!(matches!(rendered, Outcome::Rendered { .. }), "{rendered:?}");

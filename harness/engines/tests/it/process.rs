@@ -24,7 +24,7 @@ fn unruly(limits: ProcessLimits) -> ProcessEngine {
 
 /// Asks for a check of a program that tells the adapter how to misbehave.
 fn please(session: &mut dyn Session, what: &str) -> Outcome {
-    session.check(DialectName::Matiec, &format!("please: {what}"))
+    session.check(DialectName::MATIEC, &format!("please: {what}"))
 }
 
 /// Returns the outcome of asking the adapter to misbehave, and checks that it answers as usual afterwards.
@@ -67,7 +67,7 @@ fn mkfifo(path: &Path) {
 fn an_engine_is_who_it_says_and_answers_in_turn() {
     let engine = unruly(LIMITS);
     assert_eq!(engine.identity().name, "unruly");
-    assert_eq!(engine.identity().dialects, [DialectName::Matiec]);
+    assert_eq!(engine.identity().dialects, [DialectName::MATIEC]);
     assert_eq!(engine.identity().abilities, [Ability::Check]);
     let mut session = engine.session().unwrap();
     for number in 0..100 {
@@ -128,7 +128,7 @@ fn a_request_that_nobody_reads_runs_out_of_time() {
     let mut session = engine.session().unwrap();
     assert_eq!(please(session.as_mut(), "stop reading"), Outcome::ACCEPTED);
     // More than any pipe holds.
-    let outcome = session.check(DialectName::Matiec, &"x".repeat(4 << 20));
+    let outcome = session.check(DialectName::MATIEC, &"x".repeat(4 << 20));
     assert_eq!(outcome, Outcome::TimedOut { after_ms: 300 });
 }
 
@@ -210,12 +210,12 @@ fn an_answer_too_many_is_not_taken_for_the_answer_to_the_next_request() {
 fn an_answer_to_another_question_is_an_error() {
     let engine = unruly(LIMITS);
     let mut session = engine.session().unwrap();
-    let Outcome::Error { message } = session.render(DialectName::Matiec, "accept") else {
+    let Outcome::Error { message } = session.render(DialectName::MATIEC, "accept") else {
         panic!("no error")
     };
     assert!(message.contains("`render` by `accepted`"), "{message}");
     // An engine that can only check answers `run` so.
-    let request = RunRequest::once(DialectName::Matiec, "accept", &[]);
+    let request = RunRequest::once(DialectName::MATIEC, "accept", &[]);
     assert_eq!(session.run(&request), Outcome::ACCEPTED);
 }
 

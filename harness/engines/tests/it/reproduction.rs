@@ -14,10 +14,10 @@ const SOURCE: &str = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE
 
 fn dialect(compiler: Compiler) -> DialectName {
     match compiler {
-        Compiler::Ironplc => DialectName::IronplcEd3,
-        Compiler::Matiec => DialectName::Matiec,
-        Compiler::Strucpp => DialectName::Strucpp,
-        Compiler::Rusty => DialectName::Rusty,
+        Compiler::Ironplc => DialectName::IRONPLC_ED3,
+        Compiler::Matiec => DialectName::MATIEC,
+        Compiler::Strucpp => DialectName::STRUCPP,
+        Compiler::Rusty => DialectName::RUSTY,
     }
 }
 
@@ -135,7 +135,7 @@ fn a_script_shows_whether_a_program_is_accepted() {
 #[test]
 fn who_speaks_another_dialect_is_no_help() {
     for compiler in Compiler::ALL {
-        let request = RunRequest::once(DialectName::Plcnext, SOURCE, &[]);
+        let request = RunRequest::once(DialectName::PLCNEXT, SOURCE, &[]);
         let reason = "it does not speak plcnext".to_owned();
         assert_eq!(
             compiler.reproduce(&request, Ability::Check),

@@ -74,7 +74,7 @@ fn talk_bytes(input: &[u8]) -> Vec<Json> {
     let identity = Identity {
         name: "parrot".to_owned(),
         version: "7".to_owned(),
-        dialects: vec![DialectName::Matiec],
+        dialects: vec![DialectName::MATIEC],
         abilities: vec![Ability::Execute],
         grade: Grade::Line,
         lacks: Vec::new(),

@@ -145,21 +145,20 @@ impl StatedKey {
     /// Returns the basis of the definition's statement, if the definition makes this choice.
     fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
         fn basis<T>(stated: &'static Option<Stated<T>>) -> Option<&'static str> {
-            stated.as_ref().map(|stated| &*stated.basis)
+            stated.as_ref()?.basis.as_deref()
         }
         match self {
-            StatedKey::Rounding => basis(&definition.rounding),
-            StatedKey::OutOfRange => basis(&definition.out_of_range),
-            StatedKey::TruncationOutOfRange => {
-                basis(&definition.truncation_out_of_range).or_else(|| basis(&definition.out_of_range))
-            }
-            StatedKey::TextReading => basis(&definition.text_reading),
-            StatedKey::RealText => basis(&definition.real_text),
-            StatedKey::BitStringText => basis(&definition.bit_string_text),
-            StatedKey::MomentText => basis(&definition.moment_text),
-            StatedKey::BitsAsReal => basis(&definition.bits_as_real),
-            StatedKey::BitStringAsBool => basis(&definition.bit_string_as_bool),
-            StatedKey::MomentUnits => basis(&definition.moment_units),
+            StatedKey::Rounding => basis(&definition.conversions.rounding),
+            StatedKey::OutOfRange => basis(&definition.conversions.out_of_range),
+            StatedKey::TruncationOutOfRange => basis(&definition.conversions.truncation_out_of_range)
+                .or_else(|| basis(&definition.conversions.out_of_range)),
+            StatedKey::TextReading => basis(&definition.conversions.text_reading),
+            StatedKey::RealText => basis(&definition.conversions.real_text),
+            StatedKey::BitStringText => basis(&definition.conversions.bit_string_text),
+            StatedKey::MomentText => basis(&definition.conversions.moment_text),
+            StatedKey::BitsAsReal => basis(&definition.conversions.bits_as_real),
+            StatedKey::BitStringAsBool => basis(&definition.conversions.bit_string_as_bool),
+            StatedKey::MomentUnits => basis(&definition.conversions.moment_units),
         }
     }
 
@@ -210,14 +209,13 @@ impl StatedKey {
 #[cfg(test)]
 mod tests {
     use crate::{expected, signatures};
-    use stickler_types::{
-        BuiltIn, Definition, DialectName, OutOfRange, Rounding, Stated, TextReading, Value,
-    };
+    use stickler_types::definition::ConversionOverrides;
+    use stickler_types::{Definition, DialectName, OutOfRange, Rounding, Stated, TextReading, Value};
 
     fn stated<T>(value: T, basis: &str) -> Option<Stated<T>> {
         Some(Stated {
             value,
-            basis: basis.to_owned(),
+            basis: Some(basis.to_owned()),
         })
     }
 
@@ -235,8 +233,11 @@ mod tests {
     #[test]
     fn what_is_stated_is_expected_where_it_decides() {
         let dialect = DialectName::define(Definition {
-            rounding: stated(Rounding::HalfToEven, "rounds: rounding"),
-            ..Definition::new("rounds", BuiltIn::IronplcEd3, "here")
+            conversions: ConversionOverrides {
+                rounding: stated(Rounding::HalfToEven, "rounds: rounding"),
+                ..ConversionOverrides::default()
+            },
+            ..Definition::new("rounds", DialectName::IRONPLC_ED3, "here")
         })
         .unwrap();
         let rounding = Some("rounds: rounding");
@@ -267,9 +268,12 @@ mod tests {
     #[test]
     fn what_is_stated_settles_what_documents_leave_open() {
         let dialect = DialectName::define(Definition {
-            out_of_range: stated(OutOfRange::Saturate, "saturates: out-of-range"),
-            text_reading: stated(TextReading::LeadingNumber, "saturates: text-reading"),
-            ..Definition::new("saturates", BuiltIn::IronplcEd3, "here")
+            conversions: ConversionOverrides {
+                out_of_range: stated(OutOfRange::Saturate, "saturates: out-of-range"),
+                text_reading: stated(TextReading::LeadingNumber, "saturates: text-reading"),
+                ..ConversionOverrides::default()
+            },
+            ..Definition::new("saturates", DialectName::IRONPLC_ED3, "here")
         })
         .unwrap();
         let (outside, text) = (Some("saturates: out-of-range"), Some("saturates: text-reading"));

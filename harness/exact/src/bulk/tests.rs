@@ -10,7 +10,7 @@ use stickler_types::{
 /// Returns every signature that has a fast form, each once whatever its name.
 fn quick_signatures() -> Vec<Signature> {
     let mut seen = HashSet::new();
-    let dialect = DialectName::IronplcEd3;
+    let dialect = DialectName::IRONPLC_ED3;
     let all = functions(dialect)
         .into_iter()
         .flat_map(|name| signatures(&name, dialect));
@@ -33,9 +33,9 @@ fn all_choices() -> impl Iterator<Item = ConversionChoices> {
             rounding,
             out_of_range,
             truncation_out_of_range: out_of_range,
-            ..choices_of(DialectName::Matiec)
+            ..choices_of(DialectName::MATIEC)
         })
-        .chain([DialectName::Rusty, DialectName::Strucpp, DialectName::Codesys].map(choices_of))
+        .chain([DialectName::RUSTY, DialectName::STRUCPP, DialectName::CODESYS].map(choices_of))
 }
 
 /// Returns whether the operand is a REAL number of days or of counts.
@@ -127,12 +127,12 @@ fn every_signature_of_at_most_32_bits_without_texts_has_a_quick_form() {
 #[test]
 fn what_is_held_together_can_fall_apart() {
     // The same comparison with another rule finds the difference.
-    let signature = &signatures("REAL_TO_INT", DialectName::Matiec)[0];
+    let signature = &signatures("REAL_TO_INT", DialectName::MATIEC)[0];
     let operand = 2.5_f32.to_bits().into();
     let with = |rounding| {
         let choices = ConversionChoices {
             rounding,
-            ..choices_of(DialectName::Matiec)
+            ..choices_of(DialectName::MATIEC)
         };
         let mut result = [0];
         let bulk = Bulk::new(signature, &choices).expect("it has a quick form");

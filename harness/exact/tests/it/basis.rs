@@ -54,8 +54,12 @@ fn check(rows: &[(&str, &str, BasesByDialect)]) {
             None => (*function, None),
         };
         let operand = Value::parse(operand).unwrap();
-        let given = [DialectName::IronplcEd3, DialectName::Matiec, DialectName::Plcnext]
-            .map(|dialect| basis(function, &operand, to, dialect));
+        let given = [
+            DialectName::IRONPLC_ED3,
+            DialectName::MATIEC,
+            DialectName::PLCNEXT,
+        ]
+        .map(|dialect| basis(function, &operand, to, dialect));
         assert_eq!(given, *bases, "{function}({operand})");
     }
 }
@@ -212,7 +216,7 @@ fn the_page_of_control_expert_speaks_of_a_real_that_one_of_four_integers_holds()
         ("DINT_TO_INT", "DINT#1", false),
     ] {
         let operand = Value::parse(operand).unwrap();
-        let said = basis(function, &operand, None, DialectName::ControlExpert);
+        let said = basis(function, &operand, None, DialectName::CONTROL_EXPERT);
         let page = is_said.then_some("control-expert-real-to: Example");
         assert_eq!(said, page, "{function}({operand})");
     }
@@ -232,7 +236,7 @@ fn the_tables_of_the_third_edition_speak_of_what_the_target_holds() {
         ("STRING_TO_INT", "STRING#'1'", None),
     ] {
         let operand = Value::parse(operand).unwrap();
-        let said = basis(function, &operand, None, DialectName::IecEd3);
+        let said = basis(function, &operand, None, DialectName::IEC_ED3);
         assert_eq!(said, table, "{function}({operand})");
     }
 }
@@ -246,7 +250,7 @@ fn the_page_of_omron_speaks_of_a_real_that_an_int_holds() {
         ("INT_TO_DINT", "INT#1", false),
     ] {
         let operand = Value::parse(operand).unwrap();
-        let said = basis(function, &operand, None, DialectName::Omron);
+        let said = basis(function, &operand, None, DialectName::OMRON);
         assert_eq!(
             said,
             is_said.then_some("omron-instructions: 296"),
@@ -257,13 +261,13 @@ fn the_page_of_omron_speaks_of_a_real_that_an_int_holds() {
 
 #[test]
 fn the_three_dialects_of_ironplc_agree() {
-    for name in functions(DialectName::IronplcEd2) {
-        for signature in signatures(&name, DialectName::IronplcEd2) {
+    for name in functions(DialectName::IRONPLC_ED2) {
+        for signature in signatures(&name, DialectName::IRONPLC_ED2) {
             let operands: Vec<Value> = signature.operands.iter().map(|&ty| some_value(ty)).collect();
             let given = [
-                DialectName::IronplcEd2,
-                DialectName::IronplcEd3,
-                DialectName::IronplcRusty,
+                DialectName::IRONPLC_ED2,
+                DialectName::IRONPLC_ED3,
+                DialectName::IRONPLC_RUSTY,
             ]
             .map(|dialect| expected(&signature, &operands, dialect));
             assert!(given.iter().all(|one| *one == given[0]), "{name}");
@@ -305,12 +309,12 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     ];
     for dialect in DialectName::ALL
         .into_iter()
-        .filter(|dialect| !dialect.base().is_known_in_part())
+        .filter(|dialect| !dialect.statements().is_known_in_part)
     {
         let own = choices_of(dialect);
         // matiec documents what lies outside.
         let out_of_range = match dialect {
-            DialectName::Matiec => own.out_of_range,
+            DialectName::MATIEC => own.out_of_range,
             _ => OutOfRange::Saturate,
         };
         let other = ConversionChoices {
@@ -323,23 +327,23 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
             },
             out_of_range,
             truncation_out_of_range: out_of_range,
-            rounding: if dialect == DialectName::Plcnext {
+            rounding: if dialect == DialectName::PLCNEXT {
                 Rounding::HalfAwayFromZero
             } else {
                 own.rounding
             },
             // RuSTy documents the first two, STruC++ the third; a rule of ours and the ForgeIEC page speak of the second.
-            bits_as_real: if dialect == DialectName::Rusty {
+            bits_as_real: if dialect == DialectName::RUSTY {
                 own.bits_as_real
             } else {
                 BitsAsReal::Copy
             },
-            bit_string_as_bool: if matches!(dialect, DialectName::Plcnext | DialectName::Strucpp) {
+            bit_string_as_bool: if matches!(dialect, DialectName::PLCNEXT | DialectName::STRUCPP) {
                 BitStringAsBool::LowestBit
             } else {
                 own.bit_string_as_bool
             },
-            moment_units: if dialect == DialectName::Strucpp {
+            moment_units: if dialect == DialectName::STRUCPP {
                 own.moment_units
             } else {
                 MomentUnits::DaysAndMilliseconds

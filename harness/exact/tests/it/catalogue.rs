@@ -77,8 +77,8 @@ fn no_name_appears_twice_and_every_signature_is_found_by_its_own_name() {
 
 #[test]
 fn a_name_with_types_takes_and_gives_these_types() {
-    for name in functions(DialectName::IronplcEd3) {
-        let found = signatures(&name, DialectName::IronplcEd3);
+    for name in functions(DialectName::IRONPLC_ED3) {
+        let found = signatures(&name, DialectName::IRONPLC_ED3);
         // These two have INT in their names, but take or give DINT too.
         let Some((from, to)) = name
             .split_once("_TO_")
@@ -116,7 +116,7 @@ fn signatures_are_ordered_by_their_types() {
 
 #[test]
 fn types_may_be_spelled_out() {
-    let dialect = DialectName::Plcnext;
+    let dialect = DialectName::PLCNEXT;
     for (long, short) in [
         ("DATE_AND_TIME_TO_TIME_OF_DAY", "DT_TO_TOD"),
         ("Ldate_And_Time_To_Ltime_Of_Day", "LDT_TO_LTOD"),
@@ -139,7 +139,7 @@ fn a_duration_is_no_date_unless_each_type_counts_its_own_units() {
             .into_iter()
             .filter(|dialect| !signatures(name, *dialect).is_empty());
         let having: Vec<DialectName> = having.collect();
-        assert_eq!(having, [DialectName::Codesys, DialectName::Twincat], "{name}");
+        assert_eq!(having, [DialectName::CODESYS, DialectName::TWINCAT], "{name}");
     }
 }
 
@@ -174,12 +174,12 @@ fn what_is_no_function_has_no_signature() {
             assert_eq!(signatures(name, dialect), [], "{name:?}");
         }
     }
-    assert_eq!(signatures(&"INT_TO_".repeat(100_000), DialectName::Matiec), []);
+    assert_eq!(signatures(&"INT_TO_".repeat(100_000), DialectName::MATIEC), []);
 }
 
 #[test]
 fn a_dialect_has_only_functions_of_types_that_it_has() {
-    let second_edition = [DialectName::IronplcEd2, DialectName::Matiec];
+    let second_edition = [DialectName::IRONPLC_ED2, DialectName::MATIEC];
     for dialect in second_edition {
         for name in functions(dialect) {
             for signature in signatures(&name, dialect) {
@@ -191,8 +191,8 @@ fn a_dialect_has_only_functions_of_types_that_it_has() {
         assert_eq!(signatures("CONCAT_DATE_LTOD", dialect), []);
     }
     for name in ["ROUND", "CEIL", "CEILING", "FLOOR"] {
-        assert_eq!(signatures(name, DialectName::Matiec), []);
-        let found = signatures(name, DialectName::IronplcEd2);
+        assert_eq!(signatures(name, DialectName::MATIEC), []);
+        let found = signatures(name, DialectName::IRONPLC_ED2);
         let types: Vec<_> = found
             .iter()
             .map(|found| (found.operands[0], found.result))

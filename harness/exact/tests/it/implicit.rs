@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::Path;
 use stickler_exact::implicit;
 use stickler_types::definition::{Definition, Flag, Stated};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, MatrixWord};
+use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
 const FILES: [&str; 17] = [
@@ -92,11 +92,14 @@ fn dialects(names: &toml::Value) -> Vec<DialectName> {
     let of = |name: &str| match name {
         "ironplc" => DialectName::ALL[..3].to_vec(),
         "all" => DialectName::ALL[..7].to_vec(),
-        "cross-family-widening" => vec![DialectName::IronplcRusty, variant(BuiltIn::IronplcEd3, true)],
+        "cross-family-widening" => vec![
+            DialectName::IRONPLC_RUSTY,
+            variant(DialectName::IRONPLC_ED3, true),
+        ],
         "no-cross-family-widening" => vec![
-            DialectName::IronplcEd2,
-            DialectName::IronplcEd3,
-            variant(BuiltIn::IronplcRusty, false),
+            DialectName::IRONPLC_ED2,
+            DialectName::IRONPLC_ED3,
+            variant(DialectName::IRONPLC_RUSTY, false),
         ],
         name => vec![name.parse().expect("a dialect")],
     };
@@ -107,12 +110,16 @@ fn dialects(names: &toml::Value) -> Vec<DialectName> {
 }
 
 /// Returns a dialect with cross-family widening on or off.
-fn variant(base: BuiltIn, on: bool) -> DialectName {
+fn variant(base: DialectName, on: bool) -> DialectName {
     let mut definition = Definition::new(&format!("{base:?}-widens-{on}"), base, "here");
     let basis = "a page".to_owned();
-    definition
-        .flags
-        .insert(Flag::CrossFamilyWidening, Stated { value: on, basis });
+    definition.flags.insert(
+        Flag::CrossFamilyWidening,
+        Stated {
+            value: on,
+            basis: Some(basis),
+        },
+    );
     DialectName::define(definition).expect("a name of its own")
 }
 
@@ -140,9 +147,9 @@ fn every_pair_of_types_that_a_dialect_has_is_in_a_table() {
         // matiec has twenty types, and WSTRING is none of them. IronPLC documents four types of the third edition, and none for its
         // Rusty dialect.
         let has = |ty: ElementaryType| match dialect {
-            DialectName::Matiec => !ty.is_third_edition() && ty != ElementaryType::Wstring,
-            DialectName::IronplcEd2 | DialectName::IronplcRusty => !ty.is_third_edition(),
-            DialectName::IronplcEd3 => !matches!(ty, ElementaryType::Char | ElementaryType::Wchar),
+            DialectName::MATIEC => !ty.is_third_edition() && ty != ElementaryType::Wstring,
+            DialectName::IRONPLC_ED2 | DialectName::IRONPLC_RUSTY => !ty.is_third_edition(),
+            DialectName::IRONPLC_ED3 => !matches!(ty, ElementaryType::Char | ElementaryType::Wchar),
             _ => true,
         };
         let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(|&ty| has(ty)).collect();
@@ -159,7 +166,7 @@ fn every_pair_of_types_that_a_dialect_has_is_in_a_table() {
 
 #[test]
 fn a_type_that_a_dialect_does_not_have_converts_to_nothing() {
-    for dialect in [DialectName::IronplcEd2, DialectName::Matiec] {
+    for dialect in [DialectName::IRONPLC_ED2, DialectName::MATIEC] {
         assert_eq!(
             implicit(ElementaryType::Time, ElementaryType::Ltime, dialect),
             MatrixWord::No

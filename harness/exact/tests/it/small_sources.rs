@@ -4,7 +4,7 @@
 use stickler_exact::{Operation, Signature, choices_of, functions, signatures, value};
 use stickler_types::{DialectName, ElementaryType, Family, Value};
 
-const DIALECT: DialectName = DialectName::IronplcEd3;
+const DIALECT: DialectName = DialectName::IRONPLC_ED3;
 
 /// Returns the number that a source of at most 16 bits represents.
 fn number(raw: u64) -> i64 {

@@ -32,7 +32,7 @@ fn few() -> ExportFolder {
     ExportFolder::of(
         &ExportPlan {
             sample: Some(24),
-            ..plan(DialectName::IronplcEd3)
+            ..plan(DialectName::IRONPLC_ED3)
         },
         &cases(&files),
     )

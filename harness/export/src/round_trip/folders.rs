@@ -7,7 +7,7 @@ fn a_folder_of_something_else_is_left_alone_and_one_of_an_export_is_replaced() {
     let cases = cases(&["widening/integer.toml"]);
     let cases: Vec<&Case> = cases.iter().collect();
     let folder = tempfile::tempdir().expect("a folder");
-    let plan = plan(DialectName::IronplcEd2);
+    let plan = plan(DialectName::IRONPLC_ED2);
     let first = export(&plan, &cases, folder.path()).expect("exported");
     fs::write(folder.path().join(crate::ANSWERS), "rejected x\n").expect("written");
     let fewer = ExportPlan {
@@ -69,7 +69,7 @@ fn pages_are_named_by_their_text() {
         let exported = ExportFolder::of(plan, &cases);
         exported.arrays.iter().map(|array| array[1]).collect::<Vec<i32>>()
     };
-    let plan = plan(DialectName::IronplcEd2);
+    let plan = plan(DialectName::IRONPLC_ED2);
     let first = identities(&plan);
     assert_eq!(first, identities(&plan));
     let other = identities(&ExportPlan {
@@ -90,7 +90,7 @@ fn programs_that_may_be_accepted_have_pages_of_their_own() {
         with: BTreeSet::from([ExtraCases::Open]),
         sample: None,
         cases_per_page: 1000,
-        ..plan(DialectName::Plcnext)
+        ..plan(DialectName::PLCNEXT)
     };
     let folder = tempfile::tempdir().expect("a folder");
     let cases: Vec<&Case> = cases.iter().collect();
@@ -113,7 +113,7 @@ fn a_case_that_is_not_accepted_is_named_by_its_message_and_taken_off_its_page_by
     let cases = cases(&["widening/integer.toml", "widening/user-defined.toml"]);
     let plan = ExportPlan {
         sample: Some(40),
-        ..plan(DialectName::IronplcEd3)
+        ..plan(DialectName::IRONPLC_ED3)
     };
     let mut exported = ExportFolder::of(&plan, &cases);
     let manifest = exported.manifest();

@@ -30,7 +30,7 @@ fn values<'t>(text: &'t str, element: &str, attribute: &str) -> Vec<&'t str> {
 
 #[test]
 fn names_of_units_are_unique_in_a_project_and_every_program_runs() {
-    let text = project(DialectName::IronplcEd3, &cases(&FILES)).expect("a project");
+    let text = project(DialectName::IRONPLC_ED3, &cases(&FILES)).expect("a project");
     for element in ["pou", "dataType"] {
         let names = values(&text, element, "name");
         let different: BTreeSet<&str> = names.iter().copied().collect();
@@ -91,7 +91,7 @@ fn beremiz_reads_a_project_where_it_is_installed() {
         return;
     };
     let cases = cases(&["conversion/real-to-integer.toml", "widening/integer.toml"]);
-    let text = project(DialectName::Matiec, &cases).expect("a project");
+    let text = project(DialectName::MATIEC, &cases).expect("a project");
     let folder = tempfile::tempdir().expect("a folder");
     let (xml, st) = (folder.path().join("all.xml"), folder.path().join("all.st"));
     fs::write(&xml, &text).expect("written");
@@ -107,7 +107,7 @@ fn beremiz_reads_a_project_where_it_is_installed() {
     let generated = fs::read_to_string(&st).expect("a program");
     let programs = text.matches("pouType=\"program\"").count();
     assert_eq!(generated.matches("END_PROGRAM").count(), programs);
-    let dialect = stickler_types::Dialect::of(DialectName::Matiec);
+    let dialect = stickler_types::Dialect::of(DialectName::MATIEC);
     let (_, diagnostics) = stickler_syntax::parse(&generated, &dialect);
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
 }
@@ -115,7 +115,7 @@ fn beremiz_reads_a_project_where_it_is_installed() {
 /// Returns a case of the suite with a comment in its statements.
 fn commented(comment: &str) -> Vec<Case> {
     let mut cases = cases(&["widening/integer.toml"]);
-    cases.retain(|case| case.dialect == DialectName::IronplcEd2 && case.source.contains("END_VAR\n"));
+    cases.retain(|case| case.dialect == DialectName::IRONPLC_ED2 && case.source.contains("END_VAR\n"));
     cases.truncate(1);
     let source = cases[0]
         .source
@@ -126,13 +126,13 @@ fn commented(comment: &str) -> Vec<Case> {
 
 #[test]
 fn text_is_escaped_and_a_character_that_xml_cannot_hold_is_refused_with_its_place() {
-    let text = project(DialectName::IronplcEd2, &commented("a < b & c ]]> <d/>")).expect("a project");
+    let text = project(DialectName::IRONPLC_ED2, &commented("a < b & c ]]> <d/>")).expect("a project");
     assert!(
         text.contains("(* a &lt; b &amp; c ]]&gt; &lt;d/&gt; *)"),
         "{text}"
     );
     let cases = commented("bell \u{7}");
-    let error = project(DialectName::IronplcEd2, &cases)
+    let error = project(DialectName::IRONPLC_ED2, &cases)
         .expect_err("a bell")
         .to_string();
     assert!(

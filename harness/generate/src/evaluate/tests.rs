@@ -78,7 +78,7 @@ pub(crate) fn set(variable: usize, ty: ElementaryType, value: Expression) -> Sta
 
 pub(crate) fn program(variables: Vec<Variable>, body: Vec<Statement>) -> Program {
     Program {
-        dialect: DialectName::IronplcEd3,
+        dialect: DialectName::IRONPLC_ED3,
         types: Vec::new(),
         functions: Vec::new(),
         blocks: Vec::new(),

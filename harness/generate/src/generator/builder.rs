@@ -59,7 +59,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
     fn new(mut random: Random<'r, 'u>, settings: &GeneratorSettings) -> ProgramBuilder<'r, 'u> {
         let dialect = settings.dialect.unwrap_or_else(|| {
             let chosen = random.pick(&DIALECTS[..]).copied();
-            chosen.unwrap_or(DialectName::IronplcEd2)
+            chosen.unwrap_or(DialectName::IRONPLC_ED2)
         });
         let profile = DialectProfile::of(dialect);
         let constructs = ConstructSet::drawn(&mut random);

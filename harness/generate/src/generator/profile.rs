@@ -4,9 +4,10 @@
 use super::literals;
 use super::type_context::TypeContext;
 use crate::dialect::{has_bits, has_type};
-use std::sync::{LazyLock, OnceLock};
+use std::collections::HashMap;
+use std::sync::{LazyLock, PoisonError, RwLock};
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
-use stickler_types::{BuiltIn, DialectName, ElementaryType, Family, MatrixWord};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,16 +46,28 @@ pub(super) struct DialectProfile {
 /// a system that is known in part computes is not evaluated.
 pub static DIALECTS: LazyLock<Vec<DialectName>> = LazyLock::new(|| {
     let all = DialectName::ALL.into_iter();
-    all.filter(|dialect| !dialect.base().is_known_in_part()).collect()
+    all.filter(|dialect| !dialect.statements().is_known_in_part)
+        .collect()
 });
 
-static PROFILES: [OnceLock<DialectProfile>; DialectName::ALL.len()] =
-    [const { OnceLock::new() }; DialectName::ALL.len()];
+/// The profiles of the dialects that were asked for. They live as long as the process.
+static PROFILES: LazyLock<RwLock<HashMap<DialectName, &'static DialectProfile>>> =
+    LazyLock::new(RwLock::default);
 
 impl DialectProfile {
     pub fn of(dialect: DialectName) -> &'static DialectProfile {
         let base = dialect.base();
-        PROFILES[base as usize].get_or_init(|| DialectProfile::build(base.name()))
+        let known = PROFILES
+            .read()
+            .unwrap_or_else(PoisonError::into_inner)
+            .get(&base)
+            .copied();
+        known.unwrap_or_else(|| {
+            let mut profiles = PROFILES.write().unwrap_or_else(PoisonError::into_inner);
+            profiles
+                .entry(base)
+                .or_insert_with(|| Box::leak(Box::new(DialectProfile::build(base))))
+        })
     }
 
     /// Returns the types that convert implicitly to `into`.
@@ -77,8 +90,7 @@ impl DialectProfile {
 
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
     pub fn has_bits(&self, open: bool) -> bool {
-        let is_open = !matches!(self.dialect.base(), BuiltIn::Matiec);
-        has_bits(self.dialect) || open && is_open
+        has_bits(self.dialect) || open && Dialect::of(self.dialect).bit_access
     }
 
     /// Returns whether a call of a function may omit inputs, which then have their initial values.
@@ -86,10 +98,7 @@ impl DialectProfile {
     /// Basis: iec-61131-3: 6.6.1 (formal calls); ironplc-problem-codes: P4018 speaks of the number of arguments and makes no
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
-        match self.dialect.base() {
-            BuiltIn::Matiec | BuiltIn::Plcnext => true,
-            _ => open,
-        }
+        open || self.dialect.statements().documents.inputs_left_out
     }
 
     /// Returns whether a literal without its prefix stands for a value of a type in a context. Literals whose form
@@ -105,13 +114,11 @@ impl DialectProfile {
             // `'a'` may be a text of one character, and no document says whether it is a character as well.
             Family::Character => false,
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
-            Family::BitString => match (context, self.dialect) {
-                (TypeContext::Exact, _)
-                | (_, DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty) => false,
-                (_, dialect) if dialect.base().is_known_in_part() => false,
-                (TypeContext::Initial | TypeContext::Operand, _) => true,
-                (_, DialectName::IronplcRusty | DialectName::Matiec) => true,
-                _ => false,
+            Family::BitString => match context {
+                _ if !self.dialect.statements().documents.untyped_literals => false,
+                TypeContext::Exact => false,
+                TypeContext::Initial | TypeContext::Operand => true,
+                _ => Dialect::of(self.dialect).integer_literal_as_bit_string,
             },
         }
     }
@@ -167,7 +174,8 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 /// Basis: see [`has_type`]; that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
     let has = |ty: &ElementaryType| {
-        has_type(dialect, *ty) && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)
+        has_type(dialect, *ty)
+            && (*ty != ElementaryType::Wstring || dialect.statements().documents.wide_strings)
     };
     ElementaryType::ALL.into_iter().filter(has).collect()
 }

@@ -282,13 +282,13 @@ mod tests {
     fn a_suggestion_that_does_not_help_is_told() {
         let (_, planted) = planted(UNKNOWN);
         let text = "PROGRAM main\r\n    missing := 1;\r\nEND_PROGRAM\r\n";
-        let said = stickler_reference::errors(text, DialectName::Matiec).remove(0);
+        let said = stickler_reference::errors(text, DialectName::MATIEC).remove(0);
         let with = |suggestion: &str| {
             let said = Diagnostic {
                 suggestion: Some(suggestion.to_owned()),
                 ..said.clone()
             };
-            suggestion_helps(&planted, &said, text, DialectName::Matiec)
+            suggestion_helps(&planted, &said, text, DialectName::MATIEC)
                 .err()
                 .map(|(symptom, _)| symptom)
         };

@@ -37,7 +37,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
 
 fn call(input: &mut Unstructured<'_>) -> arbitrary::Result<(DialectName, &'static Signature, Vec<Value>)> {
     let dialect = *input.choose(&DialectName::ALL)?;
-    let signature = input.choose(&CONVERSIONS[dialect.base() as usize])?;
+    let signature = input.choose(&CONVERSIONS[dialect.index()])?;
     let operands = signature.operands.iter().map(|ty| operand(*ty, input));
     Ok((dialect, signature, operands.collect::<arbitrary::Result<_>>()?))
 }
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn every_conversion_of_every_dialect_can_be_called() {
         for dialect in DialectName::ALL {
-            for signature in &CONVERSIONS[dialect.base() as usize] {
+            for signature in &CONVERSIONS[dialect.index()] {
                 let zeros = signature
                     .operands
                     .iter()
@@ -153,10 +153,10 @@ mod tests {
 
     #[test]
     fn another_value_is_a_failure() {
-        let signature = &signatures("INT_TO_SINT", DialectName::Matiec)[0];
+        let signature = &signatures("INT_TO_SINT", DialectName::MATIEC)[0];
         let wrong = program(signature).replace("INT_TO_SINT(a)", "INT_TO_SINT(a + 1)");
         let failure = hold(
-            DialectName::Matiec,
+            DialectName::MATIEC,
             signature,
             &[Value::plain(ElementaryType::Int, 5)],
             &wrong,

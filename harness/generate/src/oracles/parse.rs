@@ -13,7 +13,7 @@ use stickler_types::DialectName;
 use stickler_types::dialect::Dialect;
 
 /// The dialect of a text that names none.
-const DIALECT: DialectName = DialectName::IronplcEd3;
+const DIALECT: DialectName = DialectName::IRONPLC_ED3;
 
 /// The maximum number of bytes in the message of a diagnostic, however long the names in the text are.
 const MAX_MESSAGE_LEN: usize = 1000;

@@ -158,13 +158,13 @@ fn no_constant_is_an_operand_of_a_planted_operation() {
 #[test]
 fn no_bytes_plant_the_first_kind() {
     let planted =
-        plant(&example(DialectName::Matiec), &mut Unstructured::new(&[])).expect("a place for an error");
+        plant(&example(DialectName::MATIEC), &mut Unstructured::new(&[])).expect("a place for an error");
     assert_eq!(Some(planted.kind), kind_names().next());
 }
 
 #[test]
 fn an_unknown_kind_is_planted_nowhere() {
-    let sound = example(DialectName::Plcnext);
+    let sound = example(DialectName::PLCNEXT);
     assert_eq!(
         plant_kind(&sound, "no such kind", &mut Unstructured::new(&[])),
         None

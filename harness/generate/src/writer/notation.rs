@@ -2,7 +2,7 @@
 
 use super::source_writer::SourceWriter;
 use crate::model::LiteralForm;
-use stickler_types::{BuiltIn, ElementaryType, Family, Value};
+use stickler_types::{Dialect, ElementaryType, Family, Value};
 
 impl SourceWriter<'_> {
     /// Returns the text of a literal after its prefix in another notation; `None` if there is only the canonical one.
@@ -51,11 +51,9 @@ impl SourceWriter<'_> {
     /// Returns whether the dialect takes a bare integer literal for a real.
     ///
     /// Basis: ironplc-type-conversions: Integer and Real Types ("bare integer literals"); no in matiec, open in PLCnext.
-    const fn takes_whole_reals(&self) -> bool {
-        matches!(
-            self.program.dialect.base(),
-            BuiltIn::IronplcEd2 | BuiltIn::IronplcEd3 | BuiltIn::IronplcRusty
-        )
+    fn takes_whole_reals(&self) -> bool {
+        let dialect = self.program.dialect;
+        dialect.statements().documents.untyped_literals && Dialect::of(dialect).integer_literal_as_real
     }
 }
 

@@ -117,22 +117,22 @@ fn what_is_open_is_used_only_when_asked_for() {
     let open = |seed| {
         let settings = GeneratorSettings {
             open: true,
-            ..of_dialect(DialectName::Plcnext)
+            ..of_dialect(DialectName::PLCNEXT)
         };
         program(&mut Unstructured::new(&bytes(seed)), &settings)
     };
     let has_bits = |program: &Program| measured(program).contains_key("bit read");
     assert!((0..200).any(|seed| has_bits(&open(seed))));
-    assert!(!(0..200).any(|seed| has_bits(&made(DialectName::Plcnext, seed))));
+    assert!(!(0..200).any(|seed| has_bits(&made(DialectName::PLCNEXT, seed))));
 }
 
 /// Returns every feature that programs of a dialect must have.
 fn demanded(dialect: DialectName) -> Vec<String> {
-    let third_edition = !matches!(dialect, DialectName::IronplcEd2 | DialectName::Matiec);
+    let third_edition = !matches!(dialect, DialectName::IRONPLC_ED2 | DialectName::MATIEC);
     let has = |ty: &ElementaryType| {
         (third_edition || !ty.is_third_edition())
-            && !(dialect == DialectName::Twincat && ty.is_third_edition() && ty.is_date_or_time())
-            && !(dialect == DialectName::Matiec && *ty == ElementaryType::Wstring)
+            && !(dialect == DialectName::TWINCAT && ty.is_third_edition() && ty.is_date_or_time())
+            && !(dialect == DialectName::MATIEC && *ty == ElementaryType::Wstring)
     };
     let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(has).collect();
     let mut demanded: Vec<String> = ALWAYS.iter().map(|&construct| construct.to_owned()).collect();
@@ -156,7 +156,7 @@ fn demanded(dialect: DialectName) -> Vec<String> {
     }
     if !matches!(
         dialect,
-        DialectName::Matiec | DialectName::Plcnext | DialectName::Strucpp
+        DialectName::MATIEC | DialectName::PLCNEXT | DialectName::STRUCPP
     ) {
         demanded.extend(["bit read", "bit written"].map(str::to_owned));
     }

@@ -15,8 +15,8 @@ use stickler_types::{
 fn integers(dialect: DialectName) -> Vec<ElementaryType> {
     use ElementaryType::{Dint, Int, Sint};
     match dialect {
-        DialectName::Logix => vec![Sint, Int, Dint],
-        DialectName::ControlExpert => vec![Int, Dint],
+        DialectName::LOGIX => vec![Sint, Int, Dint],
+        DialectName::CONTROL_EXPERT => vec![Int, Dint],
         _ => ElementaryType::ALL
             .into_iter()
             .filter(|ty| ty.is_integer())
@@ -55,9 +55,11 @@ impl MeetingType {
 /// Basis: codesys-recording: recordings/codesys.run.json (`meet_…`), and logix-manual: 541: as wide as the wider one and 32 bits at least, with a sign
 /// if one of them has one; elsewhere the type of the one to which the other converts (iec-61131-3: 6.6.1.7).
 fn meeting(left: ElementaryType, right: ElementaryType, dialect: DialectName) -> Option<MeetingType> {
-    use DialectName::{Codesys, ControlExpert, Logix, Twincat};
     let (one, other) = (MeetingType::of(left), MeetingType::of(right));
-    if matches!(dialect, Codesys | Twincat | Logix | ControlExpert) {
+    if matches!(
+        dialect,
+        DialectName::CODESYS | DialectName::TWINCAT | DialectName::LOGIX | DialectName::CONTROL_EXPERT
+    ) {
         return Some(MeetingType {
             bits: one.bits.max(other.bits).max(32),
             signed: one.signed || other.signed,
@@ -143,8 +145,14 @@ fn compare_all(dialect: DialectName, operator: &str, pair: [ElementaryType; 2]) 
 
 #[test]
 fn operators_of_mixed_operands_give_what_arithmetic_without_limits_gives() {
-    use DialectName::{Codesys, ControlExpert, IronplcEd3, Logix, Plcnext, Twincat};
-    for dialect in [IronplcEd3, Plcnext, Codesys, Twincat, Logix, ControlExpert] {
+    for dialect in [
+        DialectName::IRONPLC_ED3,
+        DialectName::PLCNEXT,
+        DialectName::CODESYS,
+        DialectName::TWINCAT,
+        DialectName::LOGIX,
+        DialectName::CONTROL_EXPERT,
+    ] {
         let types = integers(dialect);
         let mut compared = 0;
         for (operator, _) in OPERATORS {

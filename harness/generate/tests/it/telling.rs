@@ -167,7 +167,7 @@ fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
         })
     };
     for &dialect in DIALECTS.iter() {
-        let settled = matches!(dialect, DialectName::Matiec | DialectName::Plcnext);
+        let settled = matches!(dialect, DialectName::MATIEC | DialectName::PLCNEXT);
         assert_eq!(leaves_out(false, dialect), settled, "{dialect}");
         assert!(leaves_out(true, dialect), "{dialect}");
     }

@@ -65,7 +65,7 @@ fn styles(dialect: DialectName) -> Vec<Style> {
             ..canonical
         },
     ];
-    if matches!(dialect, DialectName::IronplcEd3 | DialectName::IronplcRusty) {
+    if matches!(dialect, DialectName::IRONPLC_ED3 | DialectName::IRONPLC_RUSTY) {
         styles.push(Style {
             bits: Bits::Percent,
             ..canonical
@@ -108,7 +108,7 @@ fn every_style_is_accepted_and_means_the_same() {
 
 #[test]
 fn a_style_changes_the_text() {
-    let program = made(DialectName::IronplcRusty, 5);
+    let program = made(DialectName::IRONPLC_RUSTY, 5);
     let canonical = write(&program, &Style::default()).text;
     let lower = write(
         &program,
@@ -142,7 +142,7 @@ fn a_style_changes_the_text() {
 
 #[test]
 fn the_lines_of_raw_text_are_remembered() {
-    let mut program = made(DialectName::IronplcEd3, 1);
+    let mut program = made(DialectName::IRONPLC_ED3, 1);
     let broken = Statement {
         kind: StatementKind::Raw("rubbish\n    ;".to_owned()),
     };

@@ -48,7 +48,7 @@ fn broken(role: Role, place: &ProgramPlace) -> BrokenPlace {
 }
 
 /// Returns the values that a rule speaks of.
-fn flows(rule: Rule, dialects: &[(DialectName, Dialect)]) -> Vec<ValueFlow> {
+fn flows(rule: Rule, dialects: &[(DialectName, &Dialect)]) -> Vec<ValueFlow> {
     let mut flows = Vec::new();
     for (name, dialect) in dialects {
         for from in ElementaryType::ALL {

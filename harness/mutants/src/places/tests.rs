@@ -58,7 +58,7 @@ fn reported(rule: &str, place: BrokenPlace) -> String {
         .expect("the rule is known");
     let engine = SabotagedReference::new(Saboteur { rule, place });
     let observe = ["plain", "list[0]", "given", "bit"].map(|name| Observation::last(name, ""));
-    let request = RunRequest::once(DialectName::IronplcEd3, PROGRAM, &observe);
+    let request = RunRequest::once(DialectName::IRONPLC_ED3, PROGRAM, &observe);
     let mut session = EngineSession::open(&engine).expect("it opens");
     match session.run(&request).expect("it answers") {
         Outcome::Executed { values, .. } => {
@@ -107,7 +107,7 @@ fn an_error_that_is_admitted_is_not_reported() {
         };
         let engine = SabotagedReference::new(admitted);
         let mut session = EngineSession::open(&engine).expect("it opens");
-        let outcome = session.check(DialectName::IronplcEd3, source);
+        let outcome = session.check(DialectName::IRONPLC_ED3, source);
         let Outcome::Rejected { diagnostics } = outcome.expect("it answers") else {
             panic!("the other error stays")
         };

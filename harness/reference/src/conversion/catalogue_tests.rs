@@ -12,7 +12,7 @@ use stickler_types::{
 };
 
 fn named(name: &str) -> Option<ConversionFunction> {
-    function(name, &Dialect::of(DialectName::IronplcEd3))
+    function(name, &Dialect::of(DialectName::IRONPLC_ED3))
 }
 
 fn exactly(name: &str) -> Option<(ElementaryType, ElementaryType)> {
@@ -114,7 +114,7 @@ fn bcd_functions_take_the_type_of_their_target() {
 #[test]
 fn rounding_functions_are_unknown_where_only_trunc_is_standard() {
     for name in ["ROUND", "CEIL", "CEILING", "FLOOR"] {
-        assert_eq!(function(name, &Dialect::of(DialectName::Matiec)), None, "{name}");
+        assert_eq!(function(name, &Dialect::of(DialectName::MATIEC)), None, "{name}");
         let found = named(name).expect(name);
         assert_eq!(
             (found.result_type(Real, None), found.result_type(Lreal, Some(Int))),
@@ -133,7 +133,7 @@ fn rounding_functions_are_unknown_where_only_trunc_is_standard() {
 
 #[test]
 fn the_third_edition_s_types_bring_their_functions() {
-    let ed2 = Dialect::of(DialectName::IronplcEd2);
+    let ed2 = Dialect::of(DialectName::IRONPLC_ED2);
     assert_eq!(function("LTIME_TO_TIME", &ed2), None);
     assert_eq!(conversion_function_name(Ltime, Lint, &ed2), None);
     assert!(named("LTIME_TO_TIME").is_some());
@@ -166,7 +166,7 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
             }
         }
     }
-    let ed2 = Dialect::of(DialectName::IronplcEd2);
+    let ed2 = Dialect::of(DialectName::IRONPLC_ED2);
     assert_eq!(
         conversion_function_name(Dint, Int, &ed2).as_deref(),
         Some("DINT_TO_INT")
@@ -178,7 +178,7 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
 fn chosen(conversions: ConversionChoices) -> Dialect {
     Dialect {
         conversions,
-        ..Dialect::matiec()
+        ..*Dialect::of(DialectName::MATIEC)
     }
 }
 

@@ -12,7 +12,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     if from == to {
         return Some(Conversion::identity(from));
     }
-    let widens = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
+    let widens = match dialect.cells.get(&(from, to)) {
         // Where acceptance is open, the reference accepts.
         Some(cell) => cell.value != MatrixWord::No,
         None => match dialect.widening {
@@ -53,7 +53,7 @@ pub fn implicit_warning(from: ElementaryType, to: ElementaryType, dialect: &Dial
         ImplicitWarnings::Narrowing => (Code::NarrowingConversion, narrows(from, to)),
         ImplicitWarnings::LargerTypes => (Code::ImplicitDowncast, from.bits() > to.bits()),
     };
-    let is_warned = match dialect.cells.and_then(|cells| cells.get(&(from, to))) {
+    let is_warned = match dialect.cells.get(&(from, to)) {
         Some(cell) => cell.value == MatrixWord::Warn,
         None if dialect.implicit_warnings == ImplicitWarnings::None => false,
         None => is_warned && from != to && implicit(from, to, dialect).is_some(),

@@ -4,8 +4,8 @@
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
 use std::sync::LazyLock;
-use stickler_types::ElementaryType;
-use stickler_types::dialect::Dialect;
+use stickler_types::dialect::{DEFAULTS, Dialect};
+use stickler_types::{ConversionChoices, ElementaryType, MomentUnits};
 
 static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
     let mut names = of_pairs();
@@ -34,7 +34,10 @@ pub fn functions(dialect: &Dialect) -> Vec<&'static str> {
 /// `<SRC>_TO_<DST>`, `TO_<DST>`; of a dialect that has all of them.
 fn of_pairs() -> Vec<String> {
     let mut names = Vec::new();
-    let choices = Dialect::codesys().conversions;
+    let choices = ConversionChoices {
+        moment_units: MomentUnits::Counts,
+        ..DEFAULTS.conversions
+    };
     for to in ElementaryType::ALL {
         names.push(format!("TO_{}", to.name()));
         for from in ElementaryType::ALL {
@@ -80,13 +83,14 @@ fn of_bcd() -> Vec<String> {
 mod tests {
     use super::*;
     use std::collections::HashSet;
+    use stickler_types::DialectName;
 
     #[test]
     fn every_name_is_a_function_and_stands_there_once() {
-        let all = functions(&Dialect::codesys());
+        let all = functions(&Dialect::of(DialectName::CODESYS));
         assert_eq!(all.len(), catalogue_names().len(), "this dialect has them all");
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
-        let matiec = functions(&Dialect::matiec());
+        let matiec = functions(&Dialect::of(DialectName::MATIEC));
         assert!(matiec.contains(&"TRUNC_INT") && !matiec.contains(&"ROUND"));
         assert!(
             !matiec

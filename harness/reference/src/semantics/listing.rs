@@ -88,7 +88,7 @@ mod tests {
     use stickler_types::dialect::Dialect;
 
     fn checked(text: &str) -> CheckedProgram {
-        let dialect = Dialect::of(DialectName::IronplcEd2);
+        let dialect = Dialect::of(DialectName::IRONPLC_ED2);
         let (unit, diagnostics) = stickler_syntax::parse(text, &dialect);
         assert_eq!(diagnostics, []);
         let (program, diagnostics) = check(&unit, text, &LineIndex::new(text), &dialect);

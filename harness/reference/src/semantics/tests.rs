@@ -20,11 +20,11 @@ use stickler_syntax::source::LineIndex;
 use stickler_types::dialect::Dialect;
 use stickler_types::{DialectName, Observation, Outcome, RunRequest, Value};
 
-pub(super) const ED2: DialectName = DialectName::IronplcEd2;
-pub(super) const ED3: DialectName = DialectName::IronplcEd3;
-pub(super) const RUSTY: DialectName = DialectName::IronplcRusty;
-pub(super) const MATIEC: DialectName = DialectName::Matiec;
-pub(super) const PLCNEXT: DialectName = DialectName::Plcnext;
+pub(super) const ED2: DialectName = DialectName::IRONPLC_ED2;
+pub(super) const ED3: DialectName = DialectName::IRONPLC_ED3;
+pub(super) const RUSTY: DialectName = DialectName::IRONPLC_RUSTY;
+pub(super) const MATIEC: DialectName = DialectName::MATIEC;
+pub(super) const PLCNEXT: DialectName = DialectName::PLCNEXT;
 
 /// Returns the diagnostics of the checker on a text that can be read.
 pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<SpannedDiagnostic> {

@@ -96,11 +96,11 @@ mod tests {
     use crate::instruction::{Instruction, Part};
     use crate::semantics::check_traced;
     use stickler_syntax::source::LineIndex;
-    use stickler_types::Dialect;
+    use stickler_types::{Dialect, DialectName};
 
     /// Returns the uses of a program, each with the text of its expression, and the instruction before the label where it ends.
     fn uses(text: &str) -> Vec<(String, UseKind, Option<Instruction>)> {
-        let dialect = Dialect::ironplc_ed3();
+        let dialect = Dialect::of(DialectName::IRONPLC_ED3);
         let (unit, errors) = stickler_syntax::parse(text, &dialect);
         assert_eq!(errors, []);
         let (checked, _, uses) = check_traced(&unit, text, &LineIndex::new(text), &dialect);

@@ -1,11 +1,11 @@
 //! Dialects that override rules of another one.
 
 use std::collections::BTreeMap;
+use stickler_types::definition::ConversionOverrides;
 use stickler_types::definition::Flag;
 use stickler_types::dialect::{PartialAccess, ThirdEditionTypes};
 use stickler_types::{
-    BuiltIn, Definition, Dialect, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
-    Stated,
+    Definition, Dialect, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, Stated,
 };
 
 #[test]
@@ -13,7 +13,7 @@ fn a_definition_overrides_its_base_and_nothing_else() {
     fn stated<T>(value: T) -> Stated<T> {
         Stated {
             value,
-            basis: "mine: test".to_owned(),
+            basis: Some("mine: test".to_owned()),
         }
     }
     let flags = Flag::ALL
@@ -27,9 +27,12 @@ fn a_definition_overrides_its_base_and_nothing_else() {
             pair(ElementaryType::Bool, ElementaryType::Int, MatrixWord::Open),
         ]),
         flags: flags.collect(),
-        rounding: Some(stated(Rounding::HalfAwayFromZero)),
-        out_of_range: Some(stated(OutOfRange::Saturate)),
-        ..Definition::new("reference-overrides", BuiltIn::IronplcEd3, "here")
+        conversions: ConversionOverrides {
+            rounding: Some(stated(Rounding::HalfAwayFromZero)),
+            out_of_range: Some(stated(OutOfRange::Saturate)),
+            ..ConversionOverrides::default()
+        },
+        ..Definition::new("reference-overrides", DialectName::IRONPLC_ED3, "here")
     })
     .expect("the name is free");
     let mine = Dialect::of(name);
@@ -52,7 +55,7 @@ fn a_definition_overrides_its_base_and_nothing_else() {
     ] {
         assert_eq!(accepts(from, into, name), in_mine, "{from} to {into}");
         assert_eq!(
-            accepts(from, into, DialectName::IronplcEd3),
+            accepts(from, into, DialectName::IRONPLC_ED3),
             in_base,
             "{from} to {into}"
         );

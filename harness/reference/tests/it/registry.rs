@@ -25,7 +25,7 @@ fn every_example_that_the_registry_promises_a_code_for_gets_it() {
 fn every_repaired_program_is_accepted() {
     for &code in Code::ALL {
         let Some(repaired) = code.repaired() else { continue };
-        let dialect = code.example_dialect().unwrap_or(DialectName::IronplcEd2);
+        let dialect = code.example_dialect().unwrap_or(DialectName::IRONPLC_ED2);
         assert_eq!(
             check(repaired, dialect),
             [],
@@ -38,7 +38,7 @@ fn every_repaired_program_is_accepted() {
 fn an_example_that_the_registry_promises_no_code_for_does_not_get_it() {
     for &code in Code::ALL {
         if code.example_dialect().is_none() {
-            let given = check(code.example(), DialectName::IronplcEd2);
+            let given = check(code.example(), DialectName::IRONPLC_ED2);
             assert!(
                 given
                     .iter()

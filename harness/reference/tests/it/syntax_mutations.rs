@@ -201,7 +201,7 @@ fn without_places(tree: &str) -> String {
 #[test]
 fn the_samples_are_accepted_and_keep_their_trees() {
     for sample in SAMPLES {
-        for dialect in [DialectName::IronplcRusty, DialectName::Plcnext] {
+        for dialect in [DialectName::IRONPLC_RUSTY, DialectName::PLCNEXT] {
             let (_, diagnostics) = parse(sample, &Dialect::of(dialect));
             assert_eq!(diagnostics, [], "{sample}");
             assert!(hold(sample, &Dialect::of(dialect)));
@@ -301,7 +301,7 @@ fn hostile_texts_need_little_stack() {
     .collect();
     let work = move || {
         for text in &deep {
-            hold(text, &Dialect::of(DialectName::Plcnext));
+            hold(text, &Dialect::of(DialectName::PLCNEXT));
         }
     };
     let thread = std::thread::Builder::new()

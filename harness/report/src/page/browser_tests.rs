@@ -84,15 +84,15 @@ const CALL: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;
 
 fn statements() -> Statements {
     let mut builder = StatementsBuilder::new(vec![
-        DialectName::IronplcEd2,
-        DialectName::Plcnext,
-        DialectName::Strucpp,
-        DialectName::Codesys,
+        DialectName::IRONPLC_ED2,
+        DialectName::PLCNEXT,
+        DialectName::STRUCPP,
+        DialectName::CODESYS,
     ]);
     let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
     let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
     let implicit = CaseStatement {
-        dialect: DialectName::IronplcEd2,
+        dialect: DialectName::IRONPLC_ED2,
         word,
         basis: "ironplc-type-conversions: Integer widening",
         case: &pair,
@@ -121,7 +121,7 @@ fn statements() -> Statements {
     );
     let call = CaseProgram {
         case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
-        dialect: DialectName::IronplcEd2,
+        dialect: DialectName::IRONPLC_ED2,
         source: CALL,
         result: None,
         basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
@@ -129,7 +129,7 @@ fn statements() -> Statements {
     builder.add_program(&call);
     builder.add_program(&CaseProgram {
         case: &Arc::from("widening/c::variable(REAL,INT,2.375)"),
-        dialect: DialectName::Plcnext,
+        dialect: DialectName::PLCNEXT,
         source: &CALL.replace("2.25", "2.375"),
         result: Some(&Value::parse("INT#7").expect("a literal")),
         basis: &Arc::from("builds: 2026"),
@@ -137,7 +137,7 @@ fn statements() -> Statements {
     let call = CALL.replace("REAL", "LREAL").replace("INT", "DINT");
     builder.add_program(&CaseProgram {
         case: &Arc::from("widening/c::variable(LREAL,DINT,-3.0E9)"),
-        dialect: DialectName::Codesys,
+        dialect: DialectName::CODESYS,
         source: &call.replace("2.25", "-3.0E9"),
         result: Some(&Value::parse("DINT#-2147483648").expect("a literal")),
         basis: &Arc::from("builds: 2026"),

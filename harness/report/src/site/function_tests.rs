@@ -18,21 +18,21 @@ const RECORDING: &str = "[recording]\nproduct = \"A <b>PLC</b>\"\nversion = \"3.
 
 fn statements() -> Statements {
     let mut builder = StatementsBuilder::new(vec![
-        DialectName::IronplcEd2,
-        DialectName::IronplcEd3,
-        DialectName::Matiec,
-        DialectName::Codesys,
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_ED3,
+        DialectName::MATIEC,
+        DialectName::CODESYS,
     ]);
     let program = CaseProgram {
         case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
-        dialect: DialectName::IronplcEd2,
+        dialect: DialectName::IRONPLC_ED2,
         source: PROGRAM,
         result: None,
         basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
     };
     builder.add_program(&program);
     builder.add_program(&CaseProgram {
-        dialect: DialectName::Codesys,
+        dialect: DialectName::CODESYS,
         result: Some(&Value::parse("INT#99").expect("a literal")),
         basis: &Arc::from("codesys-recording: functions"),
         ..program

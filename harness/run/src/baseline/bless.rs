@@ -99,7 +99,7 @@ pub enum ChangeKind {
 pub fn bless(text: &str, baseline: &Baseline, run: &EngineRun, suite: &Suite, day: Date) -> Blessing {
     // As for [`Identity::asked_in`](stickler_engines::Identity::asked_in), of which only the names are known.
     let named = |dialect: DialectName| run.engine.dialects.iter().any(|name| name == dialect.as_str());
-    let spoken = |dialect: &DialectName| named(*dialect) || named(dialect.base().name());
+    let spoken = |dialect: &DialectName| named(*dialect) || named(dialect.base());
     let cases = suite.cases.iter().filter(|case| spoken(&case.dialect));
     let keys: Vec<CaseKey<'_>> = cases.map(|case| (&*case.id, case.dialect)).collect();
     let universe = Universe::new(keys.iter().copied());

@@ -143,7 +143,6 @@ fn parts<'s, 'i>(ids: &'s [&'i str], prefix: usize) -> impl Iterator<Item = (&'s
 #[cfg(test)]
 mod tests {
     use super::*;
-    use DialectName::{IronplcEd2, IronplcEd3};
 
     const IDS: [&str; 6] = [
         "a/single",
@@ -157,7 +156,7 @@ mod tests {
     fn universe() -> Universe<'static> {
         Universe::new(
             IDS.into_iter()
-                .flat_map(|id| [(id, IronplcEd2), (id, IronplcEd3)]),
+                .flat_map(|id| [(id, DialectName::IRONPLC_ED2), (id, DialectName::IRONPLC_ED3)]),
         )
     }
 
@@ -169,7 +168,9 @@ mod tests {
     }
 
     fn both(ids: &[&'static str]) -> Vec<CaseKey<'static>> {
-        let keys = ids.iter().flat_map(|&id| [(id, IronplcEd2), (id, IronplcEd3)]);
+        let keys = ids
+            .iter()
+            .flat_map(|&id| [(id, DialectName::IRONPLC_ED2), (id, DialectName::IRONPLC_ED3)]);
         keys.collect()
     }
 
@@ -188,11 +189,17 @@ mod tests {
 
     #[test]
     fn what_is_so_in_one_dialect_says_which() {
-        let in_one: Vec<CaseKey<'_>> = IDS[1..4].iter().map(|&id| (id, IronplcEd3)).collect();
+        let in_one: Vec<CaseKey<'_>> = IDS[1..4]
+            .iter()
+            .map(|&id| (id, DialectName::IRONPLC_ED3))
+            .collect();
         assert_eq!(folded(&in_one), ["a/t::one(*@ironplc-ed3"]);
-        assert_eq!(folded(&[("a/single", IronplcEd2)]), ["a/single@ironplc-ed2"]);
+        assert_eq!(
+            folded(&[("a/single", DialectName::IRONPLC_ED2)]),
+            ["a/single@ironplc-ed2"]
+        );
         // All in one dialect and one case of the other: two entries, not three.
-        let and_one = [&in_one[..], &[(IDS[3], IronplcEd2)]].concat();
+        let and_one = [&in_one[..], &[(IDS[3], DialectName::IRONPLC_ED2)]].concat();
         assert_eq!(
             folded(&and_one),
             ["a/t::one(INT,*@ironplc-ed3", "a/t::one(SINT,1)"]
@@ -201,7 +208,7 @@ mod tests {
 
     #[test]
     fn a_case_that_is_not_of_the_universe_is_left_out() {
-        let wanted = HashSet::from([("z/gone", IronplcEd2)]);
+        let wanted = HashSet::from([("z/gone", DialectName::IRONPLC_ED2)]);
         assert_eq!(universe().fold(&wanted), []);
     }
 }

@@ -22,7 +22,7 @@ const STRUCPP: &str = "strucpp-architecture: Type System";
 fn citing(basis: &str) -> Suite {
     let case = Case {
         basis: basis.into(),
-        dialect: DialectName::IronplcEd3,
+        dialect: DialectName::IRONPLC_ED3,
         ..expecting(values(&["q = INT#1"]))
     };
     let mut suite = suite(vec![case]);
@@ -121,7 +121,7 @@ fn blanks_of_a_rendered_line_are_a_rule_whatever_the_source() {
         };
         let case = Case {
             basis: IRONPLC.into(),
-            dialect: DialectName::IronplcEd3,
+            dialect: DialectName::IRONPLC_ED3,
             ..expecting(expectation)
         };
         let text = Outcome::Rendered {

@@ -6,7 +6,7 @@ use stickler_run::{
     Baseline, BaselineNote, Blessing, CaseEvent, ChangeKind, EngineHeader, EngineRun, Grade, Verdict, bless,
 };
 use stickler_suite::{Case, Suite};
-use stickler_types::{BuiltIn, Definition, DialectName};
+use stickler_types::{Definition, DialectName};
 
 const IDS: [&str; 5] = [
     "a/one",
@@ -19,9 +19,9 @@ const IDS: [&str; 5] = [
 /// Returns a suite of the cases of [`IDS`], each in two dialects that the engine supports and in one that it does not.
 fn whole() -> Suite {
     let dialects = [
-        DialectName::IronplcEd2,
-        DialectName::IronplcEd3,
-        DialectName::Matiec,
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_ED3,
+        DialectName::MATIEC,
     ];
     let cases = IDS
         .iter()
@@ -40,7 +40,7 @@ fn ran(but: &[(&str, Verdict)]) -> EngineRun {
         commands: std::collections::BTreeMap::new(),
     });
     for case in whole().cases {
-        if case.dialect == DialectName::Matiec {
+        if case.dialect == DialectName::MATIEC {
             continue;
         }
         let key = format!("{}@{}", case.id, case.dialect);
@@ -274,8 +274,8 @@ fn the_comment_that_opens_the_file_stays_whichever_entry_goes() {
 
 #[test]
 fn a_dialect_that_was_defined_has_entries_where_it_takes_part_and_keeps_them_elsewhere() {
-    let defined = DialectName::define(Definition::new("blessed", BuiltIn::IronplcEd3, "here")).unwrap();
-    let base = DialectName::IronplcEd3;
+    let defined = DialectName::define(Definition::new("blessed", DialectName::IRONPLC_ED3, "here")).unwrap();
+    let base = DialectName::IRONPLC_ED3;
     // Of what it states itself, only it has the case.
     let with = [("a/one", base), ("a/one", defined), ("a/own(1)", defined)];
     let with = with.map(|(id, dialect)| Case { dialect, ..case(id) });

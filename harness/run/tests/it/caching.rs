@@ -169,7 +169,7 @@ fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
         plain.clone(),
         case("another"),
         Case {
-            dialect: DialectName::Plcnext,
+            dialect: DialectName::PLCNEXT,
             ..plain.clone()
         },
         Case {

@@ -59,7 +59,7 @@ pub fn case(id: &str) -> Case {
         basis: "a-source: A section".into(),
         file: "conformance-cases/area/file.st".into(),
         area: "area".into(),
-        ..Case::of_program(id, DialectName::Matiec, id)
+        ..Case::of_program(id, DialectName::MATIEC, id)
     }
 }
 

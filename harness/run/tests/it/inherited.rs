@@ -5,14 +5,15 @@ use std::path::Path;
 use stickler_engines::Reference;
 use stickler_run::{Event, Fact, Filter, Plan, Verdict, drop_changed_cases, run};
 use stickler_suite::Suite;
+use stickler_types::definition::ConversionOverrides;
 use stickler_types::definition::Flag;
-use stickler_types::{BuiltIn, Definition, DialectName, Rounding, Stated};
+use stickler_types::{Definition, DialectName, Rounding, Stated};
 use stickler_workers::Cancellation;
 
 fn stated<T>(value: T) -> Stated<T> {
     Stated {
         value,
-        basis: "unstated: test".to_owned(),
+        basis: Some("unstated: test".to_owned()),
     }
 }
 
@@ -20,8 +21,11 @@ fn stated<T>(value: T) -> Stated<T> {
 fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
     let dialect = DialectName::define(Definition {
         flags: BTreeMap::from([(Flag::NestedComments, stated(false))]),
-        rounding: Some(stated(Rounding::HalfToEven)),
-        ..Definition::new("unstated", BuiltIn::IronplcEd3, "here")
+        conversions: ConversionOverrides {
+            rounding: Some(stated(Rounding::HalfToEven)),
+            ..ConversionOverrides::default()
+        },
+        ..Definition::new("unstated", DialectName::IRONPLC_ED3, "here")
     })
     .unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");

@@ -163,9 +163,9 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
 #[test]
 fn every_engine_runs_the_dialects_that_it_speaks() {
     let first = Puppet::new("first", |_| executed(&[]));
-    let second = Puppet::new("second", |_| Outcome::TimedOut { after_ms: 1 }).only(DialectName::Plcnext);
+    let second = Puppet::new("second", |_| Outcome::TimedOut { after_ms: 1 }).only(DialectName::PLCNEXT);
     let plcnext = Case {
-        dialect: DialectName::Plcnext,
+        dialect: DialectName::PLCNEXT,
         ..case("area/1")
     };
     let (_, events) = go(
@@ -191,7 +191,7 @@ fn every_engine_runs_the_dialects_that_it_speaks() {
 
 #[test]
 fn nothing_selected_is_an_error_before_any_event() {
-    let silent = Puppet::new("puppet", |_| executed(&[])).only(DialectName::Plcnext);
+    let silent = Puppet::new("puppet", |_| executed(&[])).only(DialectName::PLCNEXT);
     let (outcome, events) = go(&with_jobs(1), &numbered(3), &[&silent]);
     assert!(matches!(outcome, Err(RunError::NoCaseSelected)));
     assert_eq!(events, []);

@@ -8,7 +8,7 @@ use stickler_workers::Shard;
 
 fn cases() -> Vec<Case> {
     let ids = ["a/b", "a/b2", "a/b::p(INT,-1)", "a/b::p(INT,-10)", "c/it's"];
-    let dialects = [DialectName::Matiec, DialectName::Plcnext];
+    let dialects = [DialectName::MATIEC, DialectName::PLCNEXT];
     let both = |id| dialects.map(|dialect| Case { dialect, ..case(id) });
     ids.into_iter().flat_map(both).collect()
 }
@@ -49,7 +49,7 @@ fn filters_add_up_and_dialects_take_away() {
     );
     let plan = Plan {
         filters: vec![Filter::new("a/b")],
-        dialects: vec![DialectName::Plcnext],
+        dialects: vec![DialectName::PLCNEXT],
         ..Plan::default()
     };
     assert_eq!(keys(&plan), ["a/b@plcnext"]);

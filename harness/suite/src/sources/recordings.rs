@@ -141,9 +141,9 @@ mod tests {
         assert_eq!(source.read_of(section), "MyPLC 2.1, 2026-11-25");
         assert!(Path::new(&source.address_of(section)).ends_with("recordings/mine.toml"));
         for (dialect, chosen) in [
-            (DialectName::Codesys, Some("recording: mine")),
-            (DialectName::Matiec, Some("recording: mine")),
-            (DialectName::Plcnext, None),
+            (DialectName::CODESYS, Some("recording: mine")),
+            (DialectName::MATIEC, Some("recording: mine")),
+            (DialectName::PLCNEXT, None),
         ] {
             assert_eq!(sources.choose("recording: mine", dialect), chosen, "{dialect}");
         }

@@ -30,9 +30,10 @@ pub(super) fn words(
             ElementaryType::from_name(&column.name)?,
         );
         let stated = dialect.definition()?.implicit(pair.0, pair.1)?;
+        let basis = stated.basis.as_deref()?;
         Some(CellWord {
             word: stated.value,
-            stated: Some((*dialect, &stated.basis)),
+            stated: Some((*dialect, basis)),
         })
     };
     let by_matrix = CellWord { word, stated: None };

@@ -3,8 +3,9 @@
 use crate::common::folder;
 use std::collections::BTreeMap;
 use stickler_suite::{Acceptance, Case, Suite};
+use stickler_types::definition::ConversionOverrides;
 use stickler_types::{
-    BuiltIn, Code, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, Rounding, Stated,
+    Code, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, Rounding, Stated,
 };
 
 /// A matrix of implicit conversions, one of another rule, a table of calls, and a program.
@@ -38,7 +39,7 @@ const FILES: [(&str, &str); 4] = [
 fn stated<T>(value: T, basis: &str) -> Stated<T> {
     Stated {
         value,
-        basis: basis.to_owned(),
+        basis: Some(basis.to_owned()),
     }
 }
 
@@ -74,12 +75,16 @@ fn values(case: &Case) -> Vec<String> {
 
 #[test]
 fn what_overrides_nothing_takes_every_case_over_as_it_is() {
-    let own = cases(Definition::new("overrides-nothing", BuiltIn::IronplcEd3, "here"));
+    let own = cases(Definition::new(
+        "overrides-nothing",
+        DialectName::IRONPLC_ED3,
+        "here",
+    ));
     let suite = Suite::load(&folder(&FILES).path().join("cases"));
     let base: Vec<&Case> = suite
         .cases
         .iter()
-        .filter(|case| case.dialect == DialectName::IronplcEd3)
+        .filter(|case| case.dialect == DialectName::IRONPLC_ED3)
         .collect();
     assert_eq!(own.len(), base.len());
     for case in base {
@@ -104,7 +109,7 @@ fn a_cell_that_is_overridden_expects_what_the_definition_says() {
             ((Int, Sint), stated(MatrixWord::Yes, "cells: implicit INT.SINT")),
             ((Int, Bool), stated(MatrixWord::Open, "cells: implicit INT.BOOL")),
         ]),
-        ..Definition::new("cells", BuiltIn::IronplcEd3, "here")
+        ..Definition::new("cells", DialectName::IRONPLC_ED3, "here")
     });
     let rejected = &own["a/widening::p(SINT,INT)"];
     assert_eq!(
@@ -143,9 +148,12 @@ fn a_cell_that_is_overridden_expects_what_the_definition_says() {
 fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition() {
     let rounding = stated(Rounding::HalfAwayFromZero, "calls: rounding");
     let own = cases(Definition {
-        rounding: Some(rounding.clone()),
-        out_of_range: Some(stated(OutOfRange::Saturate, "calls: out-of-range")),
-        ..Definition::new("calls", BuiltIn::IronplcEd3, "here")
+        conversions: ConversionOverrides {
+            rounding: Some(rounding.clone()),
+            out_of_range: Some(stated(OutOfRange::Saturate, "calls: out-of-range")),
+            ..ConversionOverrides::default()
+        },
+        ..Definition::new("calls", DialectName::IRONPLC_ED3, "here")
     });
     for (id, expected, basis) in [
         ("a/calls::p(2.0)", "SINT#2", "iec-61131-3: 6"),
@@ -161,8 +169,11 @@ fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition()
         );
     }
     let own = cases(Definition {
-        rounding: Some(rounding),
-        ..Definition::new("calls-wrapping", BuiltIn::IronplcEd3, "here")
+        conversions: ConversionOverrides {
+            rounding: Some(rounding),
+            ..ConversionOverrides::default()
+        },
+        ..Definition::new("calls-wrapping", DialectName::IRONPLC_ED3, "here")
     });
     // It is 128, and nobody says what becomes of that.
     let open = &own["a/calls::p(127.5)"];

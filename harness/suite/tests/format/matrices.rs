@@ -42,7 +42,7 @@ fn a_cell_becomes_a_case_for_each_value_and_dialect() {
     assert_eq!(cases.len(), 8);
     assert_eq!(
         (cases[0].dialect, cases[1].dialect),
-        (DialectName::IronplcEd2, DialectName::Matiec)
+        (DialectName::IRONPLC_ED2, DialectName::MATIEC)
     );
     let last = &cases[7];
     assert_eq!(
@@ -185,7 +185,7 @@ fn a_probe_can_leave_cells_out_and_narrow_dialects() {
         .collect();
     pairs.dedup();
     assert_eq!(pairs, [("SINT", "INT"), ("INT", "SINT")]);
-    assert!(cases.iter().all(|case| case.dialect == DialectName::Matiec));
+    assert!(cases.iter().all(|case| case.dialect == DialectName::MATIEC));
 }
 
 #[test]
@@ -204,15 +204,15 @@ fn a_mark_in_some_dialects_splits_the_cell() {
         [
             (
                 "area/file::assign(BOOL,BOOL,FALSE)",
-                DialectName::IronplcEd2,
+                DialectName::IRONPLC_ED2,
                 Required
             ),
             (
                 "area/file::assign(BOOL,BOOL,TRUE)",
-                DialectName::IronplcEd2,
+                DialectName::IRONPLC_ED2,
                 Required
             ),
-            ("area/file::assign(BOOL,BOOL)", DialectName::Matiec, Rejected),
+            ("area/file::assign(BOOL,BOOL)", DialectName::MATIEC, Rejected),
         ]
     );
 }
@@ -227,11 +227,11 @@ fn several_matrices_have_their_own_dialects_basis_and_names() {
     assert_eq!(ids(&cases)[0], "area/file::m.assign(BOOL,BOOL)");
     assert_eq!(
         (cases[0].dialect, &*cases[0].basis, cases[0].line),
-        (DialectName::Matiec, "b: c", 8)
+        (DialectName::MATIEC, "b: c", 8)
     );
     assert_eq!(
         (cases[1].dialect, &*cases[1].basis),
-        (DialectName::Plcnext, "implicit-conversion-table: BOOL to BOOL")
+        (DialectName::PLCNEXT, "implicit-conversion-table: BOOL to BOOL")
     );
 }
 

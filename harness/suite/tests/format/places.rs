@@ -104,7 +104,7 @@ fn a_cell_takes_every_source_and_every_target_that_its_dialect_has() {
     let suite = suite(PLACES, &matrix(""));
     assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
     assert_eq!(
-        ids(&suite, DialectName::Plcnext),
+        ids(&suite, DialectName::PLCNEXT),
         [
             "a/t::accepted(INT,DINT,-32767,variable,field,program)",
             "a/t::accepted(INT,DINT,-32767,literal,field,loop)",
@@ -115,7 +115,7 @@ fn a_cell_takes_every_source_and_every_target_that_its_dialect_has() {
         ]
     );
     assert!(
-        !ids(&suite, DialectName::Matiec)
+        !ids(&suite, DialectName::MATIEC)
             .iter()
             .any(|id| id.contains("initial-value"))
     );
@@ -134,9 +134,9 @@ fn a_place_of_rejections_only_takes_no_value_that_is_accepted() {
         ids.filter(|id| id.contains(probe) && id.contains("literal"))
             .count()
     };
-    assert_eq!(of_literals(DialectName::Plcnext, "accepted"), 0);
-    assert!(of_literals(DialectName::Plcnext, "rejected") > 0);
-    assert!(of_literals(DialectName::Matiec, "accepted") > 0);
+    assert_eq!(of_literals(DialectName::PLCNEXT, "accepted"), 0);
+    assert!(of_literals(DialectName::PLCNEXT, "rejected") > 0);
+    assert!(of_literals(DialectName::MATIEC, "accepted") > 0);
 }
 
 #[test]
@@ -216,7 +216,7 @@ fn a_row_takes_its_share_of_the_combinations() {
                  targets = ['field'], variable = '{target}.{bit}', before = '{target} := INT#0;' }\n";
     let suite = suite(PLACES, table);
     assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
-    let ids = ids(&suite, DialectName::Plcnext);
+    let ids = ids(&suite, DialectName::PLCNEXT);
     assert_eq!(ids.len(), 3, "{ids:?}");
     let sources: BTreeSet<&str> = suite
         .cases
@@ -236,7 +236,7 @@ fn no_probe_takes_a_combination_that_tables_ask_with_programs_of_their_own() {
     let suite = suite(&places, &matrix(""));
     assert!(suite.errors.is_empty(), "{:?}", errors(&suite));
     assert_eq!(
-        ids(&suite, DialectName::Matiec),
+        ids(&suite, DialectName::MATIEC),
         [
             "a/t::accepted(INT,DINT,-32767,variable,field,loop)",
             "a/t::accepted(INT,DINT,-32767,literal,field,program)",
@@ -253,16 +253,16 @@ fn dialects_of_one_compiler_take_their_programs_in_turn() {
     let in_turn = suite(&format!("in-turn = ['ironplc']\n{PLACES}"), &table);
     assert!(in_turn.errors.is_empty(), "{:?}", errors(&in_turn));
     let [second, third] =
-        [DialectName::IronplcEd2, DialectName::IronplcEd3].map(|dialect| ids(&in_turn, dialect));
+        [DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3].map(|dialect| ids(&in_turn, dialect));
     assert!(!second.is_empty() && !third.is_empty(), "{second:?} {third:?}");
     assert!(
         second.iter().all(|id| !third.contains(id)),
         "{second:?} {third:?}"
     );
     let together: BTreeSet<&str> = second.into_iter().chain(third).collect();
-    let expected: BTreeSet<&str> = ids(&all, DialectName::IronplcEd2).into_iter().collect();
+    let expected: BTreeSet<&str> = ids(&all, DialectName::IRONPLC_ED2).into_iter().collect();
     assert_eq!(together, expected);
-    assert_eq!(ids(&in_turn, DialectName::Matiec), ids(&all, DialectName::Matiec));
+    assert_eq!(ids(&in_turn, DialectName::MATIEC), ids(&all, DialectName::MATIEC));
 }
 
 #[test]

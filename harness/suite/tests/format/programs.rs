@@ -51,8 +51,15 @@ fn a_case_comes_of_each_dialect_once() {
         &program("'plcnext', 'ironplc', 'ironplc-ed3'", "(*! ok *)"),
     );
     let dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
-    use DialectName::{IronplcEd2, IronplcEd3, IronplcRusty, Plcnext};
-    assert_eq!(dialects, [IronplcEd2, IronplcEd3, IronplcRusty, Plcnext]);
+    assert_eq!(
+        dialects,
+        [
+            DialectName::IRONPLC_ED2,
+            DialectName::IRONPLC_ED3,
+            DialectName::IRONPLC_RUSTY,
+            DialectName::PLCNEXT
+        ]
+    );
 }
 
 #[test]

@@ -43,7 +43,7 @@ fn a_row_becomes_a_case_for_each_dialect() {
     assert_eq!(cases[2].line, 7);
     assert_eq!(
         (cases[0].dialect, cases[1].dialect),
-        (DialectName::Matiec, DialectName::Plcnext)
+        (DialectName::MATIEC, DialectName::PLCNEXT)
     );
     assert!(cases[0].cell.is_none());
 }
@@ -106,9 +106,9 @@ fn special_columns_name_title_basis_and_dialects() {
     assert_eq!(
         found,
         [
-            ("area/file::p(one)", "T", "iec-61131-3: 1", DialectName::Matiec),
-            ("area/file::p(two)", "t", basis, DialectName::Matiec),
-            ("area/file::p(two)", "t", basis, DialectName::Plcnext),
+            ("area/file::p(one)", "T", "iec-61131-3: 1", DialectName::MATIEC),
+            ("area/file::p(two)", "t", basis, DialectName::MATIEC),
+            ("area/file::p(two)", "t", basis, DialectName::PLCNEXT),
         ]
     );
 }
@@ -133,10 +133,10 @@ fn of_several_bases_a_case_has_the_first_that_speaks_for_its_dialect() {
     assert_eq!(
         found,
         [
-            (DialectName::Matiec, "page: 1"),
-            (DialectName::Plcnext, "iec-61131-3: 2"),
-            (DialectName::Matiec, "page: 3"),
-            (DialectName::Plcnext, "iec-61131-3: 4"),
+            (DialectName::MATIEC, "page: 1"),
+            (DialectName::PLCNEXT, "iec-61131-3: 2"),
+            (DialectName::MATIEC, "page: 3"),
+            (DialectName::PLCNEXT, "iec-61131-3: 4"),
         ]
     );
 }

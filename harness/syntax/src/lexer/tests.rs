@@ -4,20 +4,25 @@ use super::lex;
 use crate::token::TokenKind;
 use crate::token::TokenKind::*;
 use stickler_types::Code;
-use stickler_types::dialect::Dialect;
+use stickler_types::{Dialect, DialectName};
 
-const ED2: &Dialect = &Dialect::ironplc_ed2();
-const ED3: &Dialect = &Dialect::ironplc_ed3();
+fn ed2() -> &'static Dialect {
+    Dialect::of(DialectName::IRONPLC_ED2)
+}
+
+fn ed3() -> &'static Dialect {
+    Dialect::of(DialectName::IRONPLC_ED3)
+}
 
 fn kinds(text: &str) -> Vec<TokenKind> {
-    let lexed = lex(text, ED2);
+    let lexed = lex(text, ed2());
     let mut kinds: Vec<_> = lexed.tokens.iter().map(|token| token.kind).collect();
     assert_eq!(kinds.pop(), Some(End));
     kinds
 }
 
 fn texts(text: &str) -> Vec<&str> {
-    let lexed = lex(text, ED2);
+    let lexed = lex(text, ed2());
     let tokens = lexed.tokens.iter().filter(|token| token.kind != End);
     tokens.map(|token| token.span.text(text)).collect()
 }
@@ -87,7 +92,7 @@ fn what_is_no_number_is_one_malformed_token() {
         "INT#x5", "INT#--5",
     ] {
         assert_eq!(kinds(text).first(), Some(&Malformed), "{text}");
-        assert_eq!(codes(text, ED2).len(), 1, "{text}");
+        assert_eq!(codes(text, ed2()).len(), 1, "{text}");
     }
 }
 
@@ -156,52 +161,52 @@ fn strings_end_with_their_quote() {
 
 #[test]
 fn a_string_does_not_go_on_over_the_line() {
-    assert_eq!(codes("'abc\nx", ED2), [(Code::UnexpectedToken, "'abc")]);
+    assert_eq!(codes("'abc\nx", ed2()), [(Code::UnexpectedToken, "'abc")]);
     assert_eq!(kinds("'abc\nx"), [Malformed, Name]);
-    assert_eq!(codes("'abc", ED2), [(Code::UnexpectedToken, "'abc")]);
-    assert_eq!(codes("'a$\n", ED2), [(Code::UnexpectedToken, "'a$")]);
+    assert_eq!(codes("'abc", ed2()), [(Code::UnexpectedToken, "'abc")]);
+    assert_eq!(codes("'a$\n", ed2()), [(Code::UnexpectedToken, "'a$")]);
 }
 
 #[test]
 fn escapes_are_checked() {
-    assert_eq!(codes("'$0A$n$Q'", ED2), [(Code::InvalidStringEscape, "$")]);
-    assert_eq!(codes("\"$000A$0A\"", ED2), [(Code::InvalidStringEscape, "$")]);
-    assert_eq!(codes("'\u{1}'", ED2), [(Code::UnexpectedToken, "\u{1}")]);
+    assert_eq!(codes("'$0A$n$Q'", ed2()), [(Code::InvalidStringEscape, "$")]);
+    assert_eq!(codes("\"$000A$0A\"", ed2()), [(Code::InvalidStringEscape, "$")]);
+    assert_eq!(codes("'\u{1}'", ed2()), [(Code::UnexpectedToken, "\u{1}")]);
 }
 
 #[test]
 fn unknown_characters_are_reported_once_a_run() {
     assert_eq!(
-        codes("a @@ b ä€\0 # ?", ED2),
+        codes("a @@ b ä€\0 # ?", ed2()),
         ["@@", "ä€\0", "#", "?"].map(|run| (Code::UnexpectedToken, run))
     );
     assert_eq!(
-        codes("\u{FEFF}a \u{FEFF}", ED2),
+        codes("\u{FEFF}a \u{FEFF}", ed2()),
         [(Code::UnexpectedToken, "\u{FEFF}")]
     );
-    assert_eq!(codes("a.%Z3 %5 %", ED2).len(), 3);
+    assert_eq!(codes("a.%Z3 %5 %", ed2()).len(), 3);
 }
 
 #[test]
 fn bytes_that_are_no_text_are_reported_in_the_same_words_as_by_their_decoder() {
     let (text, diagnostics) = crate::decoding::decode(b"a \xFF\xFE b");
-    assert_eq!(lex(&text, ED2).diagnostics.into_list(), diagnostics);
+    assert_eq!(lex(&text, ed2()).diagnostics.into_list(), diagnostics);
 }
 
 #[test]
 fn comments_nest_where_the_dialect_nests_them() {
     assert_eq!(kinds("(* a (* b *) x"), [Name]);
-    let nested = lex("(* a (* b *) x *) y", ED3);
+    let nested = lex("(* a (* b *) x *) y", ed3());
     assert_eq!(nested.tokens.len(), 2);
-    assert_eq!(codes("(*(* b *) x", ED3), [(Code::OpenComment, "(*")]);
+    assert_eq!(codes("(*(* b *) x", ed3()), [(Code::OpenComment, "(*")]);
     assert_eq!(kinds("(*) x *) y (***) z"), [Name, Name]);
 }
 
 #[test]
 fn an_open_comment_is_reported_where_it_opens() {
-    assert_eq!(codes("x (* a\n\n*", ED2), [(Code::OpenComment, "(*")]);
-    assert!(lex("x (* a", ED2).truncated);
-    assert_eq!(codes("{ a", ED2), [(Code::OpenComment, "{")]);
+    assert_eq!(codes("x (* a\n\n*", ed2()), [(Code::OpenComment, "(*")]);
+    assert!(lex("x (* a", ed2()).truncated);
+    assert_eq!(codes("{ a", ed2()), [(Code::OpenComment, "{")]);
     assert_eq!(kinds("{ a } b"), [Name]);
 }
 
@@ -212,9 +217,9 @@ fn other_comments_are_skipped_and_reported_where_they_are_not_enabled() {
         (Code::CStyleComment, "// b (* c"),
         (Code::CStyleComment, "/* e // f */"),
     ];
-    assert_eq!(codes(text, ED2), comments);
+    assert_eq!(codes(text, ed2()), comments);
     assert_eq!(kinds(text), [Name, Name, Name]);
-    assert_eq!(codes(text, &Dialect::ironplc_rusty()), []);
+    assert_eq!(codes(text, &Dialect::of(DialectName::IRONPLC_RUSTY)), []);
 }
 
 #[test]
@@ -225,16 +230,16 @@ fn direct_variables_are_one_token() {
 #[test]
 fn a_text_beyond_the_limit_is_not_read() {
     let text = " ".repeat(crate::source::MAX_LENGTH + 1);
-    assert_eq!(codes(&text, ED2), [(Code::LimitExceeded, "")]);
+    assert_eq!(codes(&text, ed2()), [(Code::LimitExceeded, "")]);
 }
 
 #[test]
 fn hostile_tokens_take_linear_time() {
     let deep = "(*".repeat(500_000);
-    assert_eq!(codes(&deep, ED3).len(), 1);
+    assert_eq!(codes(&deep, ed3()).len(), 1);
     let stars = format!("(*{}", "*".repeat(1_000_000));
-    assert_eq!(codes(&stars, ED2).len(), 1);
+    assert_eq!(codes(&stars, ed2()).len(), 1);
     let digits = "9".repeat(1_000_000);
     assert_eq!(kinds(&digits), [Integer]);
-    assert!(codes(&"@ ".repeat(100_000), ED2).len() < 100_000);
+    assert!(codes(&"@ ".repeat(100_000), ed2()).len() < 100_000);
 }

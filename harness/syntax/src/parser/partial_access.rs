@@ -98,17 +98,16 @@ fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
 mod tests {
     use super::*;
     use crate::parser::testing::codes;
-    use stickler_types::dialect::Dialect;
+    use stickler_types::{Dialect, DialectName};
 
     fn said(suffix: &str) -> [Vec<(Code, String)>; 5] {
         let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
-        use Dialect as D;
         [
-            D::ironplc_ed2(),
-            D::ironplc_ed3(),
-            D::ironplc_rusty(),
-            D::matiec(),
-            D::plcnext(),
+            Dialect::of(DialectName::IRONPLC_ED2),
+            Dialect::of(DialectName::IRONPLC_ED3),
+            Dialect::of(DialectName::IRONPLC_RUSTY),
+            Dialect::of(DialectName::MATIEC),
+            Dialect::of(DialectName::PLCNEXT),
         ]
         .map(|dialect| codes(&text, &dialect))
     }
@@ -140,11 +139,11 @@ mod tests {
     fn the_wider_forms_are_enabled_in_rusty_up_to_double_words() {
         for suffix in [".%B1", ".%w0", ".%D0", ".%D1.%W1.%B1.%X1"] {
             let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
-            assert_eq!(codes(&text, &Dialect::rusty()), [], "{suffix}");
+            assert_eq!(codes(&text, &Dialect::of(DialectName::RUSTY)), [], "{suffix}");
         }
         let text = "PROGRAM p x := y + a.%L0; END_PROGRAM";
         assert_eq!(
-            codes(text, &Dialect::rusty()),
+            codes(text, &Dialect::of(DialectName::RUSTY)),
             only(Code::UnexpectedToken, ".%L0")
         );
     }

@@ -208,7 +208,10 @@ mod tests {
     #[test]
     fn sections_between_statements_are_one_error_and_are_kept() {
         let text = "PROGRAM p x := 1; VAR x : INT; END_VAR x := 2; END_PROGRAM";
-        let (unit, diagnostics) = crate::parse(text, &stickler_types::Dialect::ironplc_ed2());
+        let (unit, diagnostics) = crate::parse(
+            text,
+            &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
+        );
         let pou = crate::parser::testing::pou(&unit, 0);
         assert_eq!((diagnostics.len(), pou.blocks.len(), pou.body.len()), (1, 1, 2));
     }

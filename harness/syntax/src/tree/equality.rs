@@ -113,10 +113,10 @@ impl PartialEq for Configuration<'_> {
 mod tests {
     use super::super::SourceUnit;
     use crate::parse;
-    use stickler_types::dialect::Dialect;
+    use stickler_types::{Dialect, DialectName};
 
     fn tree(text: &str) -> SourceUnit<'_> {
-        let (unit, diagnostics) = parse(text, &Dialect::ironplc_ed3());
+        let (unit, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, [], "{text}");
         unit
     }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use stickler_exact::{Signature, expected, signatures};
 use stickler_tabulate::folder;
 use stickler_tabulate::table::{ProbeClaim, Table};
-use stickler_types::DialectName::{self, IronplcEd3, Matiec};
+use stickler_types::DialectName;
 use stickler_types::{ElementaryType, Value};
 
 /// The functions through which the input of a row goes, one after the other.
@@ -174,9 +174,9 @@ fn the_idioms_give_what_32_bit_arithmetic_gives() {
             };
             let prepared = prepare(f32::from_bits(u32::try_from(raw).unwrap()));
             let operand = [Value::plain(ty, prepared.to_bits().into())];
-            let mut signature = signature(function, &operand[0], IronplcEd3);
+            let mut signature = signature(function, &operand[0], DialectName::IRONPLC_ED3);
             signature.result = ElementaryType::Dint;
-            let result = expected(&signature, &operand, IronplcEd3).value;
+            let result = expected(&signature, &operand, DialectName::IRONPLC_ED3).value;
             assert_eq!(result.to_string(), row["expected"], "{name}: {row:?}");
         }
     }
@@ -204,7 +204,7 @@ fn the_range_check_lets_through_what_fits() {
 fn every_constant_expression_is_5() {
     for row in rows(&tables()["constant-expressions"]) {
         let (function, operand) = row["call"].trim_end_matches(')').split_once('(').unwrap();
-        let result = documented(function, &literal("", operand), None, Matiec).unwrap();
+        let result = documented(function, &literal("", operand), None, DialectName::MATIEC).unwrap();
         assert!(result.to_string().ends_with("#5"), "{row:?} is {result}");
     }
 }

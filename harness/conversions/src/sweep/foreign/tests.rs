@@ -71,7 +71,7 @@ fn the_sum_in_st_is_the_sum_in_rust() {
 /// Runs programs whose results are wrong in one bit or by one, for each kind of result: their sum must differ.
 #[test]
 fn a_wrong_bit_changes_the_sum_in_st_too() {
-    let dialect = DialectName::IronplcEd3;
+    let dialect = DialectName::IRONPLC_ED3;
     let reference = Reference::new();
     let mut session = FunctionSession::open(&reference).expect("a session");
     for (function, wrong) in [

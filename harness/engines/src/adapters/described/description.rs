@@ -119,7 +119,7 @@ impl Description {
 
     /// Returns the compiler's own word for a dialect, or for the one that it extends; `None` where it speaks neither.
     pub(super) fn word(&self, dialect: DialectName) -> Option<&str> {
-        let base = (!dialect.is_variant()).then_some(dialect.base().name());
+        let base = (!dialect.is_variant()).then_some(dialect.base());
         let mut names = [Some(dialect), base].into_iter().flatten();
         let word = names.find_map(|dialect| self.dialects.get(&Parsed(dialect)));
         word.map(String::as_str)

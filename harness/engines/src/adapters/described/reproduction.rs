@@ -125,7 +125,7 @@ mod tests {
         let source = "PROGRAM main\n  ;\nEND_PROGRAM\n";
         let request = RunRequest {
             scans: 3,
-            ..RunRequest::once(DialectName::Matiec, source, &observe)
+            ..RunRequest::once(DialectName::MATIEC, source, &observe)
         };
         let shown = description.reproduce(&request, Ability::Execute).unwrap();
         assert_eq!(shown.files[0].name, "p.st");
@@ -145,8 +145,8 @@ mod tests {
         let checked = description.reproduce(&request, Ability::Check).unwrap();
         assert_eq!(checked.commands.len(), 4);
         for (dialect, ability) in [
-            (DialectName::Plcnext, Ability::Check),
-            (DialectName::Matiec, Ability::Render),
+            (DialectName::PLCNEXT, Ability::Check),
+            (DialectName::MATIEC, Ability::Render),
         ] {
             let request = RunRequest { dialect, ..request };
             assert!(description.reproduce(&request, ability).is_err());

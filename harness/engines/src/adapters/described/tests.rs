@@ -20,7 +20,7 @@ fn scripted(table: &str, script: &str) -> (DescribedEngine, Folder) {
 
 fn please(engine: &dyn Engine, what: &str) -> Outcome {
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
-    engine.session().unwrap().check(DialectName::IronplcEd2, &source)
+    engine.session().unwrap().check(DialectName::IRONPLC_ED2, &source)
 }
 
 fn ask(engine: &dyn Engine, what: &str, observe: &[(&str, &str, Option<u32>)], scans: u32) -> Outcome {
@@ -34,7 +34,7 @@ fn ask(engine: &dyn Engine, what: &str, observe: &[(&str, &str, Option<u32>)], s
     let source = format!("PROGRAM main\n(* please: {what} *)\nEND_PROGRAM\n");
     engine.session().unwrap().run(&RunRequest {
         scans,
-        ..RunRequest::once(DialectName::IronplcEd2, &source, &observe)
+        ..RunRequest::once(DialectName::IRONPLC_ED2, &source, &observe)
     })
 }
 
@@ -64,7 +64,7 @@ fn the_checking_half_of_ironplc_needs_no_code() {
         panic!("not rejected")
     };
     assert_eq!(diagnostics.len(), 2);
-    let outcome = described.session().unwrap().check(DialectName::Matiec, "");
+    let outcome = described.session().unwrap().check(DialectName::MATIEC, "");
     let reason = "it does not speak matiec".to_owned();
     assert_eq!(outcome, Outcome::Unsupported { reason });
 }
@@ -140,7 +140,7 @@ fn a_table_can_say_how_programs_are_compiled_and_run() {
         .collect();
     assert_eq!(values, ["x INT#3", "x@2 INT#2", "a[1] DINT#7"]);
     let text = "plain\n".to_owned();
-    let rendered = engine.session().unwrap().render(DialectName::IronplcEd2, "");
+    let rendered = engine.session().unwrap().render(DialectName::IRONPLC_ED2, "");
     assert_eq!(rendered, Outcome::Rendered { text });
     let reason = "it does not show y".to_owned();
     assert_eq!(

@@ -4,8 +4,8 @@
 //! version 0.239.
 
 use crate::Outcome;
+use stickler_types::DialectName;
 use stickler_types::definition::{Definition, Flag};
-use stickler_types::{BuiltIn, DialectName};
 
 /// The preset without any feature.
 const PLAIN: &str = "iec61131-3-ed2";
@@ -51,9 +51,9 @@ const RUSTY: [&str; 23] = [
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
 pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome> {
     let (preset, features): (_, &[&str]) = match dialect.base() {
-        BuiltIn::IronplcEd2 => (PLAIN, &[]),
-        BuiltIn::IronplcEd3 => ("iec61131-3-ed3", &EDITION_3),
-        BuiltIn::IronplcRusty => ("rusty", &RUSTY),
+        DialectName::IRONPLC_ED2 => (PLAIN, &[]),
+        DialectName::IRONPLC_ED3 => ("iec61131-3-ed3", &EDITION_3),
+        DialectName::IRONPLC_RUSTY => ("rusty", &RUSTY),
         _ => {
             return Err(Outcome::Unsupported {
                 reason: format!("it does not speak {dialect}"),
@@ -84,27 +84,12 @@ fn stated(definition: &Definition) -> Vec<(&'static str, bool)> {
         Flag::PartialAccessSyntax => Some("--allow-partial-access-syntax"),
         Flag::ThirdEditionTypes => Some("--allow-long-time-types"),
         Flag::LineComments => Some("--allow-c-style-comments"),
-        // Bits by `.n` and reals by integer literals are always there; a literal as a bit string comes with the widening.
-        Flag::BitAccess
-        | Flag::IntegerLiteralAsReal
-        | Flag::IntegerLiteralAsBitString
-        | Flag::NestedComments
-        | Flag::RoundingFunctions
-        | Flag::LiteralsByWidth
-        | Flag::EnumerationsAsIntegers
-        | Flag::LengthsInParentheses
-        | Flag::AmpersandAndPower
-        | Flag::ModuloByZeroIsZero
-        | Flag::DivisionStops
-        | Flag::MuxOutsideTakesLast
-        | Flag::FunctionsPromote
-        | Flag::NegatesDurations
-        | Flag::NanDiffers
-        | Flag::MixedLocations
-        | Flag::SingleValueSubranges => None,
+        // A literal as a bit string comes with the widening; the others have no option.
+        _ => None,
     };
     let flags = definition.flags.iter();
     flags
+        .filter(|(_, stated)| stated.basis.is_some())
         .filter_map(|(flag, stated)| Some((feature(flag)?, stated.value)))
         .collect()
 }
@@ -114,9 +99,9 @@ mod tests {
     use super::*;
     use stickler_types::definition::Stated;
 
-    fn of(name: &str, base: BuiltIn, flag: Flag, value: bool) -> Vec<&'static str> {
+    fn of(name: &str, base: DialectName, flag: Flag, value: bool) -> Vec<&'static str> {
         let mut definition = Definition::new(name, base, "here");
-        let basis = "a page".to_owned();
+        let basis = Some("a page".to_owned());
         definition.flags.insert(flag, Stated { value, basis });
         options(DialectName::define(definition).unwrap()).unwrap()
     }
@@ -124,19 +109,22 @@ mod tests {
     #[test]
     fn a_feature_is_added_to_the_preset_that_does_not_have_it() {
         let partial = Flag::PartialAccessSyntax;
-        assert_eq!(options(DialectName::IronplcEd3).unwrap(), ["iec61131-3-ed3"]);
+        assert_eq!(options(DialectName::IRONPLC_ED3).unwrap(), ["iec61131-3-ed3"]);
         assert_eq!(
-            of("options-add", BuiltIn::IronplcEd2, partial, true),
+            of("options-add", DialectName::IRONPLC_ED2, partial, true),
             ["iec61131-3-ed2", "--allow-partial-access-syntax"]
         );
-        assert_eq!(of("options-has", BuiltIn::IronplcRusty, partial, true), ["rusty"]);
+        assert_eq!(
+            of("options-has", DialectName::IRONPLC_RUSTY, partial, true),
+            ["rusty"]
+        );
     }
 
     #[test]
     fn a_preset_without_one_of_its_features_is_the_plain_one_with_the_others() {
         let without = of(
             "options-less",
-            BuiltIn::IronplcEd3,
+            DialectName::IRONPLC_ED3,
             Flag::PartialAccessSyntax,
             false,
         );
@@ -146,7 +134,7 @@ mod tests {
         );
         let without = of(
             "options-rusty",
-            BuiltIn::IronplcRusty,
+            DialectName::IRONPLC_RUSTY,
             Flag::CrossFamilyWidening,
             false,
         );
@@ -155,7 +143,7 @@ mod tests {
         assert_eq!(
             of(
                 "options-same",
-                BuiltIn::IronplcEd2,
+                DialectName::IRONPLC_ED2,
                 Flag::CrossFamilyWidening,
                 false
             ),
@@ -165,6 +153,6 @@ mod tests {
 
     #[test]
     fn a_dialect_of_another_compiler_has_no_options() {
-        assert!(options(DialectName::Matiec).is_err());
+        assert!(options(DialectName::MATIEC).is_err());
     }
 }

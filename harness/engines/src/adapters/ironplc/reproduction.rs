@@ -70,7 +70,7 @@ mod tests {
         });
         let request = RunRequest {
             scans: 3,
-            ..RunRequest::once(DialectName::IronplcEd2, SOURCE, &observe)
+            ..RunRequest::once(DialectName::IRONPLC_ED2, SOURCE, &observe)
         };
         let shown = reproduce(&request, Ability::Execute).unwrap();
         assert_eq!(
@@ -100,7 +100,7 @@ mod tests {
         }];
         let request = RunRequest {
             clock: &clock,
-            ..RunRequest::once(DialectName::IronplcEd2, SOURCE, &[])
+            ..RunRequest::once(DialectName::IRONPLC_ED2, SOURCE, &[])
         };
         let reason = "ironplcvm takes neither a clock nor values between scans".to_owned();
         assert_eq!(

@@ -55,7 +55,7 @@ pub(in crate::adapters) fn stand_in() -> (Ironplc, Folder) {
         identity: Identity {
             name: "ironplc".to_owned(),
             version: "0".to_owned(),
-            dialects: vec![DialectName::IronplcEd2],
+            dialects: vec![DialectName::IRONPLC_ED2],
             abilities: Vec::new(),
             grade: Grade::Code,
             lacks: Vec::new(),
@@ -77,7 +77,7 @@ fn asked(what: &str, observe: &[(&str, &str)]) -> Outcome {
     engine
         .session()
         .unwrap()
-        .run(&RunRequest::once(DialectName::IronplcEd2, &source, &observe))
+        .run(&RunRequest::once(DialectName::IRONPLC_ED2, &source, &observe))
 }
 
 #[test]
@@ -190,7 +190,7 @@ fn what_it_cannot_do_is_unsupported() {
     let (engine, _folder) = stand_in();
     let mut session = engine.session().unwrap();
     assert!(matches!(
-        session.check(DialectName::Matiec, ""),
+        session.check(DialectName::MATIEC, ""),
         Outcome::Unsupported { .. }
     ));
     let clock = [crate::ClockSetting {
@@ -198,7 +198,7 @@ fn what_it_cannot_do_is_unsupported() {
         nanoseconds: 1,
     }];
     let request = RunRequest {
-        dialect: DialectName::IronplcEd2,
+        dialect: DialectName::IRONPLC_ED2,
         source: "",
         scans: 1,
         observe: &[],

@@ -277,7 +277,7 @@ mod tests {
     ];
 
     fn request<'a>(source: &'a str, observe: &'a [Observation]) -> RunRequest<'a> {
-        RunRequest::once(DialectName::Matiec, source, observe)
+        RunRequest::once(DialectName::MATIEC, source, observe)
     }
 
     fn members<'r>(programs: &[&'r str], observe: &'r [Observation]) -> Vec<PackMember<'r>> {
@@ -293,7 +293,7 @@ mod tests {
     fn joined_programs_are_what_they_are_alone() {
         let reference = Reference::new();
         let mut session = reference.session().unwrap();
-        let mut check = |source: &str| match session.check(DialectName::Matiec, source) {
+        let mut check = |source: &str| match session.check(DialectName::MATIEC, source) {
             Outcome::Rejected { diagnostics } => diagnostics,
             Outcome::Accepted { .. } => Vec::new(),
             other => panic!("{other:?}"),

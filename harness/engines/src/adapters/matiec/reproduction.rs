@@ -112,7 +112,7 @@ mod tests {
     use stickler_types::DialectName;
 
     fn reproduction(source: &str, observe: &[Observation]) -> Reproduction {
-        let request = RunRequest::once(DialectName::Matiec, source, observe);
+        let request = RunRequest::once(DialectName::MATIEC, source, observe);
         reproduce(&request, Ability::Execute).unwrap()
     }
 

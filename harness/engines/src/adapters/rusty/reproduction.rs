@@ -214,7 +214,7 @@ mod tests {
         let source = "PROGRAM main\nVAR n : INT; s : STRING; END_VAR\n  n := n + 1; // main\nEND_PROGRAM\n";
         let request = RunRequest {
             scans: 2,
-            ..RunRequest::once(DialectName::Rusty, source, &observe)
+            ..RunRequest::once(DialectName::RUSTY, source, &observe)
         };
         let shown = reproduce(&request, Ability::Execute).unwrap();
         let [program, functions, driver] = &shown.files[..] else {

@@ -106,7 +106,7 @@ fn source(what: &str) -> String {
 fn request(source: &str, scans: u32) -> RunRequest<'_> {
     RunRequest {
         scans,
-        ..RunRequest::once(DialectName::Rusty, source, &*OBSERVED)
+        ..RunRequest::once(DialectName::RUSTY, source, &*OBSERVED)
     }
 }
 
@@ -176,9 +176,9 @@ fn rejections_crashes_and_faults_are_told_apart() {
         "the functions that show its values are not accepted: Could not resolve reference to x"
     );
     let mut session = engine.session().unwrap();
-    assert_eq!(session.check(DialectName::Rusty, ""), Outcome::ACCEPTED);
+    assert_eq!(session.check(DialectName::RUSTY, ""), Outcome::ACCEPTED);
     assert!(matches!(
-        session.check(DialectName::Matiec, ""),
+        session.check(DialectName::MATIEC, ""),
         Outcome::Unsupported { .. }
     ));
 }
@@ -207,7 +207,7 @@ fn no_line_of_a_program_moves_and_its_name_does_not_meet_that_of_c() {
     let source = "TYPE C : (RED, GREEN); END_TYPE\nPROGRAM main\nVAR x : INT; c : C; END_VAR\n    x := 1; (* main *)\nEND_PROGRAM\n";
     let observe = [("x", "INT"), ("c", "C"), ("s", "STRING")]
         .map(|(name, type_name)| Observation::last(name, type_name));
-    let request = RunRequest::once(DialectName::Rusty, source, &observe);
+    let request = RunRequest::once(DialectName::RUSTY, source, &observe);
     let program = PackedProgram::alone(&request).unwrap();
     assert_eq!(
         program.text(),
@@ -230,7 +230,7 @@ fn no_line_of_a_program_moves_and_its_name_does_not_meet_that_of_c() {
 fn among_others_every_name_of_a_program_is_kept_apart_unless_the_language_has_it() {
     let taken = HashSet::from(["TON".to_owned()]);
     let among = |source: &str| {
-        let request = RunRequest::once(DialectName::Rusty, source, &[]);
+        let request = RunRequest::once(DialectName::RUSTY, source, &[]);
         PackedProgram::among_others(&request, 7, &taken).map(|program| program.text().to_owned())
     };
     assert_eq!(

@@ -235,7 +235,7 @@ mod tests {
             Observation::last(name, type_name)
         });
         let request = RunRequest {
-            dialect: DialectName::Strucpp,
+            dialect: DialectName::STRUCPP,
             source: "",
             scans: 2,
             observe: &observe,

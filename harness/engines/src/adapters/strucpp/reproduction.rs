@@ -127,7 +127,7 @@ mod tests {
         let source = "PROGRAM main\n  ;\nEND_PROGRAM\n";
         let request = RunRequest {
             scans: 2,
-            ..RunRequest::once(DialectName::Strucpp, source, &observe)
+            ..RunRequest::once(DialectName::STRUCPP, source, &observe)
         };
         let shown = reproduce(&request, Ability::Execute).unwrap();
         let [program, driver] = &shown.files[..] else {

@@ -32,7 +32,7 @@ pub fn check(dialect: DialectName, rows: &[(&str, &str, &str)]) {
 pub fn check_by(choices: ConversionChoices, rows: &[(&str, &str, &str)]) {
     for (function, operand, result) in rows {
         let operand = literal(operand);
-        let signature = taking(function, &operand, DialectName::IronplcEd3);
+        let signature = taking(function, &operand, DialectName::IRONPLC_ED3);
         let given = value(&signature, std::slice::from_ref(&operand), &choices);
         assert_eq!(given, literal(result), "{function}({operand}) is {given}");
     }

@@ -7,7 +7,7 @@ use stickler_types::{DialectName, ElementaryType, Value};
 #[test]
 fn durations_count_in_milliseconds() {
     check(
-        DialectName::Matiec,
+        DialectName::MATIEC,
         &[
             ("TIME_TO_DINT", "TIME#1500ms", "DINT#1500"),
             ("TIME_TO_DINT", "TIME#-1.999ms", "DINT#-1"),
@@ -51,7 +51,7 @@ fn durations_count_in_milliseconds() {
 #[test]
 fn dates_count_in_seconds_and_times_of_day_in_milliseconds() {
     check(
-        DialectName::Plcnext,
+        DialectName::PLCNEXT,
         &[
             ("DATE_TO_DINT", "DATE#1970-01-02", "DINT#86400"),
             ("LDATE_TO_LINT", "LDATE#1969-12-31", "LINT#-86400"),
@@ -74,7 +74,7 @@ fn dates_count_in_seconds_and_times_of_day_in_milliseconds() {
 #[test]
 fn dates_and_times_are_taken_apart_and_widened() {
     check(
-        DialectName::IronplcRusty,
+        DialectName::IRONPLC_RUSTY,
         &[
             ("DATE_TO_DT", "DATE#2024-02-29", "DT#2024-02-29-00:00:00"),
             ("DATE_TO_LDATE", "DATE#2100-02-28", "LDATE#2100-02-28"),
@@ -129,9 +129,9 @@ fn dates_and_times_are_taken_apart_and_widened() {
 fn a_date_and_a_time_of_day_are_joined() {
     let joined = |function, date, time| {
         let operands = [date, time].map(|literal| Value::parse(literal).unwrap());
-        let found = signatures(function, DialectName::IronplcEd3);
+        let found = signatures(function, DialectName::IRONPLC_ED3);
         assert_eq!(found.len(), 1, "{function}");
-        let choices = choices_of(DialectName::IronplcEd3);
+        let choices = choices_of(DialectName::IRONPLC_ED3);
         value(&found[0], &operands, &choices).to_string()
     };
     assert_eq!(
@@ -151,7 +151,7 @@ fn a_date_and_a_time_of_day_are_joined() {
 
 #[test]
 fn joining_and_taking_apart_are_inverse() {
-    let dialect = DialectName::IronplcEd3;
+    let dialect = DialectName::IRONPLC_ED3;
     let choices = choices_of(dialect);
     let call = |function: &str, operands: &[Value]| {
         let found = signatures(function, dialect);

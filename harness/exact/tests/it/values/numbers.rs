@@ -7,7 +7,7 @@ use stickler_types::{ConversionChoices, DialectName, ElementaryType, OutOfRange,
 #[test]
 fn the_documents_own_examples() {
     check(
-        DialectName::Matiec,
+        DialectName::MATIEC,
         &[
             ("DINT_TO_INT", "DINT#100000", "INT#-31072"),
             ("SINT_TO_WORD", "SINT#-1", "WORD#16#FFFF"),
@@ -24,7 +24,7 @@ fn the_documents_own_examples() {
 #[test]
 fn what_was_recorded_of_codesys() {
     check(
-        DialectName::Codesys,
+        DialectName::CODESYS,
         &[
             ("LREAL_TO_DINT", "LREAL#3.0E9", "DINT#-1294967296"),
             ("LREAL_TO_DINT", "LREAL#-3.0E9", "DINT#-2147483648"),
@@ -44,7 +44,7 @@ fn what_was_recorded_of_codesys() {
 #[test]
 fn what_the_tests_of_rusty_expect() {
     check(
-        DialectName::Rusty,
+        DialectName::RUSTY,
         &[
             ("LWORD_TO_LREAL", "LWORD#16#4000000000000000", "LREAL#2.0"),
             ("DWORD_TO_REAL", "DWORD#16#40000000", "REAL#2.0"),
@@ -67,7 +67,7 @@ fn what_the_tests_of_rusty_expect() {
 #[test]
 fn what_the_tests_of_strucpp_expect() {
     check(
-        DialectName::Strucpp,
+        DialectName::STRUCPP,
         &[
             ("TIME_TO_DINT", "TIME#1500ms", "DINT#1500"),
             ("TOD_TO_DINT", "TOD#06:00:00", "DINT#21600000"),
@@ -88,7 +88,7 @@ fn what_the_tests_of_strucpp_expect() {
 #[test]
 fn integers_wrap_and_bit_strings_have_no_sign() {
     check(
-        DialectName::IronplcEd3,
+        DialectName::IRONPLC_ED3,
         &[
             ("LINT_TO_SINT", "LINT#128", "SINT#-128"),
             ("LINT_TO_SINT", "LINT#-129", "SINT#127"),
@@ -109,7 +109,7 @@ fn integers_wrap_and_bit_strings_have_no_sign() {
 #[test]
 fn integers_become_reals_with_one_rounding_to_even() {
     check(
-        DialectName::Matiec,
+        DialectName::MATIEC,
         &[
             ("DINT_TO_REAL", "DINT#16777217", "REAL#16777216.0"),
             ("DINT_TO_REAL", "DINT#16777219", "REAL#16777220.0"),
@@ -139,7 +139,7 @@ fn integers_become_reals_with_one_rounding_to_even() {
 #[test]
 fn lreal_becomes_real_with_one_rounding_to_even() {
     check(
-        DialectName::Plcnext,
+        DialectName::PLCNEXT,
         &[
             ("LREAL_TO_REAL", "LREAL#0.1", "REAL#0.1"),
             ("LREAL_TO_REAL", "LREAL#16777217.0", "REAL#16777216.0"),
@@ -168,7 +168,7 @@ fn lreal_becomes_real_with_one_rounding_to_even() {
 #[test]
 fn a_real_becomes_an_integer_as_its_dialect_rounds() {
     check(
-        DialectName::IronplcEd2,
+        DialectName::IRONPLC_ED2,
         &[
             ("REAL_TO_INT", "REAL#-0.9", "INT#0"),
             ("LREAL_TO_DINT", "LREAL#2.9999999999999996", "DINT#2"),
@@ -189,7 +189,7 @@ fn a_real_becomes_an_integer_as_its_dialect_rounds() {
         ],
     );
     check(
-        DialectName::Plcnext,
+        DialectName::PLCNEXT,
         &[
             ("REAL_TO_INT", "REAL#0.5", "INT#0"),
             ("REAL_TO_INT", "REAL#1.5", "INT#2"),
@@ -214,7 +214,7 @@ fn other_choices_round_away_and_saturate() {
         rounding: Rounding::HalfAwayFromZero,
         out_of_range: OutOfRange::Saturate,
         truncation_out_of_range: OutOfRange::Saturate,
-        ..choices_of(DialectName::Matiec)
+        ..choices_of(DialectName::MATIEC)
     };
     check_by(
         choices,
@@ -239,7 +239,7 @@ fn other_choices_round_away_and_saturate() {
 #[test]
 fn only_zero_is_false() {
     check(
-        DialectName::Matiec,
+        DialectName::MATIEC,
         &[
             ("LREAL_TO_BOOL", "LREAL#-0.0", "BOOL#FALSE"),
             ("LREAL_TO_BOOL", "LREAL#5.0E-324", "BOOL#TRUE"),
@@ -254,9 +254,9 @@ fn only_zero_is_false() {
 #[test]
 fn operands_that_do_not_fit_give_the_default() {
     let integer = literal("INT#5");
-    let signature = taking("INT_TO_DINT", &integer, DialectName::Matiec);
+    let signature = taking("INT_TO_DINT", &integer, DialectName::MATIEC);
     let zero = Value::plain(ElementaryType::Dint, 0);
-    let choices = choices_of(DialectName::Matiec);
+    let choices = choices_of(DialectName::MATIEC);
     let real = literal("REAL#5.0");
     for operands in [
         vec![],
@@ -265,6 +265,6 @@ fn operands_that_do_not_fit_give_the_default() {
         vec![Value::enumerated("COLOR", "RED")],
     ] {
         assert_eq!(value(&signature, &operands, &choices), zero);
-        assert_eq!(expected(&signature, &operands, DialectName::Matiec).basis, None);
+        assert_eq!(expected(&signature, &operands, DialectName::MATIEC).basis, None);
     }
 }

@@ -4,7 +4,7 @@ use super::common::{check, check_by};
 use stickler_exact::choices_of;
 use stickler_types::{BitStringText, ConversionChoices, DialectName, RealText, TextReading};
 
-const ED3: DialectName = DialectName::IronplcEd3;
+const ED3: DialectName = DialectName::IRONPLC_ED3;
 
 #[test]
 fn values_are_written_as_their_literals() {
@@ -67,7 +67,7 @@ fn values_are_written_as_their_literals() {
 #[test]
 fn matiec_writes_ten_digits_and_short_bit_strings() {
     check(
-        DialectName::Matiec,
+        DialectName::MATIEC,
         &[
             ("REAL_TO_STRING", "REAL#0.1", "STRING#'0.1000000015'"),
             ("LREAL_TO_STRING", "LREAL#0.1", "STRING#'0.1'"),
@@ -331,7 +331,7 @@ fn characters_and_texts_of_either_width() {
 #[test]
 fn what_was_recorded_of_texts_in_codesys() {
     check(
-        DialectName::Codesys,
+        DialectName::CODESYS,
         &[
             ("REAL_TO_STRING", "REAL#123456792.0", "STRING#'1.2345679E08'"),
             ("REAL_TO_STRING", "REAL#0.33333334", "STRING#'0.3333334'"),

@@ -31,11 +31,11 @@ fn a_conversion_is_that_of_exact_arithmetic_and_open_where_no_document_says() {
         (values(&main).remove(0), questions(&main))
     };
     assert_eq!(
-        convert("DINT_TO_INT", literal("DINT#100000"), Int, DialectName::Matiec),
+        convert("DINT_TO_INT", literal("DINT#100000"), Int, DialectName::MATIEC),
         ("r = INT#-31072".to_owned(), vec![])
     );
     assert_eq!(
-        convert("REAL_TO_INT", literal("REAL#2.5"), Int, DialectName::Plcnext),
+        convert("REAL_TO_INT", literal("REAL#2.5"), Int, DialectName::PLCNEXT),
         ("r = INT#2".to_owned(), vec![OpenQuestion::Conversion])
     );
 }
@@ -48,17 +48,17 @@ fn an_implicit_conversion_keeps_the_value() {
         main.dialect = dialect;
         (values(&main).remove(0), questions(&main))
     };
-    let ed3 = DialectName::IronplcEd3;
+    let ed3 = DialectName::IRONPLC_ED3;
     assert_eq!(widen("INT#-5", Dint, ed3), ("r = DINT#-5".to_owned(), vec![]));
     assert_eq!(
         widen("LINT#9007199254740993", Lreal, ed3),
         ("r = LREAL#9007199254740992.0".to_owned(), vec![])
     );
     assert_eq!(
-        widen("BYTE#16#80", Int, DialectName::IronplcRusty),
+        widen("BYTE#16#80", Int, DialectName::IRONPLC_RUSTY),
         ("r = INT#128".to_owned(), vec![])
     );
-    let plcnext = DialectName::Plcnext;
+    let plcnext = DialectName::PLCNEXT;
     assert_eq!(
         widen("UDINT#1500", Time, plcnext),
         ("r = TIME#1500ms".to_owned(), vec![])

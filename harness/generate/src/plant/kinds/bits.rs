@@ -8,7 +8,8 @@ use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
 use crate::dialect::{has_bits, has_partial_access};
 use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, StatementKind, Type, Unit};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::dialect::PartialAccess;
+use stickler_types::{Dialect, ElementaryType};
 
 /// Returns the number of bits of a type that has bits.
 pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
@@ -105,7 +106,7 @@ fn written(
 ///
 /// Basis: bit-access/partial-access-disabled.toml.
 pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if fault.original.dialect != DialectName::IronplcEd2 {
+    if Dialect::of(fault.original.dialect).partial_access != PartialAccess::Disabled {
         return None;
     }
     by_text(fault, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
@@ -115,7 +116,7 @@ pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: bit-access/wider-forms-disabled.toml.
 pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if fault.original.dialect != DialectName::IronplcEd2 {
+    if Dialect::of(fault.original.dialect).partial_access != PartialAccess::Disabled {
         return None;
     }
     by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
@@ -135,7 +136,7 @@ pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: bit-access/matiec.toml.
 pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if fault.original.dialect != DialectName::Matiec {
+    if Dialect::of(fault.original.dialect).bit_access {
         return None;
     }
     by_text(fault, ElementaryType::Word, &[".0", ".15", ".%X0"])

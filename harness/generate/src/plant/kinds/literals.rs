@@ -5,7 +5,7 @@ use super::super::scope::elementary;
 use super::super::walk::{ExpressionContext, ExpressionSite};
 use super::operands::stands_for_any_value;
 use crate::model::{Expression, ExpressionKind, Type};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{Dialect, ElementaryType};
 
 /// Plants an untyped integer literal beyond the type of its target, or below it.
 ///
@@ -70,12 +70,8 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 /// Basis: ironplc-problem-codes: P2026; widening/literal-too-long-for-a-bit-string.toml.
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let everywhere = matches!(original.dialect, DialectName::IronplcRusty | DialectName::Matiec);
-    let is_open = matches!(
-        original.dialect,
-        DialectName::Plcnext | DialectName::Strucpp | DialectName::Rusty
-    );
-    if is_open || original.dialect.base().is_known_in_part() {
+    let everywhere = Dialect::of(original.dialect).integer_literal_as_bit_string;
+    if !original.dialect.statements().documents.untyped_literals {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());

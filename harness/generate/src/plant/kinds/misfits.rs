@@ -385,11 +385,11 @@ mod tests {
     fn a_selector_of_sel_is_wrong_where_it_does_not_convert_to_bool() {
         let selector = ExpressionContext::Standard(StandardFunction::Sel, 0);
         let word = |dialect| takes(selector, ElementaryType::Word, dialect);
-        assert_eq!(word(DialectName::Plcnext), Some(false));
-        assert_eq!(word(DialectName::Rusty), None);
-        assert_eq!(word(DialectName::Strucpp), None);
+        assert_eq!(word(DialectName::PLCNEXT), Some(false));
+        assert_eq!(word(DialectName::RUSTY), None);
+        assert_eq!(word(DialectName::STRUCPP), None);
         assert_eq!(
-            takes(selector, ElementaryType::Bool, DialectName::Rusty),
+            takes(selector, ElementaryType::Bool, DialectName::RUSTY),
             Some(true)
         );
     }

@@ -2,7 +2,7 @@
 
 use super::super::fault_site::FaultSite;
 use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{Dialect, ElementaryType, Value};
 
 /// Plants EXIT outside a loop.
 ///
@@ -145,12 +145,7 @@ pub(super) fn no_token(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: language/comments.st.
 pub(super) fn line_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let without = [
-        DialectName::IronplcEd2,
-        DialectName::IronplcEd3,
-        DialectName::Matiec,
-    ];
-    if !without.contains(&fault.original.dialect) {
+    if Dialect::of(fault.original.dialect).line_comments {
         return None;
     }
     fault.insert_text(|fault, _| {

@@ -81,11 +81,11 @@ END_PROGRAM
 /// Reduces a text while it contains all of these words.
 fn reduce(start: &str, words: &[&str]) -> Reduction<String> {
     let has = |text: &str| Interestingness::from(words.iter().all(|word| text.contains(word)));
-    text(start, DialectName::IronplcEd3, has, &ReductionBudget::default())
+    text(start, DialectName::IRONPLC_ED3, has, &ReductionBudget::default())
 }
 
 fn accepted(text: &str) {
-    let diagnostics = stickler_reference::errors(text, DialectName::IronplcEd3);
+    let diagnostics = stickler_reference::errors(text, DialectName::IRONPLC_ED3);
     assert!(diagnostics.is_empty(), "{diagnostics:?}\n{text}");
 }
 
@@ -172,7 +172,7 @@ fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
 fn a_rejected_text_gets_no_new_faults() {
     let start = MACHINE.replace("total : DINT;", "total : INT;");
     let codes = |text: &str| {
-        let diagnostics = stickler_reference::errors(text, DialectName::IronplcEd3);
+        let diagnostics = stickler_reference::errors(text, DialectName::IRONPLC_ED3);
         let codes: Vec<String> = diagnostics.iter().filter_map(|one| one.code.clone()).collect();
         codes
     };
@@ -184,7 +184,12 @@ fn a_rejected_text_gets_no_new_faults() {
         all.extend(now.clone());
         Interestingness::from(now.contains(&before[0]))
     };
-    let found = text(&start, DialectName::IronplcEd3, same, &ReductionBudget::default());
+    let found = text(
+        &start,
+        DialectName::IRONPLC_ED3,
+        same,
+        &ReductionBudget::default(),
+    );
     assert!(all.iter().all(|code| before.contains(code)), "{all:?}");
     assert!(found.value.lines().count() <= 8, "{}", found.value);
 }

@@ -25,19 +25,19 @@ fn pairs(dialect: DialectName) -> usize {
 #[test]
 fn each_dialect_has_as_many_pairs_as_its_tables() {
     // Integers 18, integers to reals 12, bit strings 6, REAL to LREAL, short and long forms 8.
-    assert_eq!(pairs(DialectName::IronplcEd2), 45);
-    assert_eq!(pairs(DialectName::IronplcEd3), 45);
+    assert_eq!(pairs(DialectName::IRONPLC_ED2), 45);
+    assert_eq!(pairs(DialectName::IRONPLC_ED3), 45);
     // And 12 of the cross-family table.
-    assert_eq!(pairs(DialectName::IronplcRusty), 57);
-    assert_eq!(pairs(DialectName::Matiec), 0);
+    assert_eq!(pairs(DialectName::IRONPLC_RUSTY), 57);
+    assert_eq!(pairs(DialectName::MATIEC), 0);
     // 41 cells of the coloured table, and TIME to LTIME.
-    assert_eq!(pairs(DialectName::Plcnext), 42);
+    assert_eq!(pairs(DialectName::PLCNEXT), 42);
     // 14 numbers and bit strings into each other, BOOL into them, bit strings into BOOL, short and long forms.
-    assert_eq!(pairs(DialectName::Strucpp), 14 * 13 + 14 + 4 + 8);
+    assert_eq!(pairs(DialectName::STRUCPP), 14 * 13 + 14 + 4 + 8);
     // And 8 durations, dates and times into each other, but for the long and short forms, and into and from 14 numbers.
     assert_eq!(
-        pairs(DialectName::Rusty),
-        pairs(DialectName::Strucpp) + 8 * 7 - 8 + 2 * 8 * 14
+        pairs(DialectName::RUSTY),
+        pairs(DialectName::STRUCPP) + 8 * 7 - 8 + 2 * 8 * 14
     );
 }
 
@@ -55,7 +55,7 @@ fn every_type_stands_for_itself() {
 
 #[test]
 fn ironplc_widens_what_its_matrices_say() {
-    let dialect = DialectName::IronplcEd2;
+    let dialect = DialectName::IRONPLC_ED2;
     for (from, to) in [
         (Sint, Int),
         (Usint, Int),
@@ -91,16 +91,16 @@ fn ironplc_widens_what_its_matrices_say() {
 
 #[test]
 fn a_bit_string_becomes_a_wider_integer_only_with_the_flag() {
-    assert!(widens(Byte, Int, DialectName::IronplcRusty));
-    assert!(!widens(Byte, Usint, DialectName::IronplcRusty));
-    assert!(!widens(Lword, Lint, DialectName::IronplcRusty));
-    assert!(!widens(Int, Dword, DialectName::IronplcRusty));
-    assert!(!widens(Byte, Int, DialectName::IronplcEd3));
+    assert!(widens(Byte, Int, DialectName::IRONPLC_RUSTY));
+    assert!(!widens(Byte, Usint, DialectName::IRONPLC_RUSTY));
+    assert!(!widens(Lword, Lint, DialectName::IRONPLC_RUSTY));
+    assert!(!widens(Int, Dword, DialectName::IRONPLC_RUSTY));
+    assert!(!widens(Byte, Int, DialectName::IRONPLC_ED3));
 }
 
 #[test]
 fn plcnext_takes_the_rule_literally() {
-    let dialect = DialectName::Plcnext;
+    let dialect = DialectName::PLCNEXT;
     for (from, to) in [
         (Bool, Lword),
         (Udint, Time),
@@ -155,7 +155,7 @@ fn operands_of_which_each_stands_for_the_other_take_the_wider_type() {
 
 #[test]
 fn what_widens_keeps_its_value() {
-    let plcnext = Dialect::of(DialectName::Plcnext);
+    let plcnext = Dialect::of(DialectName::PLCNEXT);
     let apply = |from, to, raw| implicit(from, to, &plcnext).map(|conversion| conversion.apply(raw));
     assert_eq!(apply(Sint, Lint, (-1_i64).cast_unsigned()), Some(u64::MAX));
     assert_eq!(apply(Udint, Lint, 4_000_000_000), Some(4_000_000_000));

@@ -182,7 +182,7 @@ fn strings_are_read_with_their_escapes_and_cut_to_their_targets() {
 
 #[test]
 fn a_real_literal_is_an_integer_where_the_dialect_takes_it_for_every_number() {
-    let strucpp = DialectName::Strucpp;
+    let strucpp = DialectName::STRUCPP;
     assert_eq!(
         codes_in(strucpp, "i : INT;", "i := 1.5;"),
         ["S0003"],

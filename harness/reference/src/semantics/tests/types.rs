@@ -111,7 +111,7 @@ fn user_defined_types_convert_to_no_other_in_plcnext() {
         "i := a; a := i; i := p; p := i; d := z; z := d; l[0] := s.f; i := GIVE(a); i := a + i; fb(o => i); fb(p => a); z := 5;",
         "d := i; d := d + i; fb(p => d); d := INT_TO_DINT(a); b := a = i;",
     ] {
-        assert!(says_in(DialectName::Plcnext, &program(same)).is_empty(), "{same}");
+        assert!(says_in(DialectName::PLCNEXT, &program(same)).is_empty(), "{same}");
     }
     for (other, code) in [
         ("d := a;", "P4035"),
@@ -128,12 +128,12 @@ fn user_defined_types_convert_to_no_other_in_plcnext() {
         ("d := MAX(d, a);", "P4026"),
     ] {
         assert_eq!(
-            says_in(DialectName::Plcnext, &program(other)),
+            says_in(DialectName::PLCNEXT, &program(other)),
             [format!("5 {code}")],
             "{other}"
         );
         assert!(
-            says_in(DialectName::IronplcEd3, &program(other)).is_empty(),
+            says_in(DialectName::IRONPLC_ED3, &program(other)).is_empty(),
             "{other}"
         );
     }

@@ -1,10 +1,10 @@
 //! Properties of the choices from reals to integers, those that no dialect makes among them.
 
 use super::draw::{conversion, each, number, one_of, raw};
-use stickler_types::Dialect;
 use stickler_types::ElementaryType::{self, Lreal, Real};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, OutOfRange, Rounding};
+use stickler_types::{Dialect, DialectName};
 
 fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {
     Dialect {
@@ -12,7 +12,7 @@ fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {
             out_of_range,
             ..COMMON_CHOICES.with_rounding(rounding)
         },
-        ..Dialect::matiec()
+        ..*Dialect::of(DialectName::MATIEC)
     }
 }
 

@@ -3,10 +3,10 @@
 use super::draw::{conversion, dialects, each, number, one_of, raw, same};
 use arbitrary::Unstructured;
 use stickler_reference::conversion;
-use stickler_types::Dialect;
 use stickler_types::ElementaryType::{self, Lreal, Real, String, Wstring};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, MomentText, RealText, TextReading};
+use stickler_types::{Dialect, DialectName};
 
 /// Writes a value as a text and reads it again; returns the code units and the raw form.
 fn written_and_read(
@@ -62,7 +62,7 @@ fn seventeen_digits_are_enough_for_every_real() {
             real_text: RealText::SignificantDigits(17),
             ..COMMON_CHOICES
         },
-        ..Dialect::matiec()
+        ..*Dialect::of(DialectName::MATIEC)
     };
     each(12, 20_000, |draw| {
         let ty = one_of(draw, &[Real, Lreal])?;
@@ -85,7 +85,7 @@ fn fewer_digits_are_off_by_half_of_the_last_at_most() {
                 real_text: RealText::SignificantDigits(digits),
                 ..COMMON_CHOICES
             },
-            ..Dialect::matiec()
+            ..*Dialect::of(DialectName::MATIEC)
         };
         let value = raw(draw, Lreal)?;
         let exact = number(value, Lreal);
@@ -124,7 +124,7 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
             text_reading,
             ..COMMON_CHOICES
         },
-        ..Dialect::ironplc_ed3()
+        ..*Dialect::of(DialectName::IRONPLC_ED3)
     };
     let (whole, leading) = (
         reading(TextReading::WholeText),
@@ -152,7 +152,7 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
 
 #[test]
 fn a_text_of_the_greatest_length_is_read() {
-    let dialect = Dialect::matiec();
+    let dialect = Dialect::of(DialectName::MATIEC);
     let read = |name: &str, text: &str| {
         let function = conversion::function(name, &dialect).expect(name);
         let units: Vec<u16> = text.encode_utf16().collect();

@@ -47,31 +47,31 @@ fn a_real_is_cut_or_rounded_as_the_dialect_has_it() {
         "a := REAL_TO_INT(r); b := REAL_TO_INT(q);",
     );
     for dialect in [
-        DialectName::IronplcEd2,
-        DialectName::IronplcRusty,
-        DialectName::Matiec,
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_RUSTY,
+        DialectName::MATIEC,
     ] {
         assert_values_in(dialect, &source, &["a = INT#2", "b = INT#3"]);
     }
-    assert_values_in(DialectName::Plcnext, &source, &["a = INT#2", "b = INT#4"]);
+    assert_values_in(DialectName::PLCNEXT, &source, &["a = INT#2", "b = INT#4"]);
 }
 
 #[test]
 fn plcnext_takes_an_unsigned_integer_for_milliseconds() {
     let source = program("u : UDINT := 1500; t : TIME; v : UDINT;", "t := u; v := t;");
     assert_values_in(
-        DialectName::Plcnext,
+        DialectName::PLCNEXT,
         &source,
         &["t = TIME#1500ms", "v = UDINT#1500"],
     );
     let p4035 = Code::AssignmentTypeMismatch;
-    assert_diagnostics_in(DialectName::IronplcEd2, &source, &[(p4035, 5), (p4035, 5)]);
+    assert_diagnostics_in(DialectName::IRONPLC_ED2, &source, &[(p4035, 5), (p4035, 5)]);
 }
 
 #[test]
 fn matiec_converts_nothing_on_its_own() {
     let source = program("i : INT := 5; d : DINT;", "d := i;\nd := INT_TO_DINT(i);");
-    assert_diagnostics_in(DialectName::Matiec, &source, &[(Code::AssignmentTypeMismatch, 5)]);
+    assert_diagnostics_in(DialectName::MATIEC, &source, &[(Code::AssignmentTypeMismatch, 5)]);
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn bcd_functions_take_the_type_of_their_target() {
         "b = BYTE#16#56",
         "v = WORD#16#0056",
     ];
-    assert_values_in(DialectName::Matiec, &source, &expected);
+    assert_values_in(DialectName::MATIEC, &source, &expected);
 }
 
 #[test]
@@ -99,7 +99,7 @@ fn the_rounding_idioms_of_the_forgeiec_page_work() {
          IF rValue < 0.0 AND (DINT_TO_REAL(REAL_TO_DINT(rValue)) <> rValue) THEN iFloor := iFloor - 1; END_IF;",
     );
     let expected = ["iRounded = DINT#-3", "iCeiling = DINT#-1", "iFloor = DINT#-3"];
-    assert_values_in(DialectName::Matiec, &source, &expected);
+    assert_values_in(DialectName::MATIEC, &source, &expected);
 }
 
 #[test]
@@ -158,7 +158,7 @@ d := CONCAT_DATE_TOD(d, t);\nx := CONCAT_DATE_LTOD(d, t);",
         (Code::FunctionCallReturnTypeMismatch, 8),
         (Code::FunctionCallUndeclared, 9),
     ];
-    assert_diagnostics_in(DialectName::Matiec, &source, &expected);
+    assert_diagnostics_in(DialectName::MATIEC, &source, &expected);
 }
 
 #[test]
@@ -185,5 +185,5 @@ fn matiec_writes_reals_and_bit_strings_in_its_own_way() {
         "t = STRING#'16#ff'",
         "u = STRING#'1e+20'",
     ];
-    assert_values_in(DialectName::Matiec, &source, &expected);
+    assert_values_in(DialectName::MATIEC, &source, &expected);
 }

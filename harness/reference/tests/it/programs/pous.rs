@@ -112,9 +112,9 @@ END_VAR
 END_PROGRAM";
     for dialect in [
         DIALECT,
-        DialectName::IronplcEd2,
-        DialectName::IronplcRusty,
-        DialectName::Plcnext,
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_RUSTY,
+        DialectName::PLCNEXT,
     ] {
         assert_values_in(dialect, source, &["r = BOOL#TRUE"]);
     }

@@ -66,7 +66,7 @@ fn all_errors_of_a_source_are_said_at_once() {
 fn what_is_not_enabled_is_all_that_is_said_about_it() {
     let source = program("b : BYTE; i : INT; t : LTIME;", "i := b.%X3;\nt := T#1s;");
     let expected = [(Code::Std2013Feature, 3), (Code::PartialAccessSyntaxDisabled, 5)];
-    assert_diagnostics_in(DialectName::IronplcEd2, &source, &expected);
+    assert_diagnostics_in(DialectName::IRONPLC_ED2, &source, &expected);
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn rendering_is_stable_and_refuses_what_cannot_be_read() {
     let rendered = render(&source, DIALECT).expect("it can be read");
     assert!(rendered.contains("r := b[1].3;"), "{rendered}");
     assert_eq!(render(&rendered, DIALECT).as_ref(), Ok(&rendered));
-    let refused = render(&source, DialectName::IronplcEd2).expect_err("the form is not enabled");
+    let refused = render(&source, DialectName::IRONPLC_ED2).expect_err("the form is not enabled");
     assert_eq!(
         refused
             .iter()

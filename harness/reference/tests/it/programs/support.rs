@@ -6,7 +6,7 @@ use stickler_types::{
 };
 
 /// The dialect of tests that are not about dialects.
-pub const DIALECT: DialectName = DialectName::IronplcEd3;
+pub const DIALECT: DialectName = DialectName::IRONPLC_ED3;
 
 /// A request for one scan that observes these names at the end.
 pub fn attempt(dialect: DialectName, source: &str, observe: &[&str]) -> Result<Outcome, RequestError> {

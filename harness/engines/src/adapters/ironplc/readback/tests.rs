@@ -12,7 +12,7 @@ fn observation(name: &str, type_name: &str) -> Observation {
 }
 
 fn request(observe: &[Observation]) -> RunRequest<'_> {
-    RunRequest::once(DialectName::IronplcEd2, SOURCE, observe)
+    RunRequest::once(DialectName::IRONPLC_ED2, SOURCE, observe)
 }
 
 fn seen(readbacks: &Readbacks, asked: &Observation, dump: &str) -> String {

@@ -21,7 +21,7 @@ fn request(observe: &[Observation]) -> RunRequest<'_> {
     RunRequest {
         scans: 3,
         ..RunRequest::once(
-            DialectName::Matiec,
+            DialectName::MATIEC,
             "TYPE COLOR : (RED, GREEN); END_TYPE",
             observe,
         )

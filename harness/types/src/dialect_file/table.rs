@@ -1,6 +1,6 @@
 //! Tables of a TOML document whose keys and values have positions.
 
-use crate::near::advice;
+use super::near::advice;
 use serde::de::{DeserializeOwned, IntoDeserializer};
 use std::ops::Range;
 use toml::Spanned;
@@ -8,14 +8,16 @@ use toml::de::{DeTable, DeValue};
 
 /// A mistake, with its position in the text in bytes.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct ConfigurationMistake {
-    pub(crate) span: Range<usize>,
-    pub(crate) message: String,
+pub struct ConfigurationMistake {
+    /// The position in the text, in bytes.
+    pub span: Range<usize>,
+    /// A description of the mistake and of what to do.
+    pub message: String,
 }
 
 impl ConfigurationMistake {
     /// Returns a mistake at a position.
-    pub(crate) fn at(span: Range<usize>, message: impl Into<String>) -> ConfigurationMistake {
+    pub fn at(span: Range<usize>, message: impl Into<String>) -> ConfigurationMistake {
         ConfigurationMistake {
             span,
             message: message.into(),
@@ -23,12 +25,7 @@ impl ConfigurationMistake {
     }
 
     /// Returns the mistake of an unknown key of a table; `whose` describes the table.
-    pub(crate) fn unknown_key(
-        span: Range<usize>,
-        key: &str,
-        whose: &str,
-        known: &[&str],
-    ) -> ConfigurationMistake {
+    pub fn unknown_key(span: Range<usize>, key: &str, whose: &str, known: &[&str]) -> ConfigurationMistake {
         let message = format!("unknown key `{key}` {whose}; {}", advice(key, known));
         ConfigurationMistake::at(span, message)
     }
@@ -38,7 +35,7 @@ impl ConfigurationMistake {
 ///
 /// # Errors
 /// A mistake, if the value is not a table.
-pub(crate) fn table<'v, 'i>(
+pub fn table<'v, 'i>(
     name: &str,
     value: &'v Spanned<DeValue<'i>>,
 ) -> Result<&'v DeTable<'i>, ConfigurationMistake> {
@@ -55,7 +52,7 @@ pub(crate) fn table<'v, 'i>(
 ///
 /// # Errors
 /// A mistake, if the value is not a text.
-pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, ConfigurationMistake> {
+pub fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v str, ConfigurationMistake> {
     value.get_ref().as_str().ok_or_else(|| {
         let found = value.get_ref().type_str();
         ConfigurationMistake::at(
@@ -70,7 +67,7 @@ pub(crate) fn text<'v>(key: &str, value: &'v Spanned<DeValue<'_>>) -> Result<&'v
 ///
 /// # Errors
 /// The first mistake that the deserialization of `T` finds.
-pub(crate) fn read<T: DeserializeOwned>(
+pub fn read<T: DeserializeOwned>(
     table: &DeTable<'_>,
     span: Range<usize>,
     whose: &str,
@@ -82,7 +79,7 @@ pub(crate) fn read<T: DeserializeOwned>(
 
 /// Converts the error of a deserializer to a mistake at its position, with its lines joined; an unknown key gets a
 /// suggestion.
-pub(crate) fn mistake(
+pub fn mistake(
     error: &toml::de::Error,
     otherwise: Range<usize>,
     whose: &str,

@@ -28,7 +28,7 @@ pub fn list<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
 }
 
 /// Returns a suggestion for an unknown word: the most similar of `words`, or all of them.
-pub(crate) fn advice(word: &str, words: &[&str]) -> String {
+pub fn advice(word: &str, words: &[&str]) -> String {
     match nearest(word, words.iter().copied()) {
         Some(known) => format!("did you mean `{known}`?"),
         None => format!("there is {}", list(words.iter().copied())),

@@ -1,23 +1,23 @@
-//! Reads the tables `[dialects.NAME]`.
+//! Reads the tables `[dialects.NAME]` of `stickler.toml`.
 
-use crate::draft::Draft;
-use crate::near::{advice, list};
-use crate::override_tables::{conversions, flags, implicit, operators};
-use crate::table::{ConfigurationMistake, table, text};
+use super::draft::Draft;
+use super::near::{advice, list};
+use super::override_tables::overrides;
+use super::table::{ConfigurationMistake, table, text};
+use crate::{Definition, DialectName, ElementaryType};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use stickler_types::definition::OperatorOverrides;
-use stickler_types::{BuiltIn, Definition, DialectName, Stated};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of a table `[dialects.NAME]`.
-const KEYS: [&str; 7] = [
+const KEYS: [&str; 8] = [
     "extends",
     "about",
     "source",
     "implicit",
     "flags",
+    "language",
     "conversions",
     "operators",
 ];
@@ -32,13 +32,15 @@ struct DialectTable<'v, 'i> {
     keys: &'v DeTable<'i>,
 }
 
-/// Returns the definitions of a table `[dialects]`, in the order of the file.
+/// Returns the definitions of a table `[dialects]`, in the order of the file. `converts` says whether a conversion function for a
+/// pair of types exists.
 ///
 /// # Errors
 /// The first mistake.
-pub(crate) fn definitions(
+pub fn definitions(
     dialects: &DeTable<'_>,
     written: &dyn Fn(&Range<usize>) -> String,
+    converts: fn(ElementaryType, ElementaryType) -> bool,
 ) -> Result<Vec<(Definition, Range<usize>)>, ConfigurationMistake> {
     let mut entries = Vec::new();
     for (key, value) in dialects.iter() {
@@ -69,15 +71,17 @@ pub(crate) fn definitions(
                 }
                 Base::Defined(other, _) => {
                     let entry = &entries[next];
-                    let start = read[other]
-                        .as_ref()
-                        .map(|other| taken_over(other, entry, written));
-                    read[next] = start.map(|start| definition(entry, start, written)).transpose()?;
+                    let start = read[other].as_ref();
+                    let start =
+                        start.map(|other| Definition::extending(other, entry.name, &written(&entry.span)));
+                    read[next] = start
+                        .map(|start| definition(entry, start, (written, converts)))
+                        .transpose()?;
                 }
-                Base::BuiltIn(base) => {
+                Base::Documented(base) => {
                     let entry = &entries[next];
                     let start = Definition::new(entry.name, base, &written(&entry.span));
-                    read[next] = Some(definition(entry, start, written)?);
+                    read[next] = Some(definition(entry, start, (written, converts))?);
                 }
             }
         }
@@ -114,7 +118,7 @@ fn check_name(name: &str, span: &Range<usize>) -> Result<(), ConfigurationMistak
 
 /// The dialect that another one extends.
 enum Base {
-    BuiltIn(BuiltIn),
+    Documented(DialectName),
     /// A dialect of the file, by its index, and the position of the key `extends`.
     Defined(usize, Range<usize>),
 }
@@ -133,7 +137,7 @@ fn base(entry: &DialectTable<'_, '_>, by_name: &BTreeMap<&str, usize>) -> Result
         .into_iter()
         .find(|dialect| dialect.as_str() == name)
     {
-        return Ok(Base::BuiltIn(built_in.base()));
+        return Ok(Base::Documented(built_in));
     }
     if name == entry.name {
         let message = format!("`{name}` cannot extend itself");
@@ -163,92 +167,39 @@ fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> Configuration
 fn definition(
     entry: &DialectTable<'_, '_>,
     start: Definition,
-    written: &dyn Fn(&Range<usize>) -> String,
+    (written, converts): (
+        &dyn Fn(&Range<usize>) -> String,
+        fn(ElementaryType, ElementaryType) -> bool,
+    ),
 ) -> Result<Definition, ConfigurationMistake> {
     let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
     let mut draft = Draft {
         definition: start,
         source: words("source")?,
-        written,
+        written: Some(written),
+        converts,
     };
     draft.definition.about = words("about")?;
-    for (key, value) in entry.keys.iter() {
-        let whose = format!("dialects.{}.{}", entry.name, key.get_ref());
-        match key.get_ref().as_ref() {
-            "extends" | "about" | "source" => {}
-            "flags" => flags(table(&whose, value)?, &mut draft)?,
-            "conversions" => conversions(table(&whose, value)?, &mut draft)?,
-            "operators" => operators(table(&whose, value)?, &mut draft)?,
-            // Which types there are depends on the flags.
-            "implicit" => {}
-            word => {
-                let whose = format!("of `[dialects.{}]`", entry.name);
-                return Err(ConfigurationMistake::unknown_key(key.span(), word, &whose, &KEYS));
-            }
-        }
-    }
-    if let Some(value) = entry.keys.get("implicit") {
-        implicit(
-            table(&format!("dialects.{}.implicit", entry.name), value)?,
-            &mut draft,
-        )?;
+    let whose = format!("dialects.{}.", entry.name);
+    overrides(entry.keys, &whose, &mut draft)?;
+    for (key, _) in entry
+        .keys
+        .iter()
+        .filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
+    {
+        let whose = format!("of `[dialects.{}]`", entry.name);
+        return Err(ConfigurationMistake::unknown_key(
+            key.span(),
+            key.get_ref(),
+            &whose,
+            &KEYS,
+        ));
     }
     Ok(draft.definition)
 }
 
-/// Returns the definition of the extended dialect under the name of the extending one.
-fn taken_over(
-    other: &Definition,
-    entry: &DialectTable<'_, '_>,
-    written: &dyn Fn(&Range<usize>) -> String,
-) -> Definition {
-    fn said<T: Copy>(stated: &Stated<T>, name: &str) -> Stated<T> {
-        let rest = stated.basis.split_once(':').map_or("", |(_, rest)| rest);
-        Stated {
-            value: stated.value,
-            basis: format!("{name}:{rest}"),
-        }
-    }
-    fn choice<T: Copy>(stated: &Option<Stated<T>>, name: &str) -> Option<Stated<T>> {
-        stated.as_ref().map(|stated| said(stated, name))
-    }
-    let name = entry.name;
-    let operators = &other.operators;
-    let implicit = other.implicit.iter();
-    let flags = other.flags.iter();
-    Definition {
-        name: name.to_owned(),
-        base: other.base,
-        about: None,
-        is_variant: false,
-        place: written(&entry.span),
-        implicit: implicit
-            .map(|(pair, stated)| (*pair, said(stated, name)))
-            .collect(),
-        flags: flags.map(|(flag, stated)| (*flag, said(stated, name))).collect(),
-        rounding: choice(&other.rounding, name),
-        out_of_range: choice(&other.out_of_range, name),
-        truncation_out_of_range: choice(&other.truncation_out_of_range, name),
-        text_reading: choice(&other.text_reading, name),
-        real_text: choice(&other.real_text, name),
-        bit_string_text: choice(&other.bit_string_text, name),
-        moment_text: choice(&other.moment_text, name),
-        bits_as_real: choice(&other.bits_as_real, name),
-        bit_string_as_bool: choice(&other.bit_string_as_bool, name),
-        moment_units: choice(&other.moment_units, name),
-        operators: OperatorOverrides {
-            implicit_warnings: choice(&operators.implicit_warnings, name),
-            operands: choice(&operators.operands, name),
-            compared: choice(&operators.compared, name),
-            result_signs: choice(&operators.result_signs, name),
-            constant_types: choice(&operators.constant_types, name),
-            shift_counts: choice(&operators.shift_counts, name),
-        },
-    }
-}
-
 /// Reads a text for people, which terminals and reports show.
-fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
+pub(crate) fn words(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
     let words = text(key, value)?;
     match words.chars().any(char::is_control) {
         true => Err(ConfigurationMistake::at(

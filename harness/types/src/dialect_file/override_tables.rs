@@ -1,42 +1,15 @@
-//! Reads the overrides of a table `[dialects.NAME]`: `implicit`, `flags`, `conversions` and `operators`.
+//! Reads the overrides of a dialect: the tables `implicit`, `flags`, `language`, `conversions` and `operators`.
 
-use crate::draft::Draft;
-use crate::near::{advice, list};
-use crate::table::{ConfigurationMistake, text};
+use super::draft::Draft;
+use super::near::{advice, list};
+use super::table::{ConfigurationMistake, table, text};
+use crate::definition::{ConversionOverrides, Flag, LanguageOverrides, OperatorOverrides};
+use crate::dialect::ThirdEditionTypes;
+use crate::{DialectKind, ElementaryType, MatrixWord};
 use std::collections::BTreeSet;
 use std::ops::Range;
-use stickler_types::definition::Flag;
-use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ComparedTypes, ConstantTypes, DialectName, ElementaryType,
-    ImplicitWarnings, MatrixWord, MomentText, MomentUnits, OperandTypes, OutOfRange, RealText, ResultSigns,
-    Rounding, ShiftCounts, Stated, TextReading,
-};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// The keys of the table `conversions`.
-const CONVERSIONS: [&str; 10] = [
-    "rounding",
-    "out-of-range",
-    "truncation-out-of-range",
-    "text-reading",
-    "real-text",
-    "bit-string-text",
-    "moment-text",
-    "bits-as-real",
-    "bit-string-as-bool",
-    "moment-units",
-];
-
-/// The keys of the table `operators`.
-const OPERATORS: [&str; 6] = [
-    "implicit-warnings",
-    "operands",
-    "compared",
-    "result-signs",
-    "constant-types",
-    "shift-counts",
-];
 
 /// The words that an override may state for a pair of different types.
 const WORDS: [MatrixWord; 4] = [
@@ -46,14 +19,44 @@ const WORDS: [MatrixWord; 4] = [
     MatrixWord::Open,
 ];
 
-/// The permitted numbers of significant digits; a real number of 64 bits never needs more than 17.
-const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
+/// Reads the tables of overrides among the keys of a dialect; `whose` stands before the name of a table in messages.
+///
+/// # Errors
+/// The first mistake in one of them; other keys are not looked at.
+pub(crate) fn overrides(
+    keys: &DeTable<'_>,
+    whose: &str,
+    draft: &mut Draft<'_>,
+) -> Result<(), ConfigurationMistake> {
+    let find = |name: &str| {
+        keys.get(name)
+            .map(|value| table(&format!("{whose}{name}"), value))
+            .transpose()
+    };
+    // Which types there are depends on the tables before it.
+    let tables: [(&str, Reader); 5] = [
+        ("flags", flags),
+        ("language", language),
+        ("conversions", conversions),
+        ("operators", operators),
+        ("implicit", implicit),
+    ];
+    for (name, read) in tables {
+        if let Some(keys) = find(name)? {
+            read(keys, draft)?;
+        }
+    }
+    Ok(())
+}
+
+/// A function that reads a table of overrides.
+type Reader = fn(&DeTable<'_>, &mut Draft<'_>) -> Result<(), ConfigurationMistake>;
 
 /// Reads `[dialects.NAME.flags]`.
 ///
 /// # Errors
 /// An unknown flag, or a value that is neither true nor false.
-pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let word = key.get_ref().as_ref();
         let Some(flag) = Flag::from_word(word) else {
@@ -73,7 +76,10 @@ pub(crate) fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), Con
         let stated = draft.stated(on, word, &key.span());
         draft.definition.flags.insert(flag, stated);
         match flag {
-            Flag::CrossFamilyWidening => cross_family(on, &key.span(), draft),
+            // The documents of a system have tables of their own about these pairs.
+            Flag::CrossFamilyWidening if draft.definition.kind == DialectKind::Custom => {
+                cross_family(on, &key.span(), draft);
+            }
             Flag::ThirdEditionTypes if !on => without_third_edition(draft),
             _ => {}
         }
@@ -104,107 +110,77 @@ fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
     }
 }
 
-/// Reads `[dialects.NAME.conversions]`.
-///
-/// # Errors
-/// An unknown choice, or an unknown word for one.
-pub(crate) fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+/// Reads a table of choices; `set` makes the choice of a key and lists the words of the key where there is none.
+fn choices(
+    keys: &DeTable<'_>,
+    (name, known): (&str, &[&str]),
+    draft: &mut Draft<'_>,
+    set: impl Fn(&mut Draft<'_>, &str, &str, Option<String>) -> Option<Result<(), Vec<&'static str>>>,
+) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
-        let (name, at) = (key.get_ref().as_ref(), &key.span());
-        let entry = ChoiceEntry { name, at, value };
-        macro_rules! choose {
-            ($field:ident, $all:expr, $words:ident) => {
-                draft.definition.$field = Some(entry.choice($all, $words::as_str, draft)?)
-            };
-        }
-        match name {
-            "rounding" => choose!(rounding, &Rounding::OF_CONVERSIONS, Rounding),
-            "out-of-range" => choose!(out_of_range, OutOfRange::ALL, OutOfRange),
-            "truncation-out-of-range" => choose!(truncation_out_of_range, OutOfRange::ALL, OutOfRange),
-            "text-reading" => choose!(text_reading, TextReading::ALL, TextReading),
-            "real-text" => {
-                let word = real_text(name, value)?;
-                draft.definition.real_text = Some(draft.stated(word, name, at));
+        let (at, key) = (key.span(), key.get_ref().as_ref());
+        let number = value.get_ref().as_integer().map(|number| number.as_str());
+        let word = match number {
+            Some(number) => number,
+            None if known.contains(&key) => text(key, value)?,
+            None => "",
+        };
+        let basis = draft.basis(key, &at);
+        match set(draft, key, word, basis) {
+            Some(Ok(())) => {}
+            Some(Err(words)) if key == "real-text" => {
+                let message = format!(
+                    "`{key}` is {}, or a number of significant digits from 1 to 40",
+                    list(words)
+                );
+                return Err(ConfigurationMistake::at(value.span(), message));
             }
-            "bit-string-text" => choose!(bit_string_text, BitStringText::ALL, BitStringText),
-            "moment-text" => choose!(moment_text, MomentText::ALL, MomentText),
-            "bits-as-real" => choose!(bits_as_real, BitsAsReal::ALL, BitsAsReal),
-            "bit-string-as-bool" => choose!(bit_string_as_bool, BitStringAsBool::ALL, BitStringAsBool),
-            "moment-units" => choose!(moment_units, MomentUnits::ALL, MomentUnits),
-            _ => return Err(entry.unknown("conversions", &CONVERSIONS, draft)),
+            Some(Err(words)) => {
+                let message = format!("`{key}` is not `{word}`; {}", advice(word, &words));
+                return Err(ConfigurationMistake::at(value.span(), message));
+            }
+            None => {
+                return Err(ConfigurationMistake::unknown_key(
+                    at,
+                    key,
+                    &of(name, draft),
+                    known,
+                ));
+            }
         }
     }
     Ok(())
 }
 
-/// Reads `[dialects.NAME.operators]`.
-///
-/// # Errors
-/// An unknown choice, or an unknown word for one.
-pub(crate) fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
-    for (key, value) in keys.iter() {
-        let (name, at) = (key.get_ref().as_ref(), &key.span());
-        let entry = ChoiceEntry { name, at, value };
-        macro_rules! choose {
-            ($field:ident, $words:ident) => {
-                draft.definition.operators.$field = Some(entry.choice($words::ALL, $words::as_str, draft)?)
-            };
-        }
-        match name {
-            "implicit-warnings" => choose!(implicit_warnings, ImplicitWarnings),
-            "operands" => choose!(operands, OperandTypes),
-            "compared" => choose!(compared, ComparedTypes),
-            "result-signs" => choose!(result_signs, ResultSigns),
-            "constant-types" => choose!(constant_types, ConstantTypes),
-            "shift-counts" => choose!(shift_counts, ShiftCounts),
-            _ => return Err(entry.unknown("operators", &OPERATORS, draft)),
-        }
-    }
-    Ok(())
+fn language(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+    choices(
+        keys,
+        ("language", LanguageOverrides::KEYS),
+        draft,
+        |draft, key, word, basis| draft.definition.language.set(key, word, basis),
+    )
 }
 
-/// A key of a table of choices, and its value.
-struct ChoiceEntry<'e, 'v> {
-    name: &'e str,
-    at: &'e Range<usize>,
-    value: &'e Spanned<DeValue<'v>>,
+fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+    // What was stated of truncation alone goes with what was stated of all numbers outside.
+    if keys.get("out-of-range").is_some() {
+        draft.definition.conversions.truncation_out_of_range = None;
+    }
+    choices(
+        keys,
+        ("conversions", ConversionOverrides::KEYS),
+        draft,
+        |draft, key, word, basis| draft.definition.conversions.set(key, word, basis),
+    )
 }
 
-impl ChoiceEntry<'_, '_> {
-    /// Returns the choice of `all` that the value names, with its basis.
-    fn choice<T: Copy>(
-        &self,
-        all: &[T],
-        as_str: impl Fn(T) -> &'static str,
-        draft: &Draft<'_>,
-    ) -> Result<Stated<T>, ConfigurationMistake> {
-        let word = one_of(self.name, self.value, all, as_str)?;
-        Ok(draft.stated(word, self.name, self.at))
-    }
-
-    /// Returns the mistake of a key that the table does not have.
-    fn unknown(&self, table: &str, known: &[&str], draft: &Draft<'_>) -> ConfigurationMistake {
-        ConfigurationMistake::unknown_key(self.at.clone(), self.name, &of(table, draft), known)
-    }
-}
-
-fn real_text(name: &str, value: &Spanned<DeValue<'_>>) -> Result<RealText, ConfigurationMistake> {
-    let said = format!(
-        "`{name}` is \"shortest\", \"by-width\", or a number of significant digits from {} to {}",
-        DIGITS.start(),
-        DIGITS.end()
-    );
-    let digits = value
-        .get_ref()
-        .as_integer()
-        .and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok())
-        .filter(|digits| DIGITS.contains(digits));
-    match (value.get_ref().as_str(), digits) {
-        (Some("shortest"), _) => Ok(RealText::Shortest),
-        (Some("by-width"), _) => Ok(RealText::ByWidth),
-        (None, Some(digits)) => Ok(RealText::SignificantDigits(digits)),
-        _ => Err(ConfigurationMistake::at(value.span(), said)),
-    }
+fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+    choices(
+        keys,
+        ("operators", OperatorOverrides::KEYS),
+        draft,
+        |draft, key, word, basis| draft.definition.operators.set(key, word, basis),
+    )
 }
 
 /// Returns the option of `all` that a value names.
@@ -230,7 +206,7 @@ fn one_of<T: Copy>(
 /// # Errors
 /// An unknown type, a type that the dialect does not have, a pair that cannot be overridden or is stated twice, or an
 /// unknown word.
-pub(crate) fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
+fn implicit(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
     let mut read = BTreeSet::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
@@ -283,7 +259,7 @@ fn cell(
         return Err(ConfigurationMistake::at(to_at.clone(), message));
     }
     let word = one_of(&key, value, &WORDS, MatrixWord::as_str)?;
-    if word != MatrixWord::No && !has_meaning(from, to) {
+    if word != MatrixWord::No && !(draft.converts)(from, to) {
         let message = format!(
             "`{key}` cannot be `{}`; there is no conversion from {from} to {to}",
             word.as_str()
@@ -311,7 +287,7 @@ fn elementary(
         let message = format!(
             "`{}` has no type {ty}, for {} has none; `third-edition-types = true` among its flags gives it {}",
             draft.definition.name,
-            draft.definition.base.name(),
+            draft.definition.base,
             list(
                 ElementaryType::ALL
                     .into_iter()
@@ -325,16 +301,15 @@ fn elementary(
 }
 
 fn has_third_edition(draft: &Draft<'_>) -> bool {
-    let base = || !stickler_exact::signatures("TO_LTIME", draft.definition.base.name()).is_empty();
+    let language = &draft.definition.language;
+    let has_some = || {
+        let stated = language.third_edition_types.as_ref();
+        stated.is_none_or(|stated| stated.value != ThirdEditionTypes::None)
+    };
     draft
         .definition
         .flag(Flag::ThirdEditionTypes)
-        .unwrap_or_else(base)
-}
-
-/// Returns whether a conversion function for the pair exists, in a dialect that has all types.
-fn has_meaning(from: ElementaryType, to: ElementaryType) -> bool {
-    !stickler_exact::signatures(&format!("{from}_TO_{to}"), DialectName::IronplcEd3).is_empty()
+        .unwrap_or_else(has_some)
 }
 
 fn of(table: &str, draft: &Draft<'_>) -> String {

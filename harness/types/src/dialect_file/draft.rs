@@ -1,0 +1,34 @@
+//! A dialect while its table is read.
+
+use crate::ElementaryType;
+use crate::{Definition, Stated};
+use std::ops::Range;
+
+/// A dialect whose table is being read.
+pub(crate) struct Draft<'d> {
+    pub(crate) definition: Definition,
+    /// The source that the file cites for the overrides; it is appended to their bases.
+    pub(crate) source: Option<String>,
+    /// Formats a position in the file for the basis of a statement; `None` where documents are the basis.
+    pub(crate) written: Option<&'d dyn Fn(&Range<usize>) -> String>,
+    /// Returns whether a conversion function for a pair of types exists, in a dialect that has all types.
+    pub(crate) converts: fn(ElementaryType, ElementaryType) -> bool,
+}
+
+impl Draft<'_> {
+    /// Returns the basis of a statement that the file makes at a position.
+    pub(crate) fn basis(&self, key: &str, at: &Range<usize>) -> Option<String> {
+        let place = (self.written?)(at);
+        let behind = self.source.as_ref().map(|source| format!("; {source}"));
+        let behind = behind.unwrap_or_default();
+        Some(format!("{}: {key} ({place}{behind})", self.definition.name))
+    }
+
+    /// Returns a statement that the file makes at a position, with its basis.
+    pub(crate) fn stated<T>(&self, value: T, key: &str, at: &Range<usize>) -> Stated<T> {
+        Stated {
+            value,
+            basis: self.basis(key, at),
+        }
+    }
+}
