@@ -155,10 +155,13 @@ impl fmt::Display for DialectName {
 #[error("unknown dialect `{0}`; the dialects are {known}", known = known())]
 pub struct UnknownDialect(pub String);
 
-/// Returns a list of the dialects' names for a message, including user-defined ones, but only the first few of them.
+/// Returns a list of the dialects' names for a message, including custom ones, but only the first few of them.
 fn known() -> String {
     const MAX_NAMES: usize = DialectName::ALL.len() + 5;
-    let all = DialectName::ALL.into_iter().chain(DialectName::defined());
+    let defined = DialectName::defined()
+        .into_iter()
+        .filter(|dialect| !dialect.is_variant());
+    let all = DialectName::ALL.into_iter().chain(defined);
     let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
     let last = match names.len().checked_sub(MAX_NAMES) {
         Some(more) if more > 0 => {

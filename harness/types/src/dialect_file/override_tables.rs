@@ -119,9 +119,9 @@ fn choices(
 ) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (at, key) = (key.span(), key.get_ref().as_ref());
-        let number = value.get_ref().as_integer().map(|number| number.as_str());
+        let number = value.get_ref().as_integer().filter(|_| key == "real-text");
         let word = match number {
-            Some(number) => number,
+            Some(number) => number.as_str(),
             None if known.contains(&key) => text(key, value)?,
             None => "",
         };
@@ -129,10 +129,8 @@ fn choices(
         match set(draft, key, word, basis) {
             Some(Ok(())) => {}
             Some(Err(words)) if key == "real-text" => {
-                let message = format!(
-                    "`{key}` is {}, or a number of significant digits from 1 to 40",
-                    list(words)
-                );
+                let words: String = words.iter().map(|word| format!("\"{word}\", ")).collect();
+                let message = format!("`{key}` is {words}or a number of significant digits from 1 to 40");
                 return Err(ConfigurationMistake::at(value.span(), message));
             }
             Some(Err(words)) => {
