@@ -1,6 +1,6 @@
 //! Reads the tables `[dialects.NAME]` of `stickler.toml`.
 
-use super::draft::Draft;
+use super::draft::{Draft, Written};
 use super::near::{advice, list};
 use super::override_tables::overrides;
 use super::table::{ConfigurationMistake, table, text};
@@ -167,10 +167,7 @@ fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> Configuration
 fn definition(
     entry: &DialectTable<'_, '_>,
     start: Definition,
-    (written, converts): (
-        &dyn Fn(&Range<usize>) -> String,
-        fn(ElementaryType, ElementaryType) -> bool,
-    ),
+    (written, converts): (Written<'_>, fn(ElementaryType, ElementaryType) -> bool),
 ) -> Result<Definition, ConfigurationMistake> {
     let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
     let mut draft = Draft {
@@ -182,20 +179,19 @@ fn definition(
     draft.definition.about = words("about")?;
     let whose = format!("dialects.{}.", entry.name);
     overrides(entry.keys, &whose, &mut draft)?;
-    for (key, _) in entry
-        .keys
-        .iter()
-        .filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
-    {
-        let whose = format!("of `[dialects.{}]`", entry.name);
-        return Err(ConfigurationMistake::unknown_key(
-            key.span(),
-            key.get_ref(),
-            &whose,
-            &KEYS,
-        ));
+    let mut keys = entry.keys.iter().map(|(key, _)| key);
+    match keys.find(|key| !KEYS.contains(&key.get_ref().as_ref())) {
+        Some(key) => {
+            let whose = format!("of `[dialects.{}]`", entry.name);
+            Err(ConfigurationMistake::unknown_key(
+                key.span(),
+                key.get_ref(),
+                &whose,
+                &KEYS,
+            ))
+        }
+        None => Ok(draft.definition),
     }
-    Ok(draft.definition)
 }
 
 /// Reads a text for people, which terminals and reports show.

@@ -79,14 +79,13 @@ pub fn read_documented(
 ) -> Result<DialectFile, ConfigurationMistake> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let keys = document.get_ref();
-    for (key, _) in keys
-        .iter()
-        .filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
-    {
+    let mut names = keys.iter().map(|(key, _)| key);
+    if let Some(key) = names.find(|key| !KEYS.contains(&key.get_ref().as_ref())) {
+        let whose = "of the file of a dialect";
         return Err(ConfigurationMistake::unknown_key(
             key.span(),
             key.get_ref(),
-            "of the file of a dialect",
+            whose,
             &KEYS,
         ));
     }

@@ -4,13 +4,16 @@ use crate::ElementaryType;
 use crate::{Definition, Stated};
 use std::ops::Range;
 
+/// Formats a position in the file for messages.
+pub(crate) type Written<'w> = &'w dyn Fn(&Range<usize>) -> String;
+
 /// A dialect whose table is being read.
 pub(crate) struct Draft<'d> {
     pub(crate) definition: Definition,
     /// The source that the file cites for the overrides; it is appended to their bases.
     pub(crate) source: Option<String>,
     /// Formats a position in the file for the basis of a statement; `None` where documents are the basis.
-    pub(crate) written: Option<&'d dyn Fn(&Range<usize>) -> String>,
+    pub(crate) written: Option<Written<'d>>,
     /// Returns whether a conversion function for a pair of types exists, in a dialect that has all types.
     pub(crate) converts: fn(ElementaryType, ElementaryType) -> bool,
 }
