@@ -87,10 +87,10 @@ mod tests {
 
     #[test]
     fn every_name_is_a_function_and_stands_there_once() {
-        let all = functions(&Dialect::of(DialectName::CODESYS));
+        let all = functions(Dialect::of(DialectName::CODESYS));
         assert_eq!(all.len(), catalogue_names().len(), "this dialect has them all");
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
-        let matiec = functions(&Dialect::of(DialectName::MATIEC));
+        let matiec = functions(Dialect::of(DialectName::MATIEC));
         assert!(matiec.contains(&"TRUNC_INT") && !matiec.contains(&"ROUND"));
         assert!(
             !matiec

@@ -123,7 +123,7 @@ fn each_minimal_program_uses_its_feature_and_those_that_it_needs() {
     let features = &SHIPPED.features;
     assert!(features.iter().count() > 100);
     for feature in features.iter() {
-        let used = stickler_syntax::features::features(&feature.program, &Dialect::of(DialectName::IEC_ED3));
+        let used = stickler_syntax::features::features(&feature.program, Dialect::of(DialectName::IEC_ED3));
         let used: BTreeSet<&str> = used.iter().map(AsRef::as_ref).collect();
         let stated = feature.needs.iter().map(String::as_str);
         let stated: BTreeSet<&str> = stated.chain([feature.key.as_str()]).collect();
