@@ -57,7 +57,7 @@ impl Reports {
     /// [`ReportError`] where a file cannot be written.
     pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
         let group = self.events.take_case(event)?;
-        self.results.take(event, group)?;
+        self.results.take(event)?;
         self.junit.take(event, group);
         self.discrepancies.take(event);
         self.page.take(event, group);
@@ -71,7 +71,7 @@ impl Reports {
     pub fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         self.events.flush()?;
         let groups = self.events.groups();
-        self.results.finish(overview, groups)?;
+        self.results.finish(overview)?;
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
         self.badge.finish(overview)?;
@@ -89,7 +89,6 @@ mod tests {
     use crate::sample::{self, report as write};
     use std::fs;
     use stickler_conversions::overview::Statements;
-    use stickler_run::{CaseEvent, Fact};
 
     #[test]
     fn a_whole_run_leaves_every_report_and_nothing_else() {
@@ -136,7 +135,7 @@ mod tests {
         write(folder.path(), &sample::run());
         let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
         let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        assert_eq!(results["format"], 2);
+        assert_eq!(results["format"], 3);
         for key in ["stickler", "suite", "started", "duration_ms"] {
             assert!(!results[key].is_null(), "{key}");
         }
@@ -173,50 +172,5 @@ mod tests {
         }
         assert_eq!(results["claims"][0]["standing"]["passed"], 2);
         assert_eq!(results["claims"][0]["standing"]["open"], 1);
-    }
-
-    #[test]
-    fn results_name_what_passed_and_what_was_observed_by_probe() {
-        let in_dialect = |case: CaseEvent, dialect: &str| CaseEvent {
-            dialect: dialect.to_owned(),
-            ..case
-        };
-        let mut cases = Vec::new();
-        for (id, dialects) in [
-            ("a::p(1)", &["d", "e"][..]),
-            ("a::p(2)", &["e"]),
-            ("a::p(3)", &["d", "e"]),
-        ] {
-            cases.extend(
-                dialects
-                    .iter()
-                    .map(|dialect| in_dialect(sample::open_case(id), dialect)),
-            );
-        }
-        cases[4].observations[0].value = "INT#4".to_owned();
-        cases[0].got = vec![Fact::RejectedSilently];
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        write(folder.path(), &sample::run_of(cases));
-        let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
-        let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        let passed = &results["passed"];
-        assert_eq!(passed[0]["id"], "widening/a::p");
-        assert_eq!(passed[0]["dialects"], serde_json::json!(["d", "e"]));
-        assert_eq!(
-            passed[0]["duration_us"],
-            serde_json::json!({"(1)": [12, 12], "(3)": [12, 12]})
-        );
-        assert_eq!(
-            passed[0]["got"],
-            serde_json::json!({"(1)": {"d": [{"fact": "rejected-silently"}]}})
-        );
-        assert_eq!(passed[1]["dialects"], serde_json::json!(["e"]));
-        assert_eq!(
-            results["observations"][0],
-            serde_json::json!({
-                "id": "widening/a::p", "engine": "reference", "dialects": ["d", "e"], "name": "r",
-                "values": {"(1)": ["INT#3", "INT#3"], "(3)": ["INT#3", "INT#4"]}
-            })
-        );
     }
 }

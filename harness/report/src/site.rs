@@ -2,6 +2,7 @@
 //!
 //! Each run is read as a stream and only counted; two runs are compared by [`crate::comparison`], as `stickler compare` does.
 
+mod check;
 mod engine_page;
 mod feed;
 mod front_page;
@@ -12,8 +13,7 @@ mod html;
 mod run;
 mod versions;
 
-use crate::{ComparisonError, ReportError, RunFileError};
-use crate::{events, results};
+use crate::{ComparisonError, LogError, ReportError, events, results};
 use functions::Functions;
 use history::History;
 use run::SiteRun;
@@ -48,7 +48,7 @@ pub enum SiteError {
         /// The path of the run.
         path: PathBuf,
         /// The error of reading it.
-        source: Box<RunFileError>,
+        source: LogError,
     },
     /// The start of a run is no valid time.
     #[error("{}: the run began at `{started}`, which is no time such as 2026-09-01T12:00:00Z", path.display())]
@@ -81,16 +81,16 @@ pub enum SiteError {
 
 impl SiteError {
     /// Returns a closure for `map_err` that adds the path of a run to the error of reading it.
-    fn run(path: &Path) -> impl Fn(RunFileError) -> SiteError + use<> {
+    fn run(path: &Path) -> impl Fn(LogError) -> SiteError + use<> {
         let path = path.to_owned();
         move |source| SiteError::Run {
             path: path.clone(),
-            source: Box::new(source),
+            source,
         }
     }
 }
 
-/// Builds the site of these runs, each named by its folder of reports, its event log or its `results.json`. Equal runs give equal files; files
+/// Builds the site of these runs, each named by its folder of reports or its event log. Equal runs give equal files; files
 /// of the folder that the site does not write stay. `statements` are what documents state of conversions and recorded compilers answered; the pages
 /// of the functions show them beside what the engines do. With `skip_unreadable`, a run that cannot be read is left out and listed in the summary, as
 /// long as another can be read.
@@ -137,7 +137,7 @@ pub fn write(
     let feed_path = site.join(feed::NAME);
     let feed = feed::feed(&histories).map_err(ReportError::writing(&feed_path))?;
     fs::write(&feed_path, feed).map_err(ReportError::writing(&feed_path))?;
-    write_page(&site.join("results.schema.json"), results::SCHEMA)?;
+    write_page(&site.join("events.schema.json"), events::SCHEMA)?;
     write_page(
         &site.join("index.html"),
         &front_page::page(&histories, &functions),

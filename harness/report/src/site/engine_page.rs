@@ -53,11 +53,7 @@ fn run_row(engine: &str, run: &VersionRun<'_>) -> String {
     let replaced = run
         .reason(engine)
         .map(|reason| format!("; does not count: {reason}"));
-    let alone = match run.run.tells_expectations() {
-        true => None,
-        false => Some("; from its results.json".to_owned()),
-    };
-    let notes: String = part.chain(alone).chain(replaced).collect();
+    let notes: String = part.chain(replaced).collect();
     format!(
         "<tr><td>{}</td><td>{}</td>{}<td>{page}; suite {}{}</td></tr>\n",
         run.run.date(),

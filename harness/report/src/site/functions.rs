@@ -4,7 +4,7 @@ use super::SiteError;
 use super::history::History;
 use super::run::SiteRun;
 use crate::answers::answer_of;
-use crate::run_file::RunFileError;
+use crate::events::Reader;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::overview::{
     ComparedAnswer, FunctionCall, FunctionTable, QuestionNumber, Statements,
@@ -112,11 +112,13 @@ fn of_engine<'s>(
     statements: &Statements,
 ) -> Result<Vec<FunctionColumn<'s>>, SiteError> {
     let newest = history.newest();
-    let file = &newest.run.file;
+    let log = &newest.run.log;
+    let unreadable = SiteError::run(log);
     let mut by_dialect: BTreeMap<String, HashMap<QuestionNumber, ComparedAnswer>> = BTreeMap::new();
-    for event in file.open().map_err(SiteError::run(file.path()))? {
-        let event = event.map_err(|error| SiteError::run(file.path())(RunFileError::Log(error)))?;
-        let Event::Case(case) = event else { continue };
+    for event in Reader::open(log).map_err(&unreadable)? {
+        let Event::Case(case) = event.map_err(&unreadable)? else {
+            continue;
+        };
         if case.engine == history.name
             && let Some(question) = statements.question(&case.id)
             && let Some(answer) = answer_of(&case)
