@@ -22,5 +22,4 @@ pub use results::{
     SignatureResults, gather,
 };
 pub use statements::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
-pub use statements::{FunctionCall, FunctionTable, StatedResult};
 pub use values::{CallOperands, ValueError, calls};

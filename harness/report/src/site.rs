@@ -6,7 +6,6 @@ mod check;
 mod engine_page;
 mod feed;
 mod front_page;
-mod function_page;
 mod functions;
 mod history;
 mod html;
@@ -130,41 +129,45 @@ pub fn write(
     for history in &histories {
         write_page(
             &site.join("engines").join(&history.file),
-            &engine_page::page(history, &functions),
+            engine_page::page(history, &functions),
         )?;
     }
-    write_functions(&functions, &site.join("functions"))?;
     let feed_path = site.join(feed::NAME);
     let feed = feed::feed(&histories).map_err(ReportError::writing(&feed_path))?;
-    fs::write(&feed_path, feed).map_err(ReportError::writing(&feed_path))?;
+    write_page(&feed_path, feed)?;
     write_page(&site.join("events.schema.json"), events::SCHEMA)?;
-    write_page(
-        &site.join("index.html"),
-        &front_page::page(&histories, &functions),
-    )?;
-    Ok(SiteSummary {
+    write_page(&site.join("index.html"), front_page::page(&histories, &functions))?;
+    let summary = SiteSummary {
         runs: runs.len(),
         engines: histories.len(),
-        functions: functions.tables.len(),
+        functions: functions.names().len(),
         replaced: histories.iter().flat_map(History::replaced).collect(),
         skipped,
-    })
+    };
+    write_functions(functions, &site.join("functions"))?;
+    Ok(summary)
 }
 
-/// Writes a page for each function and their list, if there is any function.
-fn write_functions(functions: &Functions<'_>, folder: &Path) -> Result<(), ReportError> {
-    if functions.tables.is_empty() {
+/// Writes the page of all functions, if there is any, and for each function a page that leads to its part.
+fn write_functions(functions: Functions<'_>, folder: &Path) -> Result<(), ReportError> {
+    if functions.names().is_empty() {
         return Ok(());
     }
     fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
-    for (name, tables) in &functions.tables {
-        let page = function_page::page(name, tables, functions);
-        write_page(&folder.join(functions::file(name)), &page)?;
+    for name in functions.names() {
+        let address = functions::address(name);
+        let page = format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" content=\"0; url={address}\">\n\
+             <title>{name}</title>\n</head>\n<body><a href=\"{address}\">{name}</a></body>\n</html>\n"
+        );
+        write_page(&folder.join(format!("{name}.html")), page)?;
     }
-    write_page(&folder.join("index.html"), &function_page::index(functions))
+    let path = folder.join("index.html");
+    let page = functions.into_page().map_err(ReportError::writing(&path))?;
+    write_page(&path, page)
 }
 
-fn write_page(path: &Path, page: &str) -> Result<(), ReportError> {
+fn write_page(path: &Path, page: impl AsRef<[u8]>) -> Result<(), ReportError> {
     fs::write(path, page).map_err(ReportError::writing(path))
 }
 

@@ -48,7 +48,7 @@ pub(super) fn write(path: &Path, statements: Statements, events: &[Event]) {
 }
 
 /// Returns the data of an element of the page.
-fn data(page: &str, id: &str) -> Value {
+pub(crate) fn data_of(page: &str, id: &str) -> Value {
     let start = format!("<script type=\"application/json\" id=\"data-{id}\">");
     let (_, rest) = page.split_once(&start).expect("the element");
     let (json, _) = rest.split_once("</script>").expect("its end");
@@ -57,7 +57,7 @@ fn data(page: &str, id: &str) -> Value {
 
 /// Returns the ids of the cases that the page lists, with their programs.
 fn listed(page: &str) -> Vec<(String, String)> {
-    let data = data(page, "cases");
+    let data = data_of(page, "cases");
     let number = |value: &Value| usize::try_from(value.as_u64().expect("a number")).expect("small");
     let word = |value: &Value| data["words"][number(value)].as_str().expect("a word").to_owned();
     let cases = &data["cases"];
@@ -93,7 +93,7 @@ fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
         .map(|verdict| format!("widening/a::p({verdict})"))
         .collect();
     assert_eq!(ids, expected);
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let causes: Vec<(&str, bool, u64)> = run["causes"]
         .as_array()
         .expect("causes")
@@ -160,7 +160,7 @@ fn the_page_loads_nothing_and_makes_no_markup_of_texts() {
 #[test]
 fn the_claims_of_the_page_are_those_of_the_other_reports() {
     let page = page(&sample::with_sources(sample::run()));
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let claim = &run["claims"][0];
     assert_eq!(claim["section"], "Integer widening");
     assert_eq!(
@@ -182,7 +182,7 @@ fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
     let page = page_alone(&sample::run_of((0..200).map(huge).collect()));
     assert!(page.len() < 10 << 20, "{}", page.len());
     assert_eq!(listed(&page).len(), 200);
-    assert!(data(&page, "cases")["texts_left_out"].as_u64() > Some(0));
+    assert!(data_of(&page, "cases")["texts_left_out"].as_u64() > Some(0));
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn causes_for_which_the_page_has_no_room_are_counted() {
     events.push(footer);
     let page = page_alone(&events);
     assert!(page.len() < 10 << 20, "{}", page.len());
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let shown = run["causes"].as_array().expect("causes").len();
     assert!((1..20).contains(&shown), "{shown}");
     assert_eq!(run["causes_left_out"], 20 - shown);

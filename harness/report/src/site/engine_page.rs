@@ -1,6 +1,6 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
-use super::functions::{Functions, file};
+use super::functions::{Functions, address};
 use super::history::{History, VersionStep};
 use super::html::{chart, escaped, page as whole, share};
 use super::versions::VersionRun;
@@ -153,7 +153,7 @@ fn departures(history: &History<'_>, functions: &Functions<'_>) -> String {
         let values = counted(*calls as u64, "value", "values");
         format!(
             "<li><a href=\"../functions/{}\">{}</a>: {values}</li>\n",
-            file(name),
+            address(name),
             escaped(name)
         )
     };

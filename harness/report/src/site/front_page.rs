@@ -9,9 +9,9 @@ use std::fmt::Write;
 
 /// Returns the page.
 pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> String {
-    let conversions = match functions.tables.len() {
-        0 => "",
-        _ => {
+    let conversions = match functions.names().is_empty() {
+        true => "",
+        false => {
             "<p><a href=\"functions/index.html\">Conversion functions</a>: what each gives for which value, by documents, on engines and \
              on recorded compilers.</p>\n"
         }
