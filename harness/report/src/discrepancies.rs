@@ -17,7 +17,6 @@ use crate::overview::{Overview, kept};
 use crate::pending::PendingFile;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use stickler_run::{CaseEvent, Cause, EngineHeader, Event, Grade, Symptom};
 
@@ -221,11 +220,7 @@ fn size(case: &CaseEvent) -> usize {
 }
 
 fn write(path: PathBuf, text: &str) -> Result<(), ReportError> {
-    let mut file = PendingFile::create(path)?;
-    let path = file.path().to_owned();
-    file.write_all(text.as_bytes())
-        .map_err(ReportError::writing(&path))?;
-    file.commit()
+    PendingFile::create(path)?.fill(text.as_bytes())
 }
 
 /// Returns the name of a page's file, such as `03-bit-access-outside-short-line-of-P4025.md`.

@@ -1,16 +1,14 @@
 //! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
 
 use crate::ReportError;
-use crate::badge::Badge;
-use crate::code_quality::CodeQuality;
 use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
 use crate::overview::Overview;
 use crate::page::Page;
+use crate::pending::PendingFile;
 use crate::results::Results;
-use crate::sarif::Sarif;
-use crate::summary::Summary;
+use crate::{badge, code_quality, sarif, summary};
 use std::fs;
 use std::path::Path;
 use stickler_conversions::overview::Statements;
@@ -21,13 +19,25 @@ pub struct Reports {
     events: EventLog,
     results: Results,
     junit: Junit,
-    summary: Summary,
-    badge: Badge,
-    sarif: Sarif,
-    code_quality: CodeQuality,
     discrepancies: Discrepancies,
     page: Page,
+    /// The files of [`OF_OVERVIEW`].
+    of_overview: Vec<PendingFile>,
 }
+
+/// Returns the content of a report that is made of the overview alone.
+type Content = fn(&Overview) -> serde_json::Result<Vec<u8>>;
+
+/// The reports that are made of the overview of a whole run, by the names of their files. A run that was cut short gets none of them, since
+/// they could not show what is missing, and services take what is missing for mended.
+const OF_OVERVIEW: [(&str, Content); 4] = [
+    ("badge.json", badge::json),
+    ("results.sarif", sarif::json),
+    ("gl-code-quality-report.json", code_quality::json),
+    ("summary.md", |overview| {
+        Ok(summary::markdown(overview).into_bytes())
+    }),
+];
 
 impl Reports {
     /// Creates the folder where it is missing, and opens every file in it. The files of an earlier run are removed, so that
@@ -42,12 +52,12 @@ impl Reports {
             events: EventLog::create(folder.join(events::NAME))?,
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
-            summary: Summary::create(folder.join("summary.md"))?,
-            badge: Badge::create(folder.join("badge.json"))?,
-            sarif: Sarif::create(folder.join("results.sarif"))?,
-            code_quality: CodeQuality::create(folder.join("gl-code-quality-report.json"))?,
             discrepancies: Discrepancies::create(folder)?,
             page: Page::create(folder.join("index.html"), statements)?,
+            of_overview: OF_OVERVIEW
+                .iter()
+                .map(|(name, _)| PendingFile::create(folder.join(name)))
+                .collect::<Result<_, _>>()?,
         })
     }
 
@@ -74,11 +84,13 @@ impl Reports {
         self.results.finish(overview)?;
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
-        self.badge.finish(overview)?;
-        self.sarif.finish(overview)?;
-        self.code_quality.finish(overview)?;
         self.page.finish(overview, groups)?;
-        self.summary.finish(overview)
+        if overview.footer.is_some() {
+            for (file, (_, content)) in self.of_overview.into_iter().zip(OF_OVERVIEW) {
+                file.fill(&content(overview)?)?;
+            }
+        }
+        Ok(())
     }
 }
 

@@ -156,14 +156,10 @@ pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
 mod tests {
     use super::{MAX_KEPT_FAILURES, Overview};
     use crate::sample;
-    use stickler_run::{CaseEvent, Event, Fact, Verdict};
+    use stickler_run::{CaseEvent, Fact, Verdict};
 
     fn overview(cases: Vec<CaseEvent>) -> Overview {
-        let mut overview = Overview::default();
-        sample::run_of(cases)
-            .iter()
-            .for_each(|event: &Event| overview.take(event));
-        overview
+        sample::overview(&sample::run_of(cases))
     }
 
     #[test]

@@ -266,15 +266,20 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     events
 }
 
+/// Returns the overview of a run.
+pub(crate) fn overview(events: &[Event]) -> Overview {
+    let mut overview = Overview::default();
+    events.iter().for_each(|event| overview.take(event));
+    overview
+}
+
 /// Writes every report of a run into a folder.
 pub(crate) fn report(folder: &Path, events: &[Event]) {
     let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        reports.take(event).expect("taken");
-        overview.take(event);
-    }
-    reports.finish(&overview).expect("finished");
+    events
+        .iter()
+        .for_each(|event| reports.take(event).expect("taken"));
+    reports.finish(&overview(events)).expect("finished");
 }
 
 /// Returns the names of the entries of a folder, sorted.

@@ -1,7 +1,6 @@
 //! Tests of the pages of a small run.
 
 use super::Discrepancies;
-use crate::overview::Overview;
 use crate::sample::{self, error, names, reported, value};
 use std::fs;
 use std::path::Path;
@@ -20,12 +19,8 @@ fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
 
 fn write(folder: &Path, events: &[Event]) {
     let mut pages = Discrepancies::create(folder).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        pages.take(event);
-        overview.take(event);
-    }
-    pages.finish(&overview).expect("pages");
+    events.iter().for_each(|event| pages.take(event));
+    pages.finish(&sample::overview(events)).expect("pages");
 }
 
 #[test]

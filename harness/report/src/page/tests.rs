@@ -3,7 +3,7 @@
 use super::Page;
 use super::assets::{SCRIPTS, STYLE, skeleton};
 use crate::groups::Groups;
-use crate::{Overview, Reports, sample};
+use crate::sample;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,13 +14,7 @@ use stickler_run::{CaseEvent, Event, Verdict};
 /// Returns the page of a run.
 fn page(events: &[Event]) -> String {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut reports = Reports::create(folder.path(), Statements::default()).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        reports.take(event).expect("taken");
-        overview.take(event);
-    }
-    reports.finish(&overview).expect("finished");
+    sample::report(folder.path(), events);
     fs::read_to_string(folder.path().join("index.html")).expect("a page")
 }
 
@@ -35,16 +29,15 @@ fn page_alone(events: &[Event]) -> String {
 /// Writes the page of a run to a file.
 pub(super) fn write(path: &Path, statements: Statements, events: &[Event]) {
     let mut page = Page::create(path.to_owned(), statements).expect("a file");
-    let (mut groups, mut overview) = (Groups::default(), Overview::default());
+    let mut groups = Groups::default();
     for event in events {
         let group = match event {
             Event::Case(case) => Some(groups.number(case).0),
             _ => None,
         };
         page.take(event, group);
-        overview.take(event);
     }
-    page.finish(&overview, &groups).expect("finished");
+    page.finish(&sample::overview(events), &groups).expect("finished");
 }
 
 /// Returns the data of an element of the page.

@@ -1,24 +1,16 @@
-use super::{Sarif, uri};
-use crate::Overview;
+use super::{json, uri};
 use crate::overview::MAX_KEPT_FAILURES;
 use crate::sample;
 use serde_json::Value;
-use std::fs;
 use stickler_run::{CaseEvent, Cause, Event, Verdict};
 
 /// Writes the report of a run, and checks it against types that are generated from the public schema: since they know every
 /// key and require what the schema requires, a document that is the same after it was read and written again is valid, but for
 /// the form of addresses and times.
 fn report(events: &[Event]) -> Value {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("results.sarif");
-    let sarif = Sarif::create(path.clone()).expect("a file");
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
-    sarif.finish(&overview).expect("written");
-    let text = fs::read_to_string(path).expect("the report");
-    let report: Value = serde_json::from_str(&text).expect("JSON");
-    let read: serde_sarif::sarif::Sarif = serde_json::from_str(&text).expect("valid against the schema");
+    let text = json(&sample::overview(events)).expect("JSON");
+    let report: Value = serde_json::from_slice(&text).expect("JSON");
+    let read: serde_sarif::sarif::Sarif = serde_json::from_slice(&text).expect("valid against the schema");
     assert_eq!(
         serde_json::to_value(read).expect("JSON"),
         report,

@@ -1,7 +1,6 @@
 //! Tests of the summary as a whole.
 
 use super::{Detail, SHOWN_FAILURES, Surroundings, write};
-use crate::overview::Overview;
 use crate::sample;
 use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
 
@@ -15,8 +14,7 @@ fn ends(text: &str, result: &str) -> bool {
 }
 
 fn shown_with(events: &[Event], around: Surroundings<'_>) -> String {
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
+    let overview = sample::overview(events);
     let mut bytes = Vec::new();
     write(
         &mut bytes,
@@ -231,8 +229,7 @@ fn where_causes_are_known_single_failures_are_shown_only_when_asked_for() {
         "{text}"
     );
     assert!(!text.contains("FAIL"), "{text}");
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
+    let overview = sample::overview(&events);
     let mut bytes = Vec::new();
     let around = Surroundings {
         failures: Some(1),
