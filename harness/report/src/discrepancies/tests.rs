@@ -44,8 +44,8 @@ fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
     write(folder.path(), &sample::run_of(cases));
     let engine = folder.path().join("discrepancies/reference");
     let expected = [
-        "01-widening-t-value.md",
-        "02-widening-t-rejected-P4035.md",
+        "01-widening-t-it-computes-another-value.md",
+        "02-widening-t-it-rejects-what-must-be-accepted-P4035.md",
         "README.md",
     ];
     assert_eq!(names(&engine), expected);
@@ -53,7 +53,7 @@ fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
     assert_eq!(
         page,
         "\
-# reference 0.1.0: it computes another value
+# reference 0.1.0: widening/t: it computes another value
 
 SINT widens to INT.
 
@@ -81,17 +81,21 @@ Got:
 into = INT#2
 ```
 
-Lines are those of `program.st`. 3 cases show this:
+3 cases show this:
 
-- 2 of `` widening/t::a `` in ironplc-ed2
-- 1 of `` widening/t::b `` in ironplc-ed2
+| cases | probe | dialect |
+|--:|---|---|
+| 2 | `` widening/t::a `` | ironplc-ed2 |
+| 1 | `` widening/t::b `` | ironplc-ed2 |
 
-Found by Stickler, in its dialect `ironplc-ed2`: `` stickler run --filter 'widening/t::a(2)@ironplc-ed2' ``
+Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickler run --filter 'widening/t::a(2)@ironplc-ed2' ``
 "
     );
     let index = fs::read_to_string(engine.join("README.md")).expect("the list");
     assert!(
-        index.contains("\n| 3 | [widening/t: it computes another value](01-widening-t-value.md) |"),
+        index.contains(
+            "\n| 3 | [widening/t: it computes another value](01-widening-t-it-computes-another-value.md) |"
+        ),
         "{index}"
     );
 }
@@ -108,7 +112,7 @@ fn of_many_values_only_those_that_differ_are_shown() {
     write(folder.path(), &sample::run_of(vec![case]));
     let page = folder
         .path()
-        .join("discrepancies/reference/01-widening-t-value.md");
+        .join("discrepancies/reference/01-widening-t-it-computes-another-value.md");
     let page = fs::read_to_string(page).expect("a page");
     let end = "```\nc = INT#3\n```\n\nGot:\n\n```\nc = INT#4\n```\n\n2 other values are as expected.\n";
     assert!(page.contains(end), "{page}");
@@ -171,11 +175,11 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
     write(folder.path(), &run);
     let page = folder
         .path()
-        .join("discrepancies/reference/01-widening-t-incomplete-P4049.md");
+        .join("discrepancies/reference/01-widening-t-it-does-not-report-every-mistake-P4049-is-missing.md");
     let page = fs::read_to_string(page).expect("a page");
     for part in [
-        "# reference 0.1.0: it does not report every mistake (P4049 is missing)\n",
-        "Codes are Stickler's own and were not compared, only lines. One case shows this.",
+        "# reference 0.1.0: widening/t: it does not report every mistake (P4049 is missing)\n",
+        "Codes are Stickler's own and were not compared, only lines.\n\n1 case shows this:",
     ] {
         assert!(page.contains(part), "{part}\n{page}");
     }

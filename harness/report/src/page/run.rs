@@ -152,7 +152,7 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         flaky: cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
         shown: reproducer(&cause.shown),
         second: cause.second.as_ref().map(reproducer),
-        report: cause_page_of(&cause.engine, engine(overview, cause), cause, overview),
+        report: cause_page_of(&cause.engine, engine(overview, cause), (cause, None), overview),
     }
 }
 
