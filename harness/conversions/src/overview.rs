@@ -10,7 +10,6 @@ mod page;
 mod recorded;
 mod results;
 mod statements;
-mod table;
 mod values;
 
 pub use inputs::boundaries as boundary_calls;

@@ -56,7 +56,6 @@ mod schema_check;
 mod schema_tests;
 pub mod site;
 pub mod summary;
-mod table;
 pub mod terminal;
 mod text;
 mod unexpected;
