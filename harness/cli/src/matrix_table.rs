@@ -1,5 +1,6 @@
 //! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
+use crate::output::{BAD, BOLD, DIM};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -9,10 +10,7 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::table::{Alignment, Cell, Table};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, wrap_within};
 
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
 const YES: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// The maximum width of a table, in characters.
 const WIDTH: usize = 80;
