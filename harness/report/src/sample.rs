@@ -159,18 +159,16 @@ pub(crate) fn run_with_baseline() -> Vec<Event> {
         noted("mended", Verdict::Xpass),
         noted("known", Verdict::Xfail),
     ]);
-    if let Event::Header(header) = &mut events[0] {
-        header.baselines = vec![BaselineHeader {
-            engine: "reference".to_owned(),
-            file: "b/reference.toml".to_owned(),
-            entries: 2,
-            outdated: vec![OutdatedEntry {
-                at: "b/reference.toml:12".to_owned(),
-                case: "widening/gone*".to_owned(),
-                why: "fits no case".to_owned(),
-            }],
-        }];
-    }
+    header(&mut events).baselines = vec![BaselineHeader {
+        engine: "reference".to_owned(),
+        file: "b/reference.toml".to_owned(),
+        entries: 2,
+        outdated: vec![OutdatedEntry {
+            at: "b/reference.toml:12".to_owned(),
+            case: "widening/gone*".to_owned(),
+            why: "fits no case".to_owned(),
+        }],
+    }];
     events
 }
 
@@ -187,41 +185,51 @@ pub(crate) fn run_by_line() -> Vec<Event> {
         got: vec![reported(6, "", "no number")],
         ..case("half", Verdict::Fail)
     }]);
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].strict = Grade::Line;
+    header(&mut events).engines[0].strict = Grade::Line;
+    events
+}
+
+/// Returns the header of a run, to be changed.
+pub(crate) fn header(events: &mut [Event]) -> &mut Header {
+    match events.first_mut() {
+        Some(Event::Header(header)) => header,
+        _ => panic!("a run begins with a header"),
     }
+}
+
+/// Returns a run with causes behind its cases.
+pub(crate) fn with_causes(mut events: Vec<Event>, causes: impl IntoIterator<Item = Cause>) -> Vec<Event> {
+    let footer = events.len() - 1;
+    events.splice(footer..footer, causes.into_iter().map(Event::Cause));
     events
 }
 
 /// Returns a whole run of these cases on several engines.
 pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut events = run_of(cases);
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.engines = engines
-            .iter()
-            .map(|name| EngineHeader {
-                name: (*name).to_owned(),
-                ..header.engines[0].clone()
-            })
-            .collect();
-    }
+    let header = header(&mut events);
+    header.engines = engines
+        .iter()
+        .map(|name| EngineHeader {
+            name: (*name).to_owned(),
+            ..header.engines[0].clone()
+        })
+        .collect();
     events
 }
 
 /// Returns a run whose header names the source of its cases.
 pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.sources = vec![SourceHeader {
-            key: "ironplc-type-conversions".to_owned(),
-            title: "Type Conversions".to_owned(),
-            publisher: "IronPLC".to_owned(),
-            kind: "document".to_owned(),
-            address: "https://example.org/{section}#{anchor}".to_owned(),
-            read: "0.239".to_owned(),
-            engines: vec!["reference".to_owned()],
-            limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
-        }];
-    }
+    header(&mut events).sources = vec![SourceHeader {
+        key: "ironplc-type-conversions".to_owned(),
+        title: "Type Conversions".to_owned(),
+        publisher: "IronPLC".to_owned(),
+        kind: "document".to_owned(),
+        address: "https://example.org/{section}#{anchor}".to_owned(),
+        read: "0.239".to_owned(),
+        engines: vec!["reference".to_owned()],
+        limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
+    }];
     events
 }
 

@@ -52,9 +52,7 @@ fn full_run() -> Vec<Event> {
         full.filters = vec!["widening".to_owned()];
     }
     run[0] = events.remove(0);
-    let at = run.len() - 1;
-    run.insert(at, Event::Cause(sample::cause("a cause", 1, Verdict::Crash)));
-    run
+    sample::with_causes(run, [sample::cause("a cause", 1, Verdict::Crash)])
 }
 
 #[test]

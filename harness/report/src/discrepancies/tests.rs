@@ -169,9 +169,7 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
         ..failing("t::a", "PROGRAM m\nEND_PROGRAM\n", reported(1, "", "no sum"))
     };
     let mut run = sample::run_of(vec![case]);
-    if let Event::Header(header) = &mut run[0] {
-        header.engines[0].strict = Grade::Line;
-    }
+    sample::header(&mut run).engines[0].strict = Grade::Line;
     write(folder.path(), &run);
     let page = folder
         .path()
@@ -189,8 +187,7 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
 fn a_cause_has_a_page_that_stands_for_itself() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let failing = |id| failing(id, "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
-    let mut run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
-    let footer = run.pop().expect("a footer");
+    let run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
     let mut cause = sample::cause("`into := from` gives 128", 2, Verdict::Fail);
     let outcome = |got, runs| RepeatedOutcome { got: vec![got], runs };
     cause.flaky = Some(Repeats {
@@ -212,8 +209,8 @@ fn a_cause_has_a_page_that_stands_for_itself() {
         verdict: Verdict::Fail,
         cases: 1,
     });
-    run.extend([Event::Cause(cause), footer]);
-    write(folder.path(), &sample::with_sources(run));
+    let run = sample::with_causes(sample::with_sources(run), [cause]);
+    write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
     assert_eq!(names(&engine), ["01-into-from-gives-128.md", "README.md"]);
     let page = fs::read_to_string(engine.join("01-into-from-gives-128.md")).expect("a page");
@@ -281,13 +278,14 @@ Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickl
 fn causes_that_contradict_nothing_that_binds_the_engine_or_are_not_small_have_folders_of_their_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
-    let mut run = sample::run_of(vec![case.clone(), case]);
-    let footer = run.pop().expect("a footer");
-    let causes = [("fails", Verdict::Fail), ("differs", Verdict::Differs)];
-    run.extend(causes.map(|(title, verdict)| Event::Cause(sample::cause(title, 1, verdict))));
     let mut unreduced = sample::cause("large", 3, Verdict::Fail);
     unreduced.reduction = Reduced::Partly;
-    run.extend([Event::Cause(unreduced), footer]);
+    let causes = [
+        sample::cause("fails", 1, Verdict::Fail),
+        sample::cause("differs", 1, Verdict::Differs),
+        unreduced,
+    ];
+    let run = sample::with_causes(sample::run_of(vec![case.clone(), case]), causes);
     write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
     assert_eq!(
@@ -331,8 +329,7 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
         basis: "rule: not-stated".to_owned(),
         ..failing("t::a(1)", "PROGRAM m END_PROGRAM\n", Fact::Crashed { reason })
     };
-    let mut run = sample::run_of(vec![crashing.clone()]);
-    let footer = run.pop().expect("a footer");
+    let run = sample::run_of(vec![crashing.clone()]);
     let mut cause = sample::cause("it crashes", 1, Verdict::Crash);
     let lines: Vec<String> = (1..=43).map(|line| format!("line {line}")).collect();
     cause.shown = Reproducer {
@@ -350,8 +347,7 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
         printed: lines.join("\n"),
         ..cause.shown
     };
-    run.extend([Event::Cause(cause), footer]);
-    write(folder.path(), &run);
+    write(folder.path(), &sample::with_causes(run, [cause]));
     let page = folder.path().join("discrepancies/reference/01-it-crashes.md");
     let page = fs::read_to_string(page).expect("a page");
     for part in [
@@ -373,12 +369,10 @@ fn of_what_is_not_implemented_the_page_that_lists_it_is_named() {
             promised_by: None,
         };
         let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", lacking);
-        let mut run = sample::with_sources(sample::run_of(vec![case.clone()]));
-        let footer = run.pop().expect("a footer");
+        let run = sample::with_sources(sample::run_of(vec![case.clone()]));
         let mut cause = sample::cause("lacks", 1, Verdict::Fail);
         cause.shown.got = case.got;
-        run.extend([Event::Cause(cause), footer]);
-        write(folder.path(), &run);
+        write(folder.path(), &sample::with_causes(run, [cause]));
         fs::read_to_string(folder.path().join("discrepancies/reference/01-lacks.md")).expect("a page")
     };
     let text = page("P9999: not yet");

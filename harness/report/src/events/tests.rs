@@ -123,9 +123,7 @@ fn a_log_out_of_which_a_case_was_lost_is_broken_though_its_footer_is_there() {
 #[test]
 fn a_log_of_a_later_format_is_not_guessed_at() {
     let mut events = sample::run();
-    if let Event::Header(header) = &mut events[0] {
-        header.format = FORMAT + 1;
-    }
+    sample::header(&mut events).format = FORMAT + 1;
     let error = read_back(&written(&events)).expect_err("another format");
     assert!(matches!(error, LogError::Later { format } if format == FORMAT + 1));
 }

@@ -195,16 +195,15 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         ),
         sample::case("b::write(BYTE,8)", Verdict::Pass),
     ]));
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
-            .map(String::from)
-            .to_vec();
-        header.sources.push(SourceHeader {
-            key: "builds".to_owned(),
-            kind: "recording".to_owned(),
-            ..header.sources[0].clone()
-        });
-    }
+    let header = sample::header(&mut events);
+    header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
+        .map(String::from)
+        .to_vec();
+    header.sources.push(SourceHeader {
+        key: "builds".to_owned(),
+        kind: "recording".to_owned(),
+        ..header.sources[0].clone()
+    });
     let footer = events.pop().expect("a footer");
     events.push(Event::Cause(sample::cause(
         "`into := data` gives 3",

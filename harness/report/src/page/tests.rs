@@ -74,11 +74,11 @@ fn listed(page: &str) -> Vec<(String, String)> {
 #[test]
 fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
     let cases = Verdict::ALL.map(|verdict| sample::case(&format!("a::p({verdict})"), verdict));
-    let mut events = sample::run_of(cases.to_vec());
-    let footer = events.pop().expect("a footer");
-    events.push(Event::Cause(sample::cause("first", 7, Verdict::Fail)));
-    events.push(Event::Cause(sample::cause("second", 3, Verdict::Differs)));
-    events.push(footer);
+    let causes = [
+        sample::cause("first", 7, Verdict::Fail),
+        sample::cause("second", 3, Verdict::Differs),
+    ];
+    let events = sample::with_causes(sample::run_of(cases.to_vec()), causes);
     let page = page(&events);
     let ids: Vec<String> = listed(&page).into_iter().map(|(id, _)| id).collect();
     let expected = Verdict::ALL.iter().filter(|verdict| **verdict != Verdict::Pass);
@@ -180,11 +180,9 @@ fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
 
 #[test]
 fn causes_for_which_the_page_has_no_room_are_counted() {
-    let mut events = sample::run();
-    let footer = events.pop().expect("a footer");
     let huge = "a".repeat(300_000);
-    events.extend((0..20).map(|_| Event::Cause(sample::cause(&huge, 7, Verdict::Fail))));
-    events.push(footer);
+    let causes = (0..20).map(|_| sample::cause(&huge, 7, Verdict::Fail));
+    let events = sample::with_causes(sample::run(), causes);
     let page = page_alone(&events);
     assert!(page.len() < 10 << 20, "{}", page.len());
     let run = data_of(&page, "run");

@@ -20,11 +20,7 @@ fn report(events: &[Event]) -> Value {
 }
 
 fn with_causes(cases: Vec<CaseEvent>, causes: Vec<Cause>) -> Vec<Event> {
-    let mut events = sample::run_of(cases);
-    let footer = events.pop().expect("a footer");
-    events.extend(causes.into_iter().map(Event::Cause));
-    events.push(footer);
-    events
+    sample::with_causes(sample::run_of(cases), causes)
 }
 
 #[test]
@@ -97,9 +93,7 @@ fn a_cause_is_one_result_for_all_of_its_cases() {
 fn what_is_left_out_and_what_is_broken_is_told() {
     let cases = (0..MAX_KEPT_FAILURES + 20).map(|number| sample::case(&format!("a{number}"), Verdict::Fail));
     let mut events = sample::run_of(cases.collect());
-    if let Event::Header(header) = &mut events[0] {
-        header.broken_files = vec!["a.st:1: `colour`: unknown key".to_owned()];
-    }
+    sample::header(&mut events).broken_files = vec!["a.st:1: `colour`: unknown key".to_owned()];
     let run = report(&events);
     assert_eq!(run["results"].as_array().map(Vec::len), Some(MAX_KEPT_FAILURES));
     let invocation = &run["invocations"][0];

@@ -18,10 +18,9 @@ fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
 /// Writes a run of an engine's version, started on a day of September.
 fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>) -> PathBuf {
     let mut events = sample::run_of(cases);
-    if let Event::Header(header) = &mut events[0] {
-        header.started = format!("2026-09-{day:02}T12:00:00Z");
-        header.engines[0].version = version.to_owned();
-    }
+    let header = sample::header(&mut events);
+    header.started = format!("2026-09-{day:02}T12:00:00Z");
+    header.engines[0].version = version.to_owned();
     written(&folder.join(name), &events)
 }
 
@@ -199,10 +198,9 @@ fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engin
     let folder = tempfile::tempdir().expect("a temporary folder");
     let named = |name: &str, day: u32, version: &str| {
         let mut events = sample::run_on(&["a <b>&\u{1}"], Vec::new());
-        if let Event::Header(header) = &mut events[0] {
-            header.started = format!("2026-09-{day:02}T12:00:00Z");
-            header.engines[0].version = version.to_owned();
-        }
+        let header = sample::header(&mut events);
+        header.started = format!("2026-09-{day:02}T12:00:00Z");
+        header.engines[0].version = version.to_owned();
         written(&folder.path().join(name), &events)
     };
     let [old, new, newest] = [("old", 1, "1"), ("new", 2, "2"), ("newest", 3, "3")]
@@ -237,9 +235,7 @@ fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engin
 fn what_an_engine_says_of_itself_stays_text() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut events = sample::run_on(&["a/b", "a:b", "<b>", ".."], Vec::new());
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].version = "<script>alert(1)</script>".to_owned();
-    }
+    sample::header(&mut events).engines[0].version = "<script>alert(1)</script>".to_owned();
     let run = written(&folder.path().join("run"), &events);
     let site = folder.path().join("site");
     write(&[run], &site).expect("a site");
@@ -352,9 +348,7 @@ fn what_no_site_can_be_made_of_is_refused_with_its_place() {
     );
     let started = |time: &str| {
         let mut events = sample::run();
-        if let Event::Header(header) = &mut events[0] {
-            header.started = time.to_owned();
-        }
+        sample::header(&mut events).started = time.to_owned();
         refused(written(&folder.path().join("undated"), &events))
     };
     assert!(started("today").contains("the run began at `today`, which is no time"));
