@@ -14,8 +14,16 @@ use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_run::Event;
 
-/// The reports of a run while it goes on.
+/// The overview of a run while it goes on, and its reports, where they are wanted.
 pub struct Reports {
+    overview: Overview,
+    files: Option<ReportFiles>,
+    /// The error after which the reports are no longer written.
+    broken: Option<ReportError>,
+}
+
+/// The files of a run's reports.
+struct ReportFiles {
     events: EventLog,
     results: Results,
     junit: Junit,
@@ -40,15 +48,57 @@ const OF_OVERVIEW: [(&str, Content); 4] = [
 ];
 
 impl Reports {
-    /// Creates the folder where it is missing, and opens every file in it. The files of an earlier run are removed, so that
+    /// Creates the folder where one is wanted and missing, and opens every file in it. The files of an earlier run are removed, so that
     /// all files of a folder belong to one run. `statements` are what documents state about the conversions that the cases are about;
     /// the page shows them beside what the engines do.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
-    pub fn create(folder: &Path, statements: Statements) -> Result<Reports, ReportError> {
-        fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+    pub fn create(folder: Option<&Path>, statements: Statements) -> Result<Reports, ReportError> {
+        let files = folder.map(|folder| ReportFiles::create(folder, statements));
         Ok(Reports {
+            overview: Overview::default(),
+            files: files.transpose()?,
+            broken: None,
+        })
+    }
+
+    /// Adds one event. Returns whether it could be reported; after the first that could not, the reports get no more events.
+    pub fn take(&mut self, event: &Event) -> bool {
+        self.overview.take(event);
+        if self.broken.is_none()
+            && let Some(files) = &mut self.files
+        {
+            self.broken = files.take(event).err();
+        }
+        self.broken.is_none()
+    }
+
+    /// Returns the overview of the events so far.
+    #[must_use]
+    pub const fn overview(&self) -> &Overview {
+        &self.overview
+    }
+
+    /// Completes the reports, and returns the overview. For a run that was cut short, only the event log stays.
+    ///
+    /// # Errors
+    /// [`ReportError`] where a file cannot be written, or could not be.
+    pub fn finish(self) -> Result<Overview, ReportError> {
+        if let Some(error) = self.broken {
+            return Err(error);
+        }
+        if let Some(files) = self.files {
+            files.finish(&self.overview)?;
+        }
+        Ok(self.overview)
+    }
+}
+
+impl ReportFiles {
+    fn create(folder: &Path, statements: Statements) -> Result<ReportFiles, ReportError> {
+        fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+        Ok(ReportFiles {
             events: EventLog::create(folder.join(events::NAME))?,
             results: Results::create(folder.join("results.json"))?,
             junit: Junit::create(folder.join("junit.xml"))?,
@@ -61,11 +111,7 @@ impl Reports {
         })
     }
 
-    /// Adds one event to every report.
-    ///
-    /// # Errors
-    /// [`ReportError`] where a file cannot be written.
-    pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+    fn take(&mut self, event: &Event) -> Result<(), ReportError> {
         let group = self.events.take_case(event)?;
         self.results.take(event)?;
         self.junit.take(event, group);
@@ -74,11 +120,7 @@ impl Reports {
         Ok(())
     }
 
-    /// Completes every report. For a run that was cut short, only the event log stays.
-    ///
-    /// # Errors
-    /// [`ReportError`] where a file cannot be written.
-    pub fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+    fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         self.events.flush()?;
         let groups = self.events.groups();
         self.results.finish(overview)?;
@@ -134,7 +176,7 @@ mod tests {
         let blocked = folder.path().join("file");
         fs::write(&blocked, "").expect("a file in the way");
         let Err(ReportError::Write { path, .. }) =
-            Reports::create(&blocked.join("latest"), Statements::default())
+            Reports::create(Some(&blocked.join("latest")), Statements::default())
         else {
             panic!("a file is no folder");
         };

@@ -283,11 +283,9 @@ pub(crate) fn overview(events: &[Event]) -> Overview {
 
 /// Writes every report of a run into a folder.
 pub(crate) fn report(folder: &Path, events: &[Event]) {
-    let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
-    events
-        .iter()
-        .for_each(|event| reports.take(event).expect("taken"));
-    reports.finish(&overview(events)).expect("finished");
+    let mut reports = Reports::create(Some(folder), Statements::default()).expect("a folder");
+    assert!(events.iter().all(|event| reports.take(event)));
+    reports.finish().expect("finished");
 }
 
 /// Returns the names of the entries of a folder, sorted.
