@@ -267,7 +267,7 @@ impl Matching {
                 Box::new(ComparedTexts {
                     new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
-                    rerun: engine::rerun(engine::of(&self.found.new.engines, &case), &case),
+                    rerun: engine::rerun(engine::named(&self.found.new.engines, &case.engine), &case),
                     expected,
                     case: kept(&case),
                 })

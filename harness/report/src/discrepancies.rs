@@ -18,9 +18,7 @@ use crate::pending::PendingFile;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use stickler_run::{
-    CaseEvent, Cause, EngineHeader, Event, ExplainedCases, Grade, Reproducer, Symptom, Verdict,
-};
+use stickler_run::{CaseEvent, Cause, Event, ExplainedCases, Grade, Reproducer, Symptom, Verdict};
 
 /// The name of the pages' folder in a folder of reports.
 pub(crate) const NAME: &str = "discrepancies";
@@ -152,7 +150,7 @@ impl EngineClusters {
     /// Writes a page for each cause or cluster, and the lists of them: what contradicts no source that binds the engine, and causes whose
     /// programs are not as small as possible, have folders of their own.
     fn write(self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
-        let about = engine(overview, name);
+        let about = overview.engine(name);
         let words = match self.causes.is_empty() {
             true => cause_page::OF_CLUSTERS,
             false => cause_page::OF_CAUSES,
@@ -202,18 +200,12 @@ fn write_pages(
     list: &str,
 ) -> Result<(), ReportError> {
     fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
-    let about = engine(overview, name);
+    let about = overview.engine(name);
     for ((cause, case), number) in found.iter().copied().zip(1..) {
         let page = cause_page::page(name, about, (cause, case.as_ref()), overview);
         write(folder.join(cause_page::file(number, cause)), &page)?;
     }
     write(folder.join("README.md"), list)
-}
-
-/// Returns the engine with this name, where the header of the run names it.
-fn engine<'o>(overview: &'o Overview, name: &str) -> Option<&'o EngineHeader> {
-    let mut engines = overview.header.iter().flat_map(|header| &header.engines);
-    engines.find(|engine| engine.name == name)
 }
 
 impl Cluster {

@@ -103,9 +103,9 @@ impl Overview {
         self.sources().iter().find(|source| source.key == key)
     }
 
-    /// Returns the engine of a case, where the header names it.
-    pub(crate) fn engine(&self, case: &CaseEvent) -> Option<&EngineHeader> {
-        engine::of(&self.header.as_ref()?.engines, case)
+    /// Returns the engine with this name, where the header names it.
+    pub(crate) fn engine(&self, name: &str) -> Option<&EngineHeader> {
+        engine::named(&self.header.as_ref()?.engines, name)
     }
 
     /// Returns the entries of baselines that are out of date; a run with any of them is not as expected.

@@ -54,7 +54,7 @@ impl Results {
             }
             Event::Case(case) if case.verdict != Verdict::Pass => {
                 self.cases += 1;
-                let case = CaseResult::of(case, engine::of(&self.engines, case));
+                let case = CaseResult::of(case, engine::named(&self.engines, &case.engine));
                 element(&mut self.file, self.cases == 1, &case)
             }
             // Causes and the footer are taken from the overview, when the document ends.

@@ -200,7 +200,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
 }
 
 fn failure(case: &CaseEvent, overview: &Overview) -> String {
-    let engine = overview.engine(case);
+    let engine = overview.engine(&case.engine);
     let (expected, got) = compared::texts(case, engine::strictness(engine));
     let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);

@@ -4,6 +4,7 @@ use super::SiteError;
 use super::history::History;
 use super::run::SiteRun;
 use crate::answers::answer_of;
+use crate::engine;
 use crate::events::Reader;
 use crate::page::{self, PageAnswers};
 use serde::Serialize;
@@ -138,8 +139,7 @@ impl<'s> Functions<'s> {
 
 fn newest_run<'s>(history: &'s History<'s>) -> NewestRun<'s> {
     let newest = history.newest();
-    let engines = &newest.run.header.engines;
-    let engine = engines.iter().find(|engine| engine.name == history.name);
+    let engine = engine::named(&newest.run.header.engines, history.name);
     NewestRun {
         name: history.name,
         version: newest.version,

@@ -17,7 +17,7 @@ const MAX_SHOWN: usize = 10;
 pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) -> io::Result<()> {
     let engines: &[EngineHeader] = overview.header.as_ref().map_or(&[], |header| &header.engines);
     for case in overview.failures.iter().take(failures.unwrap_or(MAX_SHOWN)) {
-        failure::write(out, case, overview.engine(case), engines.len() > 1)?;
+        failure::write(out, case, overview.engine(&case.engine), engines.len() > 1)?;
     }
     for engine in engines {
         let mut sum = Totals::default();
