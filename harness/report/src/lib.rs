@@ -51,6 +51,8 @@ mod run_file;
 #[cfg(test)]
 mod sample;
 mod sarif;
+#[cfg(test)]
+mod schema_check;
 pub mod site;
 mod spool;
 pub mod summary;

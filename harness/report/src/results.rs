@@ -9,8 +9,6 @@ mod error;
 mod passed;
 mod read;
 #[cfg(test)]
-mod schema_check;
-#[cfg(test)]
 mod schema_tests;
 
 pub use error::ResultsError;

@@ -4,8 +4,8 @@
 
 use super::document::ResultsDocument;
 use super::read::parse;
-use super::{SCHEMA, schema_check};
-use crate::sample;
+use super::SCHEMA;
+use crate::{sample, schema_check};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::Path;
