@@ -1,10 +1,10 @@
 //! Tests the published schema of `results.json`, what is written against it, and what is refused.
 //!
-//! To write the schema again after a change of the document: `STICKLER_BLESS=1 cargo test -p stickler-report schema`.
+//! To write the schema again after a change of the document: `cargo xtask bless`.
 
+use super::SCHEMA;
 use super::document::ResultsDocument;
 use super::read::parse;
-use super::SCHEMA;
 use crate::{sample, schema_check};
 use serde_json::{Value, json};
 use std::fs;
@@ -56,7 +56,7 @@ fn with_cases(header: Event, cases: usize) -> Event {
 }
 
 #[test]
-fn the_published_schema_is_that_of_the_code() {
+fn the_golden_schema_is_that_of_the_code() {
     let schema = schemars::schema_for!(ResultsDocument<'static>);
     let text = format!("{:#}\n", schema.as_value());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("schemas/results.schema.json");
@@ -68,7 +68,7 @@ fn the_published_schema_is_that_of_the_code() {
         .replace("\r\n", "\n");
     assert!(
         published == text,
-        "results.schema.json is out of date; run STICKLER_BLESS=1 cargo test -p stickler-report schema"
+        "results.schema.json is out of date; `cargo xtask bless` writes it"
     );
 }
 
