@@ -1,4 +1,4 @@
-//! Checks a JSON value against a schema as `schemars` writes them, for tests. A keyword that is not known here is an error of the test.
+//! Checks a JSON value against a schema, for tests. A keyword that is not known here is an error of the test.
 
 use serde_json::{Map, Value};
 
@@ -60,6 +60,10 @@ impl SchemaCheck<'_> {
                     self.misfit(schema, item, &format!("{at}[{index}]"))
                 });
             }
+            "uniqueItems" => value.as_array().is_none_or(|items| {
+                let is_new = |(index, item)| !items[..index].contains(item);
+                items.iter().enumerate().all(is_new)
+            }),
             "minLength" => value
                 .as_str()
                 .is_none_or(|text| text.chars().count() as u64 >= wanted.as_u64().expect("a number")),

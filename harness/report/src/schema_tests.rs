@@ -1,6 +1,6 @@
 //! Tests the published schemas of `events.jsonl` and `results.json`, what is written against them, and what is refused.
 //!
-//! To write the schemas again after a change: `STICKLER_BLESS=1 cargo test -p stickler-report schema`.
+//! To write the schemas again after a change: `cargo xtask bless`.
 
 use crate::events::{self, LogLine};
 use crate::results::{self, ResultsDocument};

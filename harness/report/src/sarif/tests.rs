@@ -1,21 +1,18 @@
 use super::{json, uri};
 use crate::overview::MAX_KEPT_FAILURES;
-use crate::sample;
+use crate::{sample, schema_check};
 use serde_json::Value;
 use stickler_run::{CaseEvent, Cause, Event, Verdict};
 
-/// Writes the report of a run, and checks it against types that are generated from the public schema: since they know every
-/// key and require what the schema requires, a document that is the same after it was read and written again is valid, but for
-/// the form of addresses and times.
+/// The part of the public schema of SARIF that a report uses. It knows no other key.
+const PART: &str = include_str!("part.schema.json");
+
+/// Writes the report of a run, and checks it against the schema, but for the form of addresses and times.
 fn report(events: &[Event]) -> Value {
     let text = json(&sample::overview(events)).expect("JSON");
     let report: Value = serde_json::from_slice(&text).expect("JSON");
-    let read: serde_sarif::sarif::Sarif = serde_json::from_slice(&text).expect("valid against the schema");
-    assert_eq!(
-        serde_json::to_value(read).expect("JSON"),
-        report,
-        "a key that the schema does not know"
-    );
+    let schema: Value = serde_json::from_str(PART).expect("a schema");
+    assert_eq!(schema_check::misfit(&schema, &report), None);
     report["runs"][0].clone()
 }
 
