@@ -27,7 +27,7 @@ fn codes(source: &str) -> Vec<Code> {
 
 #[test]
 fn nesting_without_end_meets_a_limit() {
-    let deep = 20_000;
+    let deep = 100_000;
     let parentheses = format!("x := {}1{};", "(".repeat(deep), ")".repeat(deep));
     assert_eq!(codes(&program("x : INT;", &parentheses)), [Code::LimitExceeded]);
     let branches = format!("{}{}", "IF TRUE THEN ".repeat(deep), "END_IF; ".repeat(deep));
