@@ -178,7 +178,7 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
 fn chosen(conversions: ConversionChoices) -> Dialect {
     Dialect {
         conversions,
-        ..*Dialect::of(DialectName::MATIEC)
+        ..Dialect::of(DialectName::MATIEC).clone()
     }
 }
 

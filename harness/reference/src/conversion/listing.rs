@@ -4,7 +4,7 @@
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
 use std::sync::LazyLock;
-use stickler_types::dialect::{DEFAULTS, Dialect};
+use stickler_types::Dialect;
 use stickler_types::{ConversionChoices, ElementaryType, MomentUnits};
 
 static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
@@ -36,7 +36,7 @@ fn of_pairs() -> Vec<String> {
     let mut names = Vec::new();
     let choices = ConversionChoices {
         moment_units: MomentUnits::Counts,
-        ..DEFAULTS.conversions
+        ..ConversionChoices::DEFAULT
     };
     for to in ElementaryType::ALL {
         names.push(format!("TO_{}", to.name()));
