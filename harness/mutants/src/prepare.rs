@@ -116,14 +116,9 @@ mod tests {
     use stickler_mutants_judge::judge::complaint;
     use stickler_suite::Suite;
 
-    /// A sixth of the suite, with every kind of case: the two largest folders have one file each.
     static SUITE: LazyLock<Suite> = LazyLock::new(|| {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
-        let mut suite = Suite::load_files(&folder, &[], |id, _| match id.split_once('/') {
-            Some(("widening", name)) => name == "integer",
-            Some(("conversion", name)) => name == "real-to-integer",
-            _ => true,
-        });
+        let mut suite = Suite::load(&folder);
         suite.cases.retain(|case| case.dialect.definition().is_none());
         suite
     });
@@ -135,7 +130,6 @@ mod tests {
         let prepared = prepared::read(&PREPARED).unwrap();
         let keys: BTreeSet<&str> = prepared.iter().map(|case| case.key).collect();
         assert_eq!(keys.len(), SUITE.cases.len());
-        assert!(keys.len() > 40_000, "{} cases", keys.len());
         let probes = prepared
             .iter()
             .map(|case| case.key.split(['(', '@']).next().unwrap());
