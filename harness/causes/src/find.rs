@@ -120,7 +120,7 @@ pub fn find(
             members.extend(pairs.map(|((_, group), found)| {
                 let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
                 let found = (&found.smallest, &found.normal);
-                GrowingCause::new(group, found, case.copied(), (identity, &search.suite.sources))
+                GrowingCause::new(group, found, case.copied(), (identity, search.suite))
             }));
             reported.done += wave.len() as u64;
             progress(reported);

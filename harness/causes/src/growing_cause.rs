@@ -16,7 +16,7 @@ use crate::title::title;
 use crate::tokens::tokens;
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Grade, Reduced, Reproducer, Symptom, Verdict};
-use stickler_suite::{Case, SourceKind, Sources};
+use stickler_suite::{Case, SourceKind, Sources, Suite};
 
 /// A cause while groups are added to it.
 pub(crate) struct GrowingCause {
@@ -37,8 +37,9 @@ impl GrowingCause {
         group: &FailureGroup,
         (smallest, normal): (&Smallest, &Normal),
         case: Option<&Case>,
-        (engine, sources): (&Identity, &Sources),
+        (engine, suite): (&Identity, &Suite),
     ) -> GrowingCause {
+        let sources = &suite.sources;
         let essence = Essence::of(smallest, normal);
         let types = |program: &str| valued_types(&tokens(program)).len();
         let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program))
@@ -67,7 +68,7 @@ impl GrowingCause {
         let promised = case
             .filter(|_| is_derived || is_missing(&shown, &essence) || is_unread(&shown.deviation.got))
             .filter(|_| group.shown.verdict != Verdict::Differs)
-            .and_then(|case| promise(&shown, &essence, case, (engine, sources)));
+            .and_then(|case| promise(&shown, case, (engine, suite)));
         if let Some(basis) = promised {
             cite(&mut shown.deviation.got, basis, sources);
         }

@@ -2,13 +2,8 @@
 
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::{BTreeMap, BTreeSet};
+use stickler_syntax::token::TokenKind;
 use stickler_types::ElementaryType;
-
-/// The words that are no names.
-const KEYWORDS: &str = "AND ARRAY AT BY CASE CONFIGURATION CONSTANT DO ELSE ELSIF END_CASE END_CONFIGURATION END_FOR \
-    END_FUNCTION END_FUNCTION_BLOCK END_IF END_PROGRAM END_REPEAT END_RESOURCE END_STRUCT END_TYPE END_VAR END_WHILE EXIT FOR \
-    FUNCTION FUNCTION_BLOCK IF MOD NON_RETAIN NOT OF ON OR PROGRAM REPEAT RESOURCE RETAIN RETURN STRUCT TASK THEN TO TYPE \
-    UNTIL VAR VAR_ACCESS VAR_CONFIG VAR_EXTERNAL VAR_GLOBAL VAR_IN_OUT VAR_INPUT VAR_OUTPUT VAR_TEMP WHILE WITH XOR";
 
 /// The amount of detail in which a shape keeps its types.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -95,10 +90,7 @@ fn elementary(word: &str) -> Option<ElementaryType> {
 
 /// Returns whether a word is a keyword, a type or a truth value.
 pub(crate) fn is_fixed(word: &str) -> bool {
-    let upper = word.to_ascii_uppercase();
-    elementary(&upper).is_some()
-        || matches!(&*upper, "TRUE" | "FALSE")
-        || KEYWORDS.split_whitespace().any(|keyword| keyword == upper)
+    TokenKind::of_word(word).is_keyword() || elementary(word).is_some()
 }
 
 /// Returns for each token whether it stands in a section of variables or of types.

@@ -7,7 +7,7 @@ use crate::reduction::Smallest;
 use crate::shape::{in_declarations, is_fixed};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use stickler_run::{Fact, Symptom};
-use stickler_types::{Diagnostic, ElementaryType};
+use stickler_types::{Code, Diagnostic, ElementaryType};
 
 /// The maximum number of characters that are shown of a line, a message or a value.
 const MAX_LENGTH: usize = 90;
@@ -41,12 +41,16 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     // A compiler that has lost the place says line 1.
     reported.line = reported.line.filter(|line| *line > 1);
     match &deviation.sign.symptom {
-        Symptom::NotRejected(_) => {
-            let code = wanted
-                .code
-                .map(|code| format!(" with {code}"))
-                .unwrap_or_default();
-            format!("{} is accepted, not rejected{code}", line(wanted.line))
+        Symptom::NotRejected(code) => {
+            let line = line(wanted.line);
+            match code.parse::<Code>() {
+                // What is wrong there stands nowhere on the line.
+                Ok(known) => {
+                    let code = wanted.code.map(|code| format!(" ({code})")).unwrap_or_default();
+                    format!("{line} is accepted, though {}{code}", known.summary())
+                }
+                Err(_) => format!("{line} is accepted, not rejected"),
+            }
         }
         Symptom::Rejected(_) => {
             let place = reported

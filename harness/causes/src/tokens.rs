@@ -1,4 +1,8 @@
-//! Splits a program into tokens, without a parser: programs of every dialect, and programs that nobody can read.
+//! The tokens of a program of any dialect, also of one that nobody can read, with their lines and columns.
+
+use stickler_syntax::source::LineIndex;
+use stickler_syntax::token::TokenKind;
+use stickler_types::{Dialect, DialectName};
 
 /// A token with its place in the text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,204 +43,85 @@ impl ProgramToken<'_> {
 
 /// Returns the tokens of a text. Comments and blanks are left out, and locations, so that the type of each variable stands behind its name.
 pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
-    let mut found = Vec::new();
-    let (mut line, mut column) = (1, 1);
-    let mut rest = text;
-    while !rest.is_empty() {
-        let (kind, length) = next(rest);
-        let (here, behind) = rest.split_at(length);
-        if let Some(kind) = kind {
-            found.push(ProgramToken {
-                kind,
-                text: here,
-                line,
-                column,
-                is_located: false,
-            });
-            if let [.., name, at, _] = &mut found[..]
-                && kind == ProgramTokenKind::Partial
-                && at.is("AT")
-            {
-                name.is_located = true;
-                found.truncate(found.len() - 2);
-            }
+    // Where comments do not nest, the ends of those that stand in others are left, by which they are seen.
+    let dialect = Dialect {
+        nested_comments: false,
+        ..*Dialect::of(DialectName::IRONPLC_ED3)
+    };
+    let lines = LineIndex::new(text);
+    let mut found: Vec<ProgramToken<'_>> = Vec::new();
+    for token in stickler_syntax::tokens(text, &dialect).list {
+        let here = token.span.text(text);
+        let place = lines.position(text, token.span.start);
+        found.push(ProgramToken {
+            kind: kind(token.kind, here),
+            text: here,
+            line: place.line,
+            column: place.column,
+            is_located: false,
+        });
+        if let [.., name, at, location] = &mut found[..]
+            && location.text.starts_with('%')
+            && at.is("AT")
+        {
+            name.is_located = true;
+            found.truncate(found.len() - 2);
         }
-        for character in here.chars() {
-            (line, column) = match character {
-                '\n' => (line + 1, 1),
-                _ => (line, column + 1),
-            };
-        }
-        rest = behind;
     }
     found
 }
 
-/// Returns the kind and the length of the token at the start of a text that is not empty; no kind for blanks and comments.
-fn next(text: &str) -> (Option<ProgramTokenKind>, usize) {
-    let first = text.chars().next().unwrap_or(' ');
-    let signs = [":=", "=>", "<=", ">=", "<>", "**", ".."];
-    if first.is_whitespace() {
-        (None, first.len_utf8())
-    } else if let Some(comment) = text.strip_prefix("(*") {
-        (None, comment.find("*)").map_or(text.len(), |end| end + 4))
-    } else if text.starts_with("//") {
-        (None, text.find('\n').unwrap_or(text.len()))
-    } else if first == '\'' || first == '"' {
-        (Some(ProgramTokenKind::Text), quoted(text, first))
-    } else if first.is_ascii_digit() {
-        (Some(ProgramTokenKind::Number), number(text))
-    } else if first.is_alphabetic() || first == '_' {
-        word(text)
-    } else if first == '%' {
-        (Some(ProgramTokenKind::Partial), location(text))
-    } else if let Some(sign) = signs.iter().find(|sign| text.starts_with(**sign)) {
-        (Some(ProgramTokenKind::Sign), sign.len())
-    } else {
-        (Some(ProgramTokenKind::Sign), first.len_utf8())
+/// Returns the kind of a token; one that is malformed is what it begins like.
+fn kind(kind: TokenKind, text: &str) -> ProgramTokenKind {
+    let begins = |is: fn(char) -> bool| text.starts_with(is);
+    match kind {
+        TokenKind::Partial | TokenKind::Direct => ProgramTokenKind::Partial,
+        _ if begins(|first| matches!(first, '\'' | '"')) => ProgramTokenKind::Text,
+        _ if begins(|first| first.is_ascii_digit()) => ProgramTokenKind::Number,
+        _ if !begins(|first| first.is_alphabetic() || first == '_') => ProgramTokenKind::Sign,
+        _ if text.contains('#') => ProgramTokenKind::Typed,
+        _ => ProgramTokenKind::Word,
     }
-}
-
-/// Returns the length of a character string with its quotes; it ends with its line at the latest.
-fn quoted(text: &str, quote: char) -> usize {
-    let mut escaped = false;
-    for (at, character) in text.char_indices().skip(1) {
-        match character {
-            '\n' => return at,
-            _ if escaped => escaped = false,
-            '$' => escaped = true,
-            _ if character == quote => return at + quote.len_utf8(),
-            _ => {}
-        }
-    }
-    text.len()
-}
-
-/// Returns the length of the letters, digits and underscores at the start.
-fn of_words(text: &str) -> usize {
-    text.find(|character: char| !character.is_alphanumeric() && character != '_')
-        .unwrap_or(text.len())
-}
-
-/// Returns the length of a location or a partial access: `%MW5`, `%IX0.0`, `%X7`.
-fn location(text: &str) -> usize {
-    let mut end = 1 + of_words(&text[1..]);
-    let is_location = text[1..].starts_with(['I', 'Q', 'M', 'i', 'q', 'm']);
-    while is_location
-        && let Some(number) = text[end..].strip_prefix('.')
-        && number.starts_with(|digit: char| digit.is_ascii_digit())
-    {
-        end += 1 + of_words(number);
-    }
-    end
-}
-
-/// Returns the length of a number: digits, with a base, a fraction, an exponent.
-fn number(text: &str) -> usize {
-    let mut end = of_words(text);
-    if text[end..].starts_with('#') {
-        return end + 1 + of_words(&text[end + 1..]);
-    }
-    let digit_behind = |at: usize| text[at..].starts_with(|behind: char| behind.is_ascii_digit());
-    if text[end..].starts_with('.') && digit_behind(end + 1) {
-        end += 1 + of_words(&text[end + 1..]);
-    }
-    let is_exponent = text[..end].ends_with(['E', 'e']) && text[end..].starts_with(['+', '-']);
-    if is_exponent && digit_behind(end + 1) {
-        end += 1 + of_words(&text[end + 1..]);
-    }
-    end
-}
-
-/// Returns the kind and length of a word, or of the typed literal that it begins.
-fn word(text: &str) -> (Option<ProgramTokenKind>, usize) {
-    let end = of_words(text);
-    if !text[end..].starts_with('#') {
-        return (Some(ProgramTokenKind::Word), end);
-    }
-    let value = &text[end + 1..];
-    let length = match value.chars().next() {
-        Some(quote @ ('\'' | '"')) => quoted(value, quote),
-        _ => {
-            let sign = usize::from(value.starts_with(['+', '-']));
-            let date = ["D", "DATE", "DT", "TOD", "LDATE", "LD", "LDT", "LTOD"];
-            let is_date = date.iter().any(|prefix| text[..end].eq_ignore_ascii_case(prefix))
-                || text[..end].to_ascii_uppercase().contains("_OF_DAY")
-                || text[..end].to_ascii_uppercase().contains("_AND_TIME");
-            sign + match is_date {
-                true => value[sign..]
-                    .find(|character: char| !character.is_alphanumeric() && !"-:._".contains(character))
-                    .unwrap_or(value.len() - sign),
-                false => number(&value[sign..]),
-            }
-        }
-    };
-    (Some(ProgramTokenKind::Typed), end + 1 + length)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::tokens;
+    use super::*;
 
     #[test]
     fn tokens_are_told_apart_by_what_they_are() {
-        let text = "x:=-1.0E+5**INT#-5 (* c *) ; t := T#1d2h;\n d := D#2024-02-29-y; s:='it$'s';w.%X7:=a[1..2]; 16#FF";
-        let found: Vec<&str> = tokens(text).iter().map(|token| token.text).collect();
-        assert_eq!(
-            found,
-            [
-                "x",
-                ":=",
-                "-",
-                "1.0E+5",
-                "**",
-                "INT#-5",
-                ";",
-                "t",
-                ":=",
-                "T#1d2h",
-                ";",
-                "d",
-                ":=",
-                "D#2024-02-29-y",
-                ";",
-                "s",
-                ":=",
-                "'it$'s'",
-                ";",
-                "w",
-                ".",
-                "%X7",
-                ":=",
-                "a",
-                "[",
-                "1",
-                "..",
-                "2",
-                "]",
-                ";",
-                "16#FF"
-            ]
-        );
-    }
-
-    #[test]
-    fn every_text_is_read_to_its_end_and_places_are_counted_from_one() {
-        for text in ["'open", "(* open", "\"$", "x#", "5.", "%", "ä#'", "1.0E-", "T#-"] {
-            let length: usize = tokens(text).iter().map(|token| token.text.len()).sum();
-            assert!(length == text.len() || text.starts_with("(*"), "{text}");
-        }
-        let places: Vec<(u32, u32)> = tokens("a\n  ä b").iter().map(|t| (t.line, t.column)).collect();
-        assert_eq!(places, [(1, 1), (2, 3), (2, 5)]);
+        use ProgramTokenKind::{Number, Partial, Sign, Text, Typed, Word};
+        let text = "x-1.0E+5 INT#-5 (* c *) T#1d2h D#2024-02-29 'it$'s' .%X7 16#FF 'open";
+        let found: Vec<_> = tokens(text)
+            .iter()
+            .map(|token| (token.text, token.kind))
+            .collect();
+        let expected = [
+            ("x", Word),
+            ("-", Sign),
+            ("1.0E+5", Number),
+            ("INT#-5", Typed),
+            ("T#1d2h", Typed),
+            ("D#2024-02-29", Typed),
+            ("'it$'s'", Text),
+            (".", Sign),
+            ("%X7", Partial),
+            ("16#FF", Number),
+            ("'open", Text),
+        ];
+        assert_eq!(found, expected);
     }
 
     #[test]
     fn a_location_is_a_mark_of_its_variable() {
-        let found = tokens("x AT %IX0.1 : BOOL; y AT %mw5 : INT; z : INT; w.%W1.5 := z");
+        let found = tokens("x AT %IX0.1 : BOOL;\n y AT %mw5 : INT; w.%W1 := z");
         let texts: Vec<&str> = found.iter().map(|token| token.text).collect();
         assert_eq!(texts[..8], ["x", ":", "BOOL", ";", "y", ":", "INT", ";"]);
-        assert_eq!(texts[12..], ["w", ".", "%W1", ".", "5", ":=", "z"]);
         let located = found.iter().filter(|token| token.is_located);
-        assert!(located.map(|token| token.text).eq(["x", "y"]));
+        assert!(
+            located
+                .map(|token| (token.text, token.line, token.column))
+                .eq([("x", 1, 1), ("y", 2, 2)])
+        );
     }
 }

@@ -127,6 +127,12 @@ macro_rules! with_keywords {
 keywords!(with_keywords);
 
 impl TokenKind {
+    /// Returns the kind of a word: a keyword in any ASCII case, or a name.
+    #[must_use]
+    pub fn of_word(word: &str) -> TokenKind {
+        crate::keyword::classify(word.as_bytes())
+    }
+
     /// The keywords come first in the enumeration.
     pub const fn is_keyword(self) -> bool {
         (self as u8) < (TokenKind::Assign as u8)

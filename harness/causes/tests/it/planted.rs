@@ -160,7 +160,7 @@ fn three_defects_are_three_causes_whatever_tables_and_dialects_show_them() {
             ),
             (
                 6,
-                "`into := data` (into : INT, data : DINT) is accepted, not rejected with P4035"
+                "`into := data` (into : INT, data : DINT) is accepted, though the value's type does not fit the target (P4035)"
             ),
             (
                 6,
