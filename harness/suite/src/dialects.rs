@@ -71,7 +71,7 @@ impl Dialects {
                 Err(unknown) => {
                     let unknown: stickler_types::UnknownDialect = unknown;
                     let line = lines.line(member.span().start);
-                    mistakes.push(Mistake::new(line, unknown.to_string()).key(&format!("groups.{group}")));
+                    mistakes.push(Mistake::new(line, unknown.to_string()).key(format!("groups.{group}")));
                     None
                 }
             };
