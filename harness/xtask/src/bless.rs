@@ -11,15 +11,7 @@ use std::process::Command;
 pub fn execute() -> u8 {
     let tabulated = tabulate::execute(false);
     let mut tests = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    tests.args([
-        "test",
-        "--quiet",
-        "--workspace",
-        "--lib",
-        "--bins",
-        "--tests",
-        "golden",
-    ]);
+    tests.args(["test", "--quiet", "--workspace", "--tests", "golden"]);
     tests.current_dir(root()).env("STICKLER_BLESS", "1");
     // The switch of `trycmd`, which compares the outputs of the command line.
     tests.env("TRYCMD", "overwrite");
