@@ -331,3 +331,97 @@ fn a_mistake_in_the_file_is_told_before_anything_is_done() {
     assert_eq!(told_by(&["run", "--help"], 0), "");
     assert_eq!(told_by(&["list", "--config", "empty.toml"], 0), "");
 }
+
+/// The file of a documented system that Stickler does not carry.
+const TRIAL: &str = r#"
+title   = "Trial"
+about   = "A system for a test"
+extends = "plcnext"
+[flags]
+nested-comments = false
+[conversions]
+rounding = "half-away-from-zero"
+[implicit]
+"INT.BOOL" = "yes"
+[variants."trial+nested"]
+about = "Trial with comments that nest"
+[variants."trial+nested".flags]
+nested-comments = true
+"#;
+
+/// A table that the trial and its variant judge differently, and a source that speaks for them.
+const TRIAL_CASES: [(&str, &str); 2] = [
+    (
+        "language/trial.toml",
+        "title = 'The manual of the trial'\nbasis = 'trial-manual: Conversions'\ndialects = ['trial']\n\
+         columns = ['input', 'expected']\nrows = [['2.5', 'INT#3'], ['-2.5', 'INT#-3'], ['3.25', 'INT#3']]\n\
+         [[probe]]\nname = 'rounds'\nobserve = 'into : INT'\nexpect = '{expected}'\nsource = \"\"\"\n\
+         PROGRAM main\nVAR\n    data : REAL := {input};\n    into : INT;\n    truth : BOOL;\nEND_VAR\n    into := REAL_TO_INT(data);\n    \
+         truth := into;\nEND_PROGRAM\n\"\"\"\n",
+    ),
+    (
+        "language/trial-comments.st",
+        "(*!\ntitle = \"A comment nests behind the option\"\nbasis = \"trial-manual: Options\"\ndialects = [\"trial\", \"trial+nested\"]\n*)\n\
+         PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    (* (* *) *)  (*! error P0002 in trial *) (*! ok in trial+nested *)\nEND_PROGRAM\n",
+    ),
+];
+
+#[test]
+fn a_documented_system_is_one_file_its_source_and_its_cases() {
+    let folder = folder("");
+    let cases_folder = folder.path().join("conformance-cases");
+    fs::create_dir_all(cases_folder.join("dialects")).expect("a folder");
+    fs::write(cases_folder.join("dialects/trial.toml"), TRIAL).expect("a file");
+    for (file, content) in TRIAL_CASES {
+        fs::write(cases_folder.join(file), content).expect("a file");
+    }
+    let sources = cases_folder.join("sources.toml");
+    let known = fs::read_to_string(&sources).expect("the sources");
+    let source = "\n[trial-manual]\ntitle = 'Manual'\npublisher = 'Trial'\nkind = 'document'\naddress = 'https://example.org/trial'\n\
+                  read = '2026-11-27'\nengines = []\ndialects = ['trial', 'trial+nested']\nsections = ['Conversions', 'Options']\n";
+    fs::write(&sources, known + source).expect("a file");
+    let run = output(folder.path(), &["run", "--filter", "language/trial*"]);
+    assert_eq!(
+        run.status.code(),
+        Some(0),
+        "{}{}",
+        text(&run.stdout),
+        reported(&run)
+    );
+    let verdicts: BTreeMap<String, Verdict> = cases(folder.path())
+        .into_iter()
+        .map(|(key, case)| (key, case.verdict))
+        .collect();
+    let expected = [
+        "language/trial-comments@trial",
+        "language/trial-comments@trial+nested",
+        "language/trial::rounds(-2.5)@trial",
+        "language/trial::rounds(2.5)@trial",
+        "language/trial::rounds(3.25)@trial",
+    ];
+    assert_eq!(
+        verdicts,
+        expected.map(|key| (key.to_owned(), Verdict::Pass)).into()
+    );
+    let shows = |arguments: &[&str], part: &str| {
+        let output = output(folder.path(), arguments);
+        let all = text(&output.stdout) + &reported(&output);
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}: {all}");
+        assert!(all.contains(part), "{part}\nin\n{all}");
+    };
+    shows(
+        &["conversions", "REAL_TO_INT", "2.5", "--dialect", "trial"],
+        "INT#3",
+    );
+    shows(&["lint"], "");
+    // The same with a mistake.
+    let wrong = TRIAL.replace("nested-comments", "nested-coments");
+    fs::write(cases_folder.join("dialects/trial.toml"), wrong).expect("a file");
+    let output = output(folder.path(), &["run", "--filter", "language/trial*"]);
+    let all = text(&output.stdout) + &reported(&output);
+    assert_eq!(output.status.code(), Some(2), "{all}");
+    assert!(
+        all.contains("trial.toml:6") && all.contains("did you mean `nested-comments`?"),
+        "{all}"
+    );
+}

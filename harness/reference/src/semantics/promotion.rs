@@ -1,7 +1,7 @@
 //! Operands that are promoted: the types in which a dialect computes with integers and bit strings, and those that results have
 //! for the checker.
 //!
-//! Basis: rule: mixed-operands; the pages of the systems that promote operands, which built_in_dialects.rs names.
+//! Basis: rule: mixed-operands; the pages of the systems that promote operands, which the files of the dialects name.
 
 use super::common::TypeRules;
 use super::inferred::Inferred;

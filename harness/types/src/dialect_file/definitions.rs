@@ -62,30 +62,24 @@ pub fn definitions(
         // Those that extend one another, each before the one that it extends.
         let mut open = vec![at];
         while let Some(&next) = open.last() {
-            match base(&entries[next], &by_name)? {
-                _ if read[next].is_some() => {
-                    open.pop();
-                }
-                Base::Defined(other, span) if read[other].is_none() => {
-                    if open.contains(&other) {
-                        return Err(in_a_circle(&entries[next], &span));
-                    }
-                    open.push(other);
-                }
-                Base::Defined(other, _) => {
-                    let entry = &entries[next];
-                    let start = read[other].as_ref();
-                    let start = start.map(|other| other.extended(entry.name, &written(&entry.span)));
-                    read[next] = start
-                        .map(|start| definition(entry, start, (written, converts)))
-                        .transpose()?;
-                }
-                Base::Documented(base) => {
-                    let entry = &entries[next];
-                    let start = Dialect::custom(entry.name, base, &written(&entry.span));
-                    read[next] = Some(definition(entry, start, (written, converts))?);
-                }
+            if read[next].is_some() {
+                open.pop();
+                continue;
             }
+            let entry = &entries[next];
+            let place = written(&entry.span);
+            let start = match base(entry, &by_name)? {
+                Base::Documented(base) => Dialect::custom(entry.name, base, &place),
+                Base::Defined(other, span) => match &read[other] {
+                    Some(other) => other.extended(entry.name, &place),
+                    None if open.contains(&other) => return Err(in_a_circle(entry, &span)),
+                    None => {
+                        open.push(other);
+                        continue;
+                    }
+                },
+            };
+            read[next] = Some(definition(entry, start, (written, converts))?);
         }
     }
     let spans = entries.into_iter().map(|entry| entry.span);

@@ -97,6 +97,6 @@ pub fn pairs(dialect: &Dialect) -> Vec<Conversion> {
 }
 
 /// Every dialect.
-pub fn dialects() -> [Dialect; DialectName::ALL.len()] {
-    DialectName::ALL.map(|name| Dialect::of(name).clone())
+pub fn dialects() -> [&'static Dialect; DialectName::ALL.len()] {
+    DialectName::ALL.map(Dialect::of)
 }

@@ -44,7 +44,7 @@ fn what_is_written_is_read_back() {
                 _ => one_of(draw, &[String, Wstring])?,
             };
             let value = raw(draw, ty)?;
-            let (written, read) = written_and_read(&dialect, ty, text, value);
+            let (written, read) = written_and_read(dialect, ty, text, value);
             assert!(
                 same(read, value, ty),
                 "{}: {value:#x} of {ty}, written {written:?}, is read as {read:#x}",
