@@ -229,7 +229,7 @@ impl DescribedSession<'_> {
     fn try_check(&self, dialect: DialectName, source: &str) -> Result<Vec<Diagnostic>, Outcome> {
         let description = &self.engine.description;
         let call = self.call(dialect)?;
-        call.write(source)?;
+        call.write(dialect, source)?;
         match (
             description.check.as_ref().or(description.compile.as_ref()),
             &description.run,
@@ -246,7 +246,7 @@ impl DescribedSession<'_> {
             return Err(no_rendering());
         };
         let call = self.call(dialect)?;
-        call.write(source)?;
+        call.write(dialect, source)?;
         let ended = call.run(&render.0, 0)?;
         call.accepted(&ended)?;
         Ok(Outcome::Rendered { text: ended.stdout })
@@ -255,7 +255,7 @@ impl DescribedSession<'_> {
     /// Executes a program, with copies of observed values that are no variables of their own.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let description = &self.engine.description;
-        let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
+        let (Some(run), Some(main)) = (&description.run, main_program(request)) else {
             return self
                 .try_check(request.dialect, request.source)
                 .map(|warnings| Outcome::Accepted { warnings });
@@ -265,7 +265,7 @@ impl DescribedSession<'_> {
         let probes = ProbeVariables::of(request);
         let (mut warnings, mut executions): (_, BTreeMap<u32, Execution>) =
             translate_with(request, &main, probes.list(), |text| {
-                call.write(text)?;
+                call.write(request.dialect, text)?;
                 let warnings = match &description.compile {
                     Some(compile) => call.all(compile)?,
                     None => Vec::new(),
@@ -302,7 +302,7 @@ impl DescribedSession<'_> {
             let shown = printed
                 .get(&asked.after.unwrap_or(request.scans))
                 .ok_or("there was no such scan".to_owned())
-                .and_then(|printed| printed.value(probes.variable(asked), asked, request.source));
+                .and_then(|printed| printed.value(probes.variable(asked), asked, request));
             match (shown, fault) {
                 (Ok(value), _) => values.push((asked.key().to_string(), value)),
                 (Err(reason), None) => return Err(Outcome::Unsupported { reason }),

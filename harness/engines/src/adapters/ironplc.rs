@@ -212,7 +212,7 @@ impl IronplcSession<'_> {
         request: &RunRequest<'_>,
         readbacks: &Readbacks,
     ) -> Result<PathBuf, Outcome> {
-        let Some(main) = main_program(request.source) else {
+        let Some(main) = main_program(request) else {
             return self.compile(request.dialect, request.source);
         };
         translate_with(request, &main, readbacks.probes(), |text| {

@@ -17,7 +17,7 @@ pub(super) fn reproduce(
     translation: impl FnOnce(String) -> Reproduction,
     execution: impl FnOnce(&MainProgram) -> Result<Reproduction, NoReproduction>,
 ) -> Result<Reproduction, NoReproduction> {
-    match (ability, main_program(request.source)) {
+    match (ability, main_program(request)) {
         (Ability::Render, _) => Err(rendering.into()),
         (Ability::Execute | Ability::Scans, Some(main)) => execution(&main),
         (Ability::Check, _) | (_, None) => Ok(translation(request.source.to_owned()).accepted()),

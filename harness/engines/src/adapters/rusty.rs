@@ -110,7 +110,8 @@ impl Rusty {
 
     /// Returns every word of the declarations of the library, in capitals.
     fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| library_words(&self.declarations, "st"))
+        self.taken
+            .get_or_init(|| library_words(&self.declarations, "st", DialectName::RUSTY))
     }
 
     /// Returns the linker's inputs beside the driver: the object file, the standard library, and the libraries that it needs.

@@ -326,7 +326,7 @@ impl StrucppSession<'_> {
     /// # Errors
     /// The outcome of a program that is not accepted, or that is and has no main program.
     fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<AcceptedProgram<'r>, Outcome> {
-        let Some(main) = main_program(request.source) else {
+        let Some(main) = main_program(request) else {
             let warnings = self.translate(request.source)?.diagnostics();
             return Err(Outcome::Accepted { warnings });
         };

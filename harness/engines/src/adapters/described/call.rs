@@ -8,7 +8,7 @@ use crate::adapters::plain::without_colours;
 use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
 use crate::{Diagnostic, Outcome};
 use std::time::Duration;
-use stickler_types::Fault;
+use stickler_types::{DialectName, Fault};
 
 /// The output of one execution, the fault at which it stopped, and the warnings of a compiler that only runs programs.
 pub(super) struct Execution {
@@ -31,9 +31,9 @@ impl DescribedCall<'_> {
     }
 
     /// Writes the file of the program.
-    pub(super) fn write(&self, source: &str) -> Result<(), Outcome> {
+    pub(super) fn write(&self, dialect: DialectName, source: &str) -> Result<(), Outcome> {
         let description = self.description();
-        let text = description.whole(source);
+        let text = description.whole(dialect, source);
         self.folder.write(&description.file.0, &text).map_err(failed)?;
         Ok(())
     }

@@ -44,7 +44,7 @@ fn translation(program: String) -> Reproduction {
 fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
     let probes = ProbeVariables::of(request);
     let mut program = with_shown_probes(request, main, probes.list())?;
-    program.push_str(&added_configuration(request.source, main));
+    program.push_str(&added_configuration(request, main));
     let library = LIBRARY.shell_variable();
     let inputs = format!("-I \"${library}/C\" -I . {}", Language::C.driver());
     let libraries = command_line(Language::C.libraries().iter().copied());
@@ -59,7 +59,7 @@ fn text(
     probes: &ProbeVariables,
 ) -> Result<String, NoReproduction> {
     let kinds = printed::kinds(request, has)?;
-    let own = own_configuration(request.source, &main.name);
+    let own = own_configuration(request, &main.name);
     let (instance, declaration) = match &own {
         Some(own) => (configured(own), String::new()),
         None => {
@@ -81,7 +81,7 @@ fn text(
         scan,
         after: observed
             .map(|(asked, kind)| {
-                let variable = place(&instance, probes.variable(asked), request.source);
+                let variable = place(&instance, probes.variable(asked), request);
                 (asked.after, print(asked, kind, variable))
             })
             .collect(),

@@ -124,7 +124,7 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<PrintedKind<'r>>
 
 /// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
 fn write_run(text: &mut String, subject: &StrucppSubject<'_>, kinds: &[PrintedKind<'_>]) {
-    text.push_str(&instance(subject.request.source, &subject.program));
+    text.push_str(&instance(&subject.request, &subject.program));
     text.push_str("static void look(unsigned long scan) {\n");
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
         let variable = place(subject.probes.variable(asked));
@@ -155,9 +155,9 @@ fn write_run(text: &mut String, subject: &StrucppSubject<'_>, kinds: &[PrintedKi
 
 /// Returns the declaration of `program`, the main program of a source text: an instance of its class, or where the text brings a
 /// configuration, the one that this has, with the global variables that it takes from there.
-pub(super) fn instance(source: &str, program: &str) -> String {
+pub(super) fn instance(request: &RunRequest<'_>, program: &str) -> String {
     let class = format!("strucpp::Program_{}", program.to_ascii_uppercase());
-    match own_configuration(source, program) {
+    match own_configuration(request, program) {
         None => format!("static {class} program;\n"),
         Some(own) => format!(
             "static strucpp::Configuration_{} configuration;\nstatic {class} &program = configuration.{};\n",
@@ -214,7 +214,7 @@ mod tests {
     fn a_configuration_of_the_program_is_used() {
         let source = "PROGRAM main ; END_PROGRAM CONFIGURATION c RESOURCE r ON PLC PROGRAM i : main; END_RESOURCE END_CONFIGURATION";
         assert_eq!(
-            instance(source, "main"),
+            instance(&RunRequest::once(DialectName::STRUCPP, source, &[]), "main"),
             "static strucpp::Configuration_C configuration;\nstatic strucpp::Program_MAIN &program = configuration.I;\n"
         );
     }

@@ -77,7 +77,7 @@ fn text(
     .text();
     Ok(format!(
         "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\n{}\n{VALUE_OF}{}{text}",
-        instance(request.source, &main.name),
+        instance(request, &main.name),
         readable::functions(&text)
     ))
 }
