@@ -247,7 +247,7 @@ mod tests {
         assert_eq!(found_tokens.comments[0].text(text), "(* PROGRAM *)");
         let literals =
             "a (* b *) 'c $' d' \"e\" // f\n/* g */ {h} 16#FF h2 \u{e4} T#1s COLOR#red SUB#5 x.%X0 %IX1";
-        let found: Vec<&str> = words(literals, &dialect).map(|word| word.text).collect();
+        let found: Vec<&str> = words(literals, dialect).map(|word| word.text).collect();
         assert_eq!(found, ["a", "h2", "T", "COLOR", "red", "SUB", "x"]);
         for open in ["(* a", "{ a"] {
             assert!(!tokens(open, dialect).is_complete, "{open}");

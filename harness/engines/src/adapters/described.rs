@@ -12,16 +12,17 @@ mod values;
 
 use super::dependencies::{FoundBy, FoundDependency, may_be_executed, on_path};
 use super::fingerprint::Fingerprint;
-use super::locate;
+use super::locate::{self, faulted, speaks_not, unsupported};
 use super::plain::without_colours;
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
+use crate::engine::no_rendering;
 use crate::process::Folder;
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome,
     Reproduction, RunRequest, Session,
 };
-use call::{DescribedCall, Execution, unsupported};
+use call::{DescribedCall, Execution};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
 use regex_lite::Regex;
@@ -305,19 +306,14 @@ impl DescribedSession<'_> {
                 .and_then(|printed| printed.value(probes.variable(asked), asked, request));
             match (shown, fault) {
                 (Ok(value), _) => values.push((asked.key().to_string(), value)),
-                (Err(reason), None) => return Err(Outcome::Unsupported { reason }),
+                (Err(reason), None) => return Err(unsupported(reason)),
                 // The fault may have come before the value was printed.
                 (Err(_), Some(_)) => {}
             }
         }
         Ok(match fault {
             None => Outcome::executed(values),
-            Some(fault) => Outcome::Faulted {
-                fault,
-                line: None,
-                values,
-                warnings: Vec::new(),
-            },
+            Some(fault) => faulted(fault, values),
         })
     }
 
@@ -333,14 +329,6 @@ impl DescribedSession<'_> {
             dialect: word,
         })
     }
-}
-
-fn speaks_not(dialect: DialectName) -> Outcome {
-    unsupported(&format!("it does not speak {dialect}"))
-}
-
-fn no_rendering() -> Outcome {
-    unsupported("it gives no normalised source")
 }
 
 /// Checks that a command makes the scans of a request.

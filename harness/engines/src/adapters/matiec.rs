@@ -14,7 +14,7 @@ mod reproduction;
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed};
+use super::locate::{self, call, failed, speaks, unsupported};
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::rename::library_words;
 use super::source::{MainProgram, main_program, words_of};
@@ -175,35 +175,16 @@ impl Session for MatiecSession<'_> {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(dialect).and_then(|()| self.translate(source)) {
+        match speaks(DialectName::MATIEC, dialect).and_then(|()| self.translate(source)) {
             Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
-    }
-
-    fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        no_rendering()
-    }
-}
-
-fn no_rendering() -> Outcome {
-    Outcome::Unsupported {
-        reason: "iec2c gives no normalised source".to_owned(),
-    }
-}
-
-fn speaks(dialect: DialectName) -> Result<(), Outcome> {
-    match dialect.base() {
-        DialectName::MATIEC => Ok(()),
-        _ => Err(Outcome::Unsupported {
-            reason: format!("it does not speak {dialect}"),
-        }),
     }
 }
 
 impl MatiecSession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        speaks(request.dialect)?;
+        speaks(DialectName::MATIEC, request.dialect)?;
         let Some(main) = main_program(request) else {
             let warnings = self.translate(request.source)?;
             return Ok(Outcome::Accepted { warnings });
@@ -214,7 +195,7 @@ impl MatiecSession<'_> {
             probes: &probes,
             program: main.name.clone(),
         };
-        let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
+        let driver = driver(&[subject]).map_err(unsupported)?;
         let configuration = added_configuration(request, &main);
         let warnings = translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))

@@ -2,9 +2,11 @@
 
 use super::description::{Commands, Description, Parsed};
 use super::template::{CommandTemplate, Filling, HERE, ShellCommand};
-use super::{no_rendering, scans, speaks_not, takes_scans};
+use super::{scans, takes_scans};
+use crate::adapters::locate::speaks_not;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::source::main_program;
+use crate::engine::no_rendering;
 use crate::{Ability, NoReproduction, Reproduction, RunRequest, shell_quote};
 use std::path::Path;
 use stickler_types::DialectName;

@@ -85,15 +85,7 @@ pub(super) const LOCATIONS: &str = "LOCATED_VARIABLES.h";
 
 /// The macros that give each location its memory, 64 KiB that are 0 at first: what a runtime system does. Variables with one location
 /// share it, whatever their types; programs of a pack run in processes of their own.
-const MEMORY_OF_LOCATIONS: &str = "\
-#define __LOCATED_VAR(type, name, ...) static long long located##name[8192];
-#undef __INIT_LOCATED
-#define __INIT_LOCATED(type, location, name, retained) \\
-    { name.value = (type *)located##location; __INIT_RETAIN(name, retained) }
-#undef __INIT_GLOBAL_LOCATED
-#define __INIT_GLOBAL_LOCATED(domain, name, location, retained) \\
-    domain##__##name.value = (void *)located##location; __INIT_RETAIN(domain##__##name, retained)
-";
+const MEMORY_OF_LOCATIONS: &str = include_str!("driver/memory_of_locations.c");
 
 /// Returns the C expression for the instance of a program in its own configuration.
 pub(super) fn configured(own: &OwnConfiguration) -> String {
@@ -183,22 +175,7 @@ pub(super) fn has(ty: ElementaryType) -> bool {
 }
 
 /// The C functions that print values, one for each printed form.
-const PRINTERS: &str = "\
-static void print_bits(int number, const void *value, size_t size) {
-    unsigned long long bits = 0;
-    memcpy(&bits, value, size);
-    printf(\"%d %llx\\n\", number, bits);
-}
-static void print_time(int number, TIME value) {
-    printf(\"%d %lld %lld\\n\", number, (long long)value.tv_sec, (long long)value.tv_nsec);
-}
-static void print_text(int number, STRING value) {
-    printf(\"%d '\", number);
-    for (int at = 0; at < value.len; at++)
-        printf(\"%02x\", value.body[at]);
-    printf(\"\\n\");
-}
-";
+const PRINTERS: &str = include_str!("driver/printers.c");
 
 /// Writes the function that prints the values observed after a scan; 0 stands for the end.
 fn write_look(

@@ -5,8 +5,8 @@ use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE, library};
 use crate::adapters::builder::Language;
 use crate::adapters::printed::PrintedKind;
 use crate::adapters::readable::{self, DriverMain, ReadableExpression};
-use crate::adapters::reproduction;
 use crate::adapters::source::MainProgram;
+use crate::adapters::{locate, reproduction};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 use std::collections::BTreeMap;
@@ -28,12 +28,10 @@ pub(in crate::adapters) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
-    super::speaks(request.dialect)?;
+    locate::speaks(DialectName::RUSTY, request.dialect)?;
     // Some mistakes are only found when the object file is made.
     let translation = |program| compilation(program, &[PROGRAM], &OBJECT);
-    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
-        execution(request, main)
-    })
+    reproduction::reproduce(request, ability, translation, |main| execution(request, main))
 }
 
 /// Returns the reproduction that only compiles a program.

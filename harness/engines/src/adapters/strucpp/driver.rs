@@ -19,49 +19,13 @@ const SUBSCRIPT: i32 = 3;
 const DAY: i128 = 86_400_000_000_000;
 
 /// The headers that every translated program includes; they are compiled once.
-pub(super) const HEADER: &str = "\
-#include \"iec_types.hpp\"
-#include \"iec_var.hpp\"
-#include \"iec_global.hpp\"
-#include \"iec_array.hpp\"
-#include \"iec_located.hpp\"
-#include \"iec_std_lib.hpp\"
-#include \"iec_enum.hpp\"
-#include \"iec_memory.hpp\"
-#include \"iec_pointer.hpp\"
-#include \"iec_string.hpp\"
-#include \"iec_wstring.hpp\"
-#include <array>
-#include <cstddef>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
-#include <string>
-";
+pub(super) const HEADER: &str = include_str!("driver/headers.hpp");
 
 /// The C++ functions that read a variable: a class with `get`, or where its type is an alias or a subrange, a plain value.
-pub(super) const VALUE_OF: &str = "\
-template<class T> static auto value_of(const T &variable, int) -> decltype(variable.get()) { return variable.get(); }
-template<class T> static T value_of(const T &variable, long) { return variable; }
-";
+pub(super) const VALUE_OF: &str = include_str!("driver/value_of.cpp");
 
 /// The C++ functions that print values, one for each printed form.
-const PRINTERS: &str = "\
-template<class T> static void print_bits(int number, T value) {
-    unsigned long long bits = 0;
-    static_assert(sizeof value <= sizeof bits);
-    std::memcpy(&bits, &value, sizeof value);
-    std::printf(\"%d %llx\\n\", number, bits);
-}
-template<class T> static void print_text(int number, const T &value) {
-    std::printf(\"%d '\", number);
-    for (std::size_t at = 0; at < value.length(); at++) {
-        unsigned unit = static_cast<unsigned>(value[at]);
-        std::printf(\"%04x\", sizeof value[0] == 1 ? unit & 0xffu : unit & 0xffffu);
-    }
-    std::printf(\"\\n\");
-}
-";
+const PRINTERS: &str = include_str!("driver/printers.cpp");
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct StrucppSubject<'r> {
