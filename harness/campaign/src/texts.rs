@@ -3,6 +3,7 @@
 //! Some inputs are as the generator or a list makes them; most have been changed here and there.
 
 use crate::inputs::Inputs;
+use std::sync::LazyLock;
 use stickler_generate::generator::DIALECTS;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::writer::{Style, write};
@@ -100,89 +101,10 @@ fn literal(draws: &mut Draws) -> String {
 }
 
 /// Tokens of programs, literals, case files and requests, which are inserted where they do not belong.
-const TOKENS: &[&str] = &[
-    "(*",
-    "*)",
-    "(*!",
-    "//",
-    "'",
-    "\"",
-    "$",
-    "$'",
-    "$27",
-    "#",
-    "16#",
-    "2#",
-    "_",
-    "..",
-    ".",
-    ".%X0",
-    ".7",
-    ":=",
-    "=>",
-    ";",
-    ",",
-    "(",
-    ")",
-    "[",
-    "]",
-    "{",
-    "}",
-    "<>",
-    "<=",
-    "**",
-    "-",
-    "+",
-    "E",
-    "e-5",
-    "T#",
-    "TIME#",
-    "1d2h",
-    "D#",
-    "REAL#NaN",
-    "INT#",
-    "DT#2024-02-30-24:00:00",
-    "END_IF",
-    "END_VAR",
-    "END_PROGRAM",
-    "FUNCTION",
-    "VAR CONSTANT",
-    "ARRAY[0..1] OF",
-    "STRUCT",
-    "IF",
-    "THEN",
-    "CASE",
-    "OF",
-    "FOR",
-    "TO",
-    "BY",
-    "DO",
-    "REPEAT",
-    "UNTIL",
-    "NOT",
-    "MOD",
-    "AND",
-    "XOR",
-    "TRUE",
-    "x",
-    "main",
-    "INT",
-    "LREAL",
-    "STRING[5]",
-    "\n",
-    "\r\n",
-    "\t",
-    "\u{0}",
-    "\u{feff}",
-    "é",
-    "𝄞",
-    "99999999999999999999",
-    "\\",
-    "\\u0000",
-    "null",
-    "values",
-    "error P4035",
-];
+static TOKENS: LazyLock<Vec<String>> = LazyLock::new(|| {
+    // A test reads the list, so that it is never empty.
+    serde_json::from_str(include_str!("texts/tokens.json")).unwrap_or_default()
+});
 
 /// Returns the text with a few changes; in one of eight cases with none.
 fn mutated(text: String, draws: &mut Draws) -> Vec<u8> {
@@ -200,8 +122,8 @@ fn change(bytes: &mut Vec<u8>, draws: &mut Draws) {
     match draws.below(6) {
         // A token more.
         0 | 1 => {
-            let token = draws.pick(TOKENS).unwrap_or_default();
-            bytes.splice(at..at, token.bytes());
+            let token = TOKENS.get(draws.below(TOKENS.len()));
+            bytes.splice(at..at, token.map_or("", String::as_str).bytes());
         }
         // Some bytes less.
         2 => {
@@ -248,6 +170,7 @@ mod tests {
 
     #[test]
     fn some_inputs_are_whole_and_most_are_not() {
+        assert!(TOKENS.len() > 80, "the list is read");
         let inputs = Inputs::new(1);
         let whole = (0..200)
             .filter(|&place| input(inputs, place, FuzzTarget::Parse) == program(inputs, place).into_bytes());

@@ -29,9 +29,7 @@ pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
 use ironplc::Ironplc;
 use matiec::Matiec;
-pub use rename::declared;
 use rusty::Rusty;
-pub use source::{SourceToken, Tokens, Word, tokens};
 use strucpp::Strucpp;
 
 /// A compiler for which there is an adapter.

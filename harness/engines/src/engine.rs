@@ -65,8 +65,18 @@ pub trait Session {
     /// Checks a program without executing it: [`Outcome::ACCEPTED`] or `Rejected`.
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome;
 
-    /// Renders a program as normalised source: [`Outcome::Rendered`] or `Rejected`.
-    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome;
+    /// Renders a program as normalised source: [`Outcome::Rendered`] or `Rejected`; `Unsupported` by an engine that does not.
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let _ = (dialect, source);
+        no_rendering()
+    }
+}
+
+/// Returns the outcome of a request to render on an engine that does not.
+pub(crate) fn no_rendering() -> Outcome {
+    Outcome::Unsupported {
+        reason: "it gives no normalised source".to_owned(),
+    }
 }
 
 /// The result of a pack for one of its programs.

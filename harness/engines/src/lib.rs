@@ -28,7 +28,6 @@ pub use adapters::{
     Compiler, CompilerSearch, Dependency, DependencyPaths, DescribedEngine, Description, FoundBy,
     FoundDependency,
 };
-pub use adapters::{SourceToken, Tokens, Word, declared, tokens};
 pub use digest::Digest;
 pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
 pub use grade::Grade;

@@ -24,8 +24,8 @@ use crate::page_case::{PageCase, PageKind, expected};
 use crate::rename::Renaming;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use stickler_engines::{SourceToken, tokens};
-use stickler_types::{ElementaryType, Fnv1a, Value, counted};
+use stickler_syntax::words;
+use stickler_types::{Dialect, ElementaryType, Fnv1a, Value, counted};
 
 /// The first element of every array of results: `STK1` in ASCII.
 pub(crate) const MAGIC: i32 = 0x5354_4B31;
@@ -185,6 +185,7 @@ impl<'c, 'r> PageText<'c, 'r> {
             let suffix = format!("_p{}u{unit}", self.number);
             if unit == next && !parts.units.is_empty() {
                 let renaming = Renaming {
+                    dialect: Dialect::of(ready.case.dialect),
                     units: (&parts.unit_names, suffix.clone()),
                     variables: None,
                 };
@@ -199,8 +200,9 @@ impl<'c, 'r> PageText<'c, 'r> {
     }
 
     pub(crate) fn renaming(&self, case: usize, suffixes: &[String]) -> Renaming<'r> {
-        let parts = &self.cases[case].parts;
+        let PageCase { case: of, parts, .. } = &self.cases[case];
         Renaming {
+            dialect: Dialect::of(of.dialect),
             units: (&parts.unit_names, suffixes[case].clone()),
             variables: Some((&parts.variable_names, format!("_{}", case + 1))),
         }
@@ -400,11 +402,8 @@ pub(crate) fn literal(value: &Value) -> Option<String> {
 
 /// Returns whether variables of a case's program declare an enumeration in place.
 fn declares_in_place(ready: &PageCase<'_>) -> bool {
-    let words: BTreeSet<String> = tokens(&ready.parts.units)
-        .filter_map(|token| match token {
-            SourceToken::Word(word) => Some(word.text.to_ascii_uppercase()),
-            _ => None,
-        })
+    let words: BTreeSet<String> = words(&ready.parts.units, Dialect::of(ready.case.dialect))
+        .map(|word| word.text.to_ascii_uppercase())
         .collect();
     ready.parts.unit_names.iter().any(|name| !words.contains(name))
 }

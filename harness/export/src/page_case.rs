@@ -80,7 +80,7 @@ impl<'c> PageCase<'c> {
         };
         refuse(case)?;
         let encodings = if rejected { Vec::new() } else { encodings(case)? };
-        let parts = ProgramParts::of(&case.source)?;
+        let parts = ProgramParts::of(&case.source, case.dialect)?;
         let alone = parts.units.is_empty();
         // Where such a program is rejected, no other of its page would run.
         let asks_acceptance = alone && case.observe.is_empty();

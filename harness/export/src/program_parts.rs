@@ -1,12 +1,15 @@
 //! Splits a case's program into the parts of a page: the POUs and types beside its main program, the variables of
 //! that program, and its statements.
 //!
-//! The splitter parses words and signs only, so that it does not depend on the dialect. A case whose program it cannot split is
-//! left out of the export, with the reason.
+//! A case whose program cannot be split is left out of the export, with the reason.
 
 use crate::Reason;
 use std::collections::HashSet;
-use stickler_engines::{SourceToken, declared, tokens};
+use stickler_syntax::names::{DeclaredKind, declared, separable};
+use stickler_syntax::token::{Token, TokenKind};
+use stickler_syntax::tree::VariableKind;
+use stickler_syntax::{parse, tokens};
+use stickler_types::{Dialect, DialectName};
 
 /// The parts of a program. All text is as the case has it, without the marks of the suite.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -33,186 +36,94 @@ pub(crate) struct DeclaredSection {
 }
 
 impl ProgramParts {
-    /// Splits the program of a case.
+    /// Splits the program of a case of a dialect.
     ///
     /// # Errors
     /// The [`Reason`] why the program cannot share a page with others.
-    pub(crate) fn of(source: &str) -> Result<ProgramParts, Reason> {
+    pub(crate) fn of(source: &str, dialect: DialectName) -> Result<ProgramParts, Reason> {
         let source = without_marks(source);
-        // A part of a variable (`x.%X7`) shares nothing, other than a variable of the machine (`%IX0.0`).
-        let without_parts = source.replace(".%", "._");
-        let mut unit_names = declared(&without_parts, &HashSet::new()).ok_or(Reason::Shares)?;
-        let mut reader = PartsReader::new(&source);
-        let main = reader.main()?;
-        let mut parts = ProgramParts {
+        let dialect = Dialect::of(dialect);
+        let mut unit_names = separable(&source, dialect, false).ok_or(Reason::Shares)?;
+        let main = MainParts::of(&source, &tokens(&source, dialect).list)?;
+        // The values of an enumeration that a variable declares in place count among the names of the text, but belong to
+        // the program only.
+        unit_names.remove(&main.name);
+        let (unit, _) = parse(&source, dialect);
+        let names = declared(&unit).into_iter();
+        let is_of_main = |name: &str| name.eq_ignore_ascii_case(&main.name);
+        let variables = names.filter(|one| {
+            one.kind == DeclaredKind::Variable(VariableKind::Local)
+                && one.inside.is_some_and(|pou| is_of_main(pou.name.text))
+        });
+        Ok(ProgramParts {
             units: [&source[..main.begins], &source[main.ends..]]
                 .map(str::trim)
                 .join("\n")
                 .trim()
                 .to_owned(),
-            unit_names: HashSet::new(),
+            unit_names,
+            variable_names: variables.map(|one| one.name.text.to_ascii_uppercase()).collect(),
             variables: main.sections,
-            variable_names: HashSet::new(),
-            statements: source[main.statements..main.statements_end].trim().to_owned(),
-        };
-        for section in &parts.variables {
-            parts.variable_names.extend(names(&section.text));
-        }
-        unit_names.remove(&main.name);
-        // The values of an enumeration that a variable declares in place count among the names of the text, but belong to
-        // the program only.
-        parts.unit_names = unit_names;
-        Ok(parts)
+            statements: main.statements,
+        })
     }
 }
 
-/// The places of the main program's parts in the text.
+/// The parts of the only program of a text.
 struct MainParts {
     /// The name of the program, in capitals.
     name: String,
     begins: usize,
     ends: usize,
     sections: Vec<DeclaredSection>,
-    statements: usize,
-    statements_end: usize,
+    statements: String,
 }
 
-/// A reader that goes through a text word by word.
-struct PartsReader<'s> {
-    source: &'s str,
-    words: Vec<(&'s str, usize)>,
-    next: usize,
-}
-
-impl<'s> PartsReader<'s> {
-    fn new(source: &'s str) -> PartsReader<'s> {
-        let words = tokens(source).filter_map(|token| match token {
-            SourceToken::Word(word) => Some((word.text, word.at)),
-            _ => None,
-        });
-        PartsReader {
-            source,
-            words: words.collect(),
-            next: 0,
-        }
-    }
-
-    fn word(&mut self) -> Option<(&'s str, usize)> {
-        let word = self.words.get(self.next).copied();
-        self.next += 1;
-        word
-    }
-
-    fn seek(&mut self, keyword: &str) -> Option<usize> {
-        while let Some((word, at)) = self.word() {
-            if word.eq_ignore_ascii_case(keyword) {
-                return Some(at);
-            }
-        }
-        None
-    }
-
-    /// Finds the only program of the text.
-    fn main(&mut self) -> Result<MainParts, Reason> {
-        let begins = self.seek("PROGRAM").ok_or(Reason::NoProgram)?;
-        let (name, at) = self.word().ok_or(Reason::NoProgram)?;
+impl MainParts {
+    fn of(source: &str, tokens: &[Token]) -> Result<MainParts, Reason> {
+        let mut tokens = tokens.iter().peekable();
+        let begin = tokens.find(|token| token.kind == TokenKind::Program);
+        let begin = begin.ok_or(Reason::NoProgram)?;
+        let name = tokens.next().ok_or(Reason::NoProgram)?.span;
         let mut sections = Vec::new();
-        let mut statements = at + name.len();
-        while let Some(section) = self.section()? {
-            statements = section.1;
-            sections.push(section.0);
-        }
-        let mut statements_end = None;
-        while let Some((word, at)) = self.word() {
-            if word.eq_ignore_ascii_case("RETURN") {
-                return Err(Reason::Returns);
+        let mut statements = name.end;
+        while let Some(section) = tokens.next_if(|token| token.kind.opens_section()) {
+            let constant = tokens.next_if(|token| token.kind == TokenKind::Constant);
+            // Retained variables would keep their values from one page to the next.
+            let retained = tokens.next_if(|token| {
+                matches!(token.kind, TokenKind::Retain | TokenKind::NonRetain)
+                    || token.is("PERSISTENT", source)
+            });
+            if section.kind != TokenKind::Var || retained.is_some() {
+                return Err(Reason::Section);
             }
-            if word.eq_ignore_ascii_case("END_PROGRAM") {
-                statements_end = Some(at);
-                break;
-            }
+            let end = tokens.find(|token| token.kind == TokenKind::EndVar);
+            let end = end.ok_or(Reason::NoProgram)?.span;
+            let inside = constant.unwrap_or(section).span.end as usize..end.start as usize;
+            sections.push(DeclaredSection {
+                constant: constant.is_some(),
+                text: source[inside].trim_matches(['\n', '\r']).trim_end().to_owned(),
+            });
+            statements = end.end;
         }
-        let statements_end = statements_end.ok_or(Reason::NoProgram)?;
-        let ends = statements_end + "END_PROGRAM".len();
-        if self.seek("PROGRAM").is_some() {
+        let end = tokens.find(|token| matches!(token.kind, TokenKind::Return | TokenKind::EndProgram));
+        let end = end.ok_or(Reason::NoProgram)?;
+        if end.kind == TokenKind::Return {
+            return Err(Reason::Returns);
+        }
+        if tokens.any(|token| token.kind == TokenKind::Program) {
             return Err(Reason::SeveralPrograms);
         }
         Ok(MainParts {
-            name: name.to_ascii_uppercase(),
-            begins,
-            ends,
+            name: name.text(source).to_ascii_uppercase(),
+            begins: begin.span.start as usize,
+            ends: end.span.end as usize,
             sections,
-            statements,
-            statements_end,
+            statements: source[statements as usize..end.span.start as usize]
+                .trim()
+                .to_owned(),
         })
     }
-
-    /// Reads a section of variables, if one comes next; also returns the place of its end.
-    fn section(&mut self) -> Result<Option<(DeclaredSection, usize)>, Reason> {
-        let Some(&(word, at)) = self.words.get(self.next) else {
-            return Ok(None);
-        };
-        if !word
-            .get(..3)
-            .is_some_and(|start| start.eq_ignore_ascii_case("VAR"))
-            || !is_section(word)
-        {
-            return Ok(None);
-        }
-        if !word.eq_ignore_ascii_case("VAR") {
-            return Err(Reason::Section);
-        }
-        self.next += 1;
-        let mut inside = at + word.len();
-        let mut constant = false;
-        if let Some(&(qualifier, at)) = self.words.get(self.next)
-            && is_qualifier(qualifier)
-        {
-            // Retained variables would keep their values from one page to the next.
-            if !qualifier.eq_ignore_ascii_case("CONSTANT") {
-                return Err(Reason::Section);
-            }
-            constant = true;
-            inside = at + qualifier.len();
-        }
-        let end = self.seek("END_VAR").ok_or(Reason::NoProgram)?;
-        let text = self.source[inside..end].trim_matches(['\n', '\r']).trim_end();
-        let section = DeclaredSection {
-            constant,
-            text: text.to_owned(),
-        };
-        Ok(Some((section, end + "END_VAR".len())))
-    }
-}
-
-fn is_section(word: &str) -> bool {
-    word.len() == 3 || word.as_bytes().get(3) == Some(&b'_')
-}
-
-fn is_qualifier(word: &str) -> bool {
-    ["CONSTANT", "RETAIN", "NON_RETAIN", "PERSISTENT"]
-        .iter()
-        .any(|qualifier| word.eq_ignore_ascii_case(qualifier))
-}
-
-/// Returns the names that a section declares, in capitals: those before a colon.
-fn names(section: &str) -> HashSet<String> {
-    let mut names = HashSet::new();
-    let mut in_names = true;
-    let mut depth = 0_u32;
-    for token in tokens(section) {
-        match token {
-            SourceToken::Word(word) if in_names => {
-                names.insert(word.text.to_ascii_uppercase());
-            }
-            SourceToken::Sign(b'(' | b'[') => depth += 1,
-            SourceToken::Sign(b')' | b']') => depth = depth.saturating_sub(1),
-            SourceToken::Sign(b':') => in_names = false,
-            SourceToken::Sign(b';') if depth == 0 => in_names = true,
-            _ => {}
-        }
-    }
-    names
 }
 
 /// Removes the marks of the suite from a text: comments `(*! … *)`, which do not nest.
@@ -241,7 +152,7 @@ mod tests {
                       f := x; END_FUNCTION\nPROGRAM main\nVAR CONSTANT\n    k : INT := 3;\nEND_VAR\nVAR\n    a, b : ARRAY[1..2] OF \
                       INT := [1, 2]; c : COLOR;\nEND_VAR\n    a[1] := f(x := b[2]);    (*! ok *)\n    c := RED;\nEND_PROGRAM\n(*! values\n\
                       a[1] = INT#2\n*)\n";
-        let parts = ProgramParts::of(source).expect("parts");
+        let parts = ProgramParts::of(source, DialectName::IRONPLC_RUSTY).expect("parts");
         assert!(
             parts.units.starts_with("TYPE COLOR") && parts.units.ends_with("END_FUNCTION"),
             "{}",
@@ -258,7 +169,7 @@ mod tests {
     #[test]
     fn a_part_of_a_variable_is_taken_apart_like_any_other_program() {
         let source = "PROGRAM main VAR w : WORD; b : BYTE; END_VAR b := w.%B1; END_PROGRAM";
-        let parts = ProgramParts::of(source).expect("parts");
+        let parts = ProgramParts::of(source, DialectName::CODESYS).expect("parts");
         assert_eq!(parts.statements, "b := w.%B1;");
         assert!(parts.unit_names.is_empty());
     }
@@ -292,7 +203,11 @@ mod tests {
                 Reason::Shares,
             ),
         ] {
-            assert_eq!(ProgramParts::of(source), Err(reason), "{source}");
+            assert_eq!(
+                ProgramParts::of(source, DialectName::IRONPLC_RUSTY),
+                Err(reason),
+                "{source}"
+            );
         }
     }
 }

@@ -1,10 +1,14 @@
 //! Renames the names of a case, so that they differ from those of every other case of its page.
 
 use std::collections::HashSet;
-use stickler_engines::{SourceToken, tokens};
+use stickler_syntax::token::TokenKind;
+use stickler_syntax::{Edits, tokens, words};
+use stickler_types::Dialect;
 
 /// The suffixes for the names of a case.
 pub(crate) struct Renaming<'n> {
+    /// The dialect of the case.
+    pub(crate) dialect: &'n Dialect,
     /// The names of the case's POUs, types and enumerated values, in capitals, and their suffix.
     pub(crate) units: (&'n HashSet<String>, String),
     /// The names of the case's variables, in capitals, and their suffix; `None` in the text of a POU.
@@ -17,78 +21,49 @@ impl Renaming<'_> {
     /// A name after a point is that of a field, and one before `:=` or `=>` in a call or a list of fields that of a parameter
     /// or field: neither is a variable, even where a variable has the same name.
     pub(crate) fn of(&self, text: &str) -> String {
-        let mut renamed = String::with_capacity(text.len() + text.len() / 4);
-        let mut written = 0;
-        let mut before = Before::default();
-        for token in tokens(text) {
-            if let SourceToken::Word(word) = token {
-                let name = word.text.to_ascii_uppercase();
-                let suffix = self.suffix(&name, &before, &text[word.end()..]);
-                if let Some(suffix) = suffix {
-                    renamed.push_str(&text[written..word.end()]);
-                    renamed.push_str(suffix);
-                    written = word.end();
-                }
-            }
-            before.take(&token);
+        let mut edits = Edits::new();
+        let is_of = |names: &HashSet<String>, word: &str| names.contains(&word.to_ascii_uppercase());
+        let (units, suffix) = &self.units;
+        for word in words(text, self.dialect).filter(|word| is_of(units, word.text)) {
+            edits.replace(word.span.after(), &**suffix);
         }
-        renamed.push_str(&text[written..]);
-        renamed
-    }
-
-    fn suffix(&self, name: &str, before: &Before, behind: &str) -> Option<&str> {
-        if self.units.0.contains(name) {
-            return Some(&self.units.1);
-        }
-        let (variables, suffix) = self.variables.as_ref()?;
-        let is_field = before.last == Some(b'.') && before.last_but_one != Some(b'.');
-        // A name beside `#` is a type, or an enumerated value.
-        let is_typed = before.last == Some(b'#') || behind.starts_with('#');
-        let opens = matches!(before.last, Some(b'(' | b','));
-        let is_parameter = before.depth > 0 && opens && takes(behind);
-        let is_variable = variables.contains(name) && !is_field && !is_typed && !is_parameter;
-        is_variable.then_some(suffix)
-    }
-}
-
-/// Returns whether the text after a name is `:=` or `=>`, which assigns a parameter or field.
-fn takes(behind: &str) -> bool {
-    let behind = behind.trim_start();
-    behind.starts_with(":=") || behind.starts_with("=>")
-}
-
-/// The context of a token: the signs before it.
-#[derive(Default)]
-struct Before {
-    last: Option<u8>,
-    last_but_one: Option<u8>,
-    /// The number of open parentheses.
-    depth: u32,
-}
-
-impl Before {
-    fn take(&mut self, token: &SourceToken<'_>) {
-        self.last_but_one = self.last;
-        self.last = match token {
-            SourceToken::Sign(sign) => Some(*sign),
-            _ => None,
+        let Some((variables, suffix)) = &self.variables else {
+            return edits.apply(text);
         };
-        match token {
-            SourceToken::Sign(b'(') => self.depth += 1,
-            SourceToken::Sign(b')') => self.depth = self.depth.saturating_sub(1),
-            _ => {}
+        let mut before = None;
+        let mut depth = 0_u32;
+        let mut tokens = tokens(text, self.dialect).list.into_iter().peekable();
+        while let Some(token) = tokens.next() {
+            let behind = tokens.peek().map(|token| token.kind);
+            let opens = matches!(before, Some(TokenKind::LeftParen | TokenKind::Comma));
+            let takes = matches!(behind, Some(TokenKind::Assign | TokenKind::Arrow));
+            let is_parameter = depth > 0 && opens && takes;
+            let name = token.span.text(text);
+            match token.kind {
+                TokenKind::LeftParen => depth += 1,
+                TokenKind::RightParen => depth = depth.saturating_sub(1),
+                TokenKind::Name if before == Some(TokenKind::Dot) || is_parameter => {}
+                TokenKind::Name if is_of(variables, name) && !is_of(units, name) => {
+                    edits.replace(token.span.after(), &**suffix);
+                }
+                _ => {}
+            }
+            before = Some(token.kind);
         }
+        edits.apply(text)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
     fn renamed(text: &str, units: &[&str], variables: &[&str]) -> String {
         let set = |names: &[&str]| names.iter().map(ToString::to_string).collect::<HashSet<_>>();
         let (units, variables) = (set(units), set(variables));
         let renaming = Renaming {
+            dialect: Dialect::of(DialectName::IRONPLC_ED2),
             units: (&units, "_u1".to_owned()),
             variables: Some((&variables, "_7".to_owned())),
         };

@@ -8,7 +8,7 @@
 //! | the tree of a text | [`parse`], [`tree`] |
 //! | a walk over a tree, with the context of each part | [`visitor`] |
 //! | the names that a text declares and uses | [`names`] |
-//! | the words and signs of a text, also of one that no dialect parses | [`tokens`] |
+//! | the words and signs of a text, also of one that no dialect parses | [`tokens`], [`words`] |
 //! | the features of the language that a text uses | [`features`] |
 //! | a text with some of its parts replaced | [`Edits`] |
 //! | a text in its one normal spelling | [`render`] |
@@ -38,4 +38,4 @@ pub use edits::Edits;
 pub use ending::last_token;
 pub use parser::{MAX_NESTING, parse};
 pub use renderer::render;
-pub use token::{Tokens, tokens};
+pub use token::{Tokens, tokens, words};

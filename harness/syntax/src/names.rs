@@ -1,11 +1,15 @@
 //! The names that a text declares, and the places in which it uses names.
 
+use crate::parse;
+use crate::token::{Token, TokenKind, tokens};
 use crate::tree::{
     Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, Pou,
     PouKind, SourceUnit, TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup,
     VariableKind,
 };
 use crate::visitor::{Context, Place, Visitor, walk};
+use std::collections::HashSet;
+use stickler_types::Dialect;
 
 /// What a declared name names.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -73,6 +77,34 @@ pub fn declared<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<DeclaredName<'t, 's>> {
 #[must_use]
 pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
     names(unit).used
+}
+
+/// Returns the names that a program declares for all of its text, in capitals: units, types and values of enumerations. `None`
+/// where the program cannot stand in one text with others: it is not whole, has a pragma, or shares variables with a
+/// configuration or, unless `takes_locations`, with the machine.
+#[must_use]
+pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option<HashSet<String>> {
+    let (unit, diagnostics) = parse(text, dialect);
+    let tokens = tokens(text, dialect);
+    let is_located = |token: &Token| !takes_locations && token.kind == TokenKind::Direct;
+    let is_shared = |declaration: &Declaration<'_>| match declaration {
+        Declaration::Pou(pou) => pou
+            .blocks
+            .iter()
+            .any(|block| block.kind == VariableKind::External),
+        Declaration::Types(_) => false,
+        Declaration::Globals(_) | Declaration::Configuration(_) => true,
+    };
+    let shares = tokens.list.iter().any(is_located) || unit.declarations.iter().any(is_shared);
+    if shares || tokens.has_pragma(text) || !diagnostics.is_empty() {
+        return None;
+    }
+    let is_known_everywhere = |one: &DeclaredName<'_, '_>| match one.kind {
+        DeclaredKind::Pou(_) | DeclaredKind::Type | DeclaredKind::EnumeratedValue => true,
+        DeclaredKind::Field | DeclaredKind::Variable(_) | DeclaredKind::Configuration => false,
+    };
+    let names = declared(&unit).into_iter().filter(is_known_everywhere);
+    Some(names.map(|one| one.name.text.to_ascii_uppercase()).collect())
 }
 
 fn names<'t, 's>(unit: &'t SourceUnit<'s>) -> Names<'t, 's> {
@@ -227,8 +259,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Names<'t, 's> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parse;
-    use stickler_types::{Dialect, DialectName};
+    use stickler_types::DialectName;
 
     const TEXT: &str = "TYPE color : (red, green); pair : STRUCT low, high : INT; END_STRUCT; END_TYPE
         FUNCTION_BLOCK fb VAR_INPUT n : INT; END_VAR END_FUNCTION_BLOCK
@@ -293,5 +324,47 @@ mod tests {
             "p Type",
         ];
         assert_eq!(found, expected);
+    }
+
+    fn separate(source: &str) -> Option<Vec<String>> {
+        let names = separable(source, Dialect::of(DialectName::IRONPLC_ED2), false)?;
+        let mut names: Vec<String> = names.into_iter().collect();
+        names.sort();
+        Some(names)
+    }
+
+    #[test]
+    fn names_are_those_of_units_types_and_enumerations() {
+        let source = "TYPE Color : (RED, Green) := RED; PAIR : STRUCT a : INT; k : (ON1, OFF); END_STRUCT; END_TYPE\n\
+                      FUNCTION f : INT VAR_INPUT x : INT; END_VAR f := x; END_FUNCTION\n\
+                      PROGRAM main VAR c : Color; w : (UP, DOWN); END_VAR IF c = RED THEN c := GREEN; END_IF; END_PROGRAM";
+        let expected = [
+            "COLOR", "DOWN", "F", "GREEN", "MAIN", "OFF", "ON1", "PAIR", "RED", "UP",
+        ];
+        assert_eq!(separate(source).unwrap(), expected);
+    }
+
+    #[test]
+    fn a_type_by_which_another_is_declared_is_no_name_of_the_text() {
+        let source = "TYPE A : INT := 5; B : ARRAY[1..2] OF DINT := [1, 2]; C : STRUCT f : SINT := 1; END_STRUCT; D : A := 7; END_TYPE";
+        assert_eq!(separate(source).unwrap(), ["A", "B", "C", "D"]);
+    }
+
+    #[test]
+    fn what_is_no_company_for_others_is_known() {
+        for source in [
+            "PROGRAM main VAR_EXTERNAL x : INT; END_VAR ; END_PROGRAM",
+            "VAR_GLOBAL x : INT; END_VAR PROGRAM main ; END_PROGRAM",
+            "PROGRAM main VAR x AT %IX0.0 : BOOL; END_VAR ; END_PROGRAM",
+            "PROGRAM main {pragma} ; END_PROGRAM",
+            "PROGRAM main ; (* open END_PROGRAM",
+            "PROGRAM main IF a THEN END_PROGRAM",
+            "PROGRAM main",
+            "END_PROGRAM",
+            "IF a THEN END_IF",
+            "PROGRAM main PROGRAM other END_PROGRAM END_PROGRAM",
+        ] {
+            assert_eq!(separate(source), None, "{source}");
+        }
     }
 }

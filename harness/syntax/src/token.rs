@@ -1,7 +1,8 @@
 //! Tokens: what the lexer makes of the text, and the parser reads.
 
 use crate::lexer::lex;
-use crate::source::Span;
+use crate::source::{Span, saturating_u32};
+use crate::tree::Name;
 use stickler_types::Dialect;
 
 /// A token: its kind and where it stands. Its text is a slice of the source.
@@ -45,6 +46,25 @@ pub fn tokens(text: &str, dialect: &Dialect) -> Tokens {
         list: lexer.tokens,
         comments: lexer.comments,
     }
+}
+
+/// Returns the keywords and names of a text in its order, also those beside the `#` of a literal or an enumerated value; no word
+/// of a comment, a character string or a direct variable.
+pub fn words<'s>(text: &'s str, dialect: &Dialect) -> impl Iterator<Item = Name<'s>> {
+    let tokens = tokens(text, dialect).list.into_iter();
+    tokens.flat_map(move |token| {
+        let mut start = token.span.start;
+        token.span.text(text).split('#').map_while(move |part| {
+            let is_word = part.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_')
+                && part
+                    .bytes()
+                    .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+            let end = start + saturating_u32(part.len());
+            let span = Span { start, end };
+            start = end + 1;
+            is_word.then_some(Name { text: part, span })
+        })
+    })
 }
 
 impl Token {
@@ -225,6 +245,10 @@ mod tests {
         assert_eq!(found, ["x", "^", ":=", "'a'", "\u{e4}", ";", "T#1s"]);
         assert!(found_tokens.is_complete && found_tokens.has_pragma(text) && list[0].is("X", text));
         assert_eq!(found_tokens.comments[0].text(text), "(* PROGRAM *)");
+        let literals =
+            "a (* b *) 'c $' d' \"e\" // f\n/* g */ {h} 16#FF h2 \u{e4} T#1s COLOR#red SUB#5 x.%X0 %IX1";
+        let found: Vec<&str> = words(literals, dialect).map(|word| word.text).collect();
+        assert_eq!(found, ["a", "h2", "T", "COLOR", "red", "SUB", "x"]);
         for open in ["(* a", "{ a"] {
             assert!(!tokens(open, dialect).is_complete, "{open}");
         }

@@ -12,16 +12,17 @@ mod values;
 
 use super::dependencies::{FoundBy, FoundDependency, may_be_executed, on_path};
 use super::fingerprint::Fingerprint;
-use super::locate;
+use super::locate::{self, faulted, speaks_not, unsupported};
 use super::plain::without_colours;
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
+use crate::engine::no_rendering;
 use crate::process::Folder;
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome,
     Reproduction, RunRequest, Session,
 };
-use call::{DescribedCall, Execution, unsupported};
+use call::{DescribedCall, Execution};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
 use regex_lite::Regex;
@@ -229,7 +230,7 @@ impl DescribedSession<'_> {
     fn try_check(&self, dialect: DialectName, source: &str) -> Result<Vec<Diagnostic>, Outcome> {
         let description = &self.engine.description;
         let call = self.call(dialect)?;
-        call.write(source)?;
+        call.write(dialect, source)?;
         match (
             description.check.as_ref().or(description.compile.as_ref()),
             &description.run,
@@ -246,7 +247,7 @@ impl DescribedSession<'_> {
             return Err(no_rendering());
         };
         let call = self.call(dialect)?;
-        call.write(source)?;
+        call.write(dialect, source)?;
         let ended = call.run(&render.0, 0)?;
         call.accepted(&ended)?;
         Ok(Outcome::Rendered { text: ended.stdout })
@@ -255,7 +256,7 @@ impl DescribedSession<'_> {
     /// Executes a program, with copies of observed values that are no variables of their own.
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let description = &self.engine.description;
-        let (Some(run), Some(main)) = (&description.run, main_program(request.source)) else {
+        let (Some(run), Some(main)) = (&description.run, main_program(request)) else {
             return self
                 .try_check(request.dialect, request.source)
                 .map(|warnings| Outcome::Accepted { warnings });
@@ -265,7 +266,7 @@ impl DescribedSession<'_> {
         let probes = ProbeVariables::of(request);
         let (mut warnings, mut executions): (_, BTreeMap<u32, Execution>) =
             translate_with(request, &main, probes.list(), |text| {
-                call.write(text)?;
+                call.write(request.dialect, text)?;
                 let warnings = match &description.compile {
                     Some(compile) => call.all(compile)?,
                     None => Vec::new(),
@@ -302,22 +303,17 @@ impl DescribedSession<'_> {
             let shown = printed
                 .get(&asked.after.unwrap_or(request.scans))
                 .ok_or("there was no such scan".to_owned())
-                .and_then(|printed| printed.value(probes.variable(asked), asked, request.source));
+                .and_then(|printed| printed.value(probes.variable(asked), asked, request));
             match (shown, fault) {
                 (Ok(value), _) => values.push((asked.key().to_string(), value)),
-                (Err(reason), None) => return Err(Outcome::Unsupported { reason }),
+                (Err(reason), None) => return Err(unsupported(reason)),
                 // The fault may have come before the value was printed.
                 (Err(_), Some(_)) => {}
             }
         }
         Ok(match fault {
             None => Outcome::executed(values),
-            Some(fault) => Outcome::Faulted {
-                fault,
-                line: None,
-                values,
-                warnings: Vec::new(),
-            },
+            Some(fault) => faulted(fault, values),
         })
     }
 
@@ -333,14 +329,6 @@ impl DescribedSession<'_> {
             dialect: word,
         })
     }
-}
-
-fn speaks_not(dialect: DialectName) -> Outcome {
-    unsupported(&format!("it does not speak {dialect}"))
-}
-
-fn no_rendering() -> Outcome {
-    unsupported("it gives no normalised source")
 }
 
 /// Checks that a command makes the scans of a request.

@@ -1,6 +1,6 @@
 //! Drivers: programs that run translated programs and print the observed values.
 
-use super::locate::{self, failed};
+use super::locate::{self, failed, faulted};
 use super::printed::{self, PrintedKind};
 use crate::process::Folder;
 use crate::{NamedValue, Outcome, RunRequest};
@@ -27,8 +27,8 @@ pub(super) struct DrivenProgram<'r> {
     pub(super) kinds: Vec<PrintedKind<'r>>,
 }
 
-/// The time limit for one of several programs, in seconds, after which the program is run alone.
-const RUN_TIMEOUT_SECONDS: u32 = 5;
+/// The C functions that run several programs, each for at most 5 seconds, after which a program is run alone.
+const SEVERAL: &str = include_str!("driver/several.c");
 
 /// Returns the end of the text of a driver, which calls `runs(number)` for one of `count` programs and returns its result as
 /// the exit code. Where there are several programs, the driver takes the number of one, or else runs all of them one after the
@@ -45,24 +45,7 @@ pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
     }
     let _ = write!(
         text,
-        "    }}\n    return 1;\n}}\n\
-         #include <stdlib.h>\n\
-         #if defined(__unix__) || defined(__APPLE__)\n\
-         #include <sys/types.h>\n#include <sys/wait.h>\n#include <unistd.h>\n\
-         static void run_each(void) {{\n    \
-         for (int number = 0; number < {count}; number++) {{\n        \
-         printf(\"\\n{BEGINS}%d\\n\", number);\n        fflush(stdout);\n        \
-         pid_t child = fork();\n        \
-         if (child == 0) {{\n            alarm({RUN_TIMEOUT_SECONDS});\n            int code = run(number);\n            \
-         fflush(stdout);\n            _exit(code);\n        }}\n        \
-         int status = 1;\n        \
-         if (child > 0 && waitpid(child, &status, 0) == child && status == 0)\n            \
-         printf(\"\\n{ENDS}%d\\n\", number);\n    }}\n}}\n\
-         #else\n\
-         static void run_each(void) {{}}\n\
-         #endif\n\
-         int main(int count, char **given) {{\n    \
-         if (count > 1) return run(atoi(given[1]));\n    run_each();\n    return 0;\n}}\n"
+        "    }}\n    return 1;\n}}\n#define PROGRAMS {count}\n{SEVERAL}"
     );
     text
 }
@@ -116,14 +99,8 @@ impl<'r> Driver<'r> {
         folder: &Folder,
     ) -> Result<Outcome, Outcome> {
         let ended = locate::execute(&folder.path().join("driver"), arguments, folder).map_err(unusable)?;
-        let faulted = |fault| Outcome::Faulted {
-            fault,
-            line: None,
-            values: Vec::new(),
-            warnings: Vec::new(),
-        };
         if ended.stopped_by_arithmetic() {
-            return Ok(faulted(Fault::DivisionByZero));
+            return Ok(faulted(Fault::DivisionByZero, Vec::new()));
         }
         let code = ended.code().map_err(unusable)?;
         if code == 0 {
@@ -132,7 +109,7 @@ impl<'r> Driver<'r> {
         }
         let listed = self.faults.iter().find(|(of, _)| *of == code);
         listed
-            .map(|(_, fault)| faulted(*fault))
+            .map(|(_, fault)| faulted(*fault, Vec::new()))
             .ok_or_else(|| unusable(ended.crashed()))
     }
 

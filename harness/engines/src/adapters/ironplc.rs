@@ -15,7 +15,7 @@ mod texts;
 
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed};
+use super::locate::{self, call, failed, faulted, unsupported};
 use super::probe_variable::translate_with;
 use super::source::main_program;
 use crate::process::{Ended, Folder};
@@ -150,9 +150,9 @@ fn dialects() -> Vec<DialectName> {
 fn takes_no_settings(request: &RunRequest<'_>) -> Result<(), Outcome> {
     match request.clock.is_empty() && request.set.is_empty() {
         true => Ok(()),
-        false => Err(Outcome::Unsupported {
-            reason: "ironplcvm takes neither a clock nor values between scans".to_owned(),
-        }),
+        false => Err(unsupported(
+            "ironplcvm takes neither a clock nor values between scans",
+        )),
     }
 }
 
@@ -212,7 +212,7 @@ impl IronplcSession<'_> {
         request: &RunRequest<'_>,
         readbacks: &Readbacks,
     ) -> Result<PathBuf, Outcome> {
-        let Some(main) = main_program(request.source) else {
+        let Some(main) = main_program(request) else {
             return self.compile(request.dialect, request.source);
         };
         translate_with(request, &main, readbacks.probes(), |text| {
@@ -297,7 +297,7 @@ impl Scans<'_> {
                 ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
                     Ok(value) => values.push((asked.key().to_string(), value)),
                     Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
-                    Err(ReadbackError::Unsupported(reason)) => return Err(Outcome::Unsupported { reason }),
+                    Err(ReadbackError::Unsupported(reason)) => return Err(unsupported(reason)),
                     Err(ReadbackError::Failed(reason)) => return Err(failed(reason)),
                 },
                 // The probe variables hold the values from before the fault; values that only they would show are left out.
@@ -312,12 +312,7 @@ impl Scans<'_> {
         }
         Ok(RunResult::Done(match last {
             ExecutionEnd::Finished(_) => Outcome::executed(values),
-            ExecutionEnd::Faulted(fault, _) => Outcome::Faulted {
-                fault,
-                line: None,
-                values,
-                warnings: Vec::new(),
-            },
+            ExecutionEnd::Faulted(fault, _) => faulted(fault, values),
         }))
     }
 

@@ -1,11 +1,12 @@
 //! Calls the programs of a compiler, and describes their errors.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
-use crate::{EngineError, Identity, Outcome, process};
+use crate::{EngineError, Identity, NamedValue, Outcome, process};
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Duration;
+use stickler_types::{DialectName, Fault};
 
 /// Returns the version that a program reports: the first line of its output that is not blank.
 ///
@@ -35,6 +36,39 @@ pub(super) fn session_folder(engine: &Identity) -> Result<Folder, EngineError> {
         engine: engine.name.clone(),
         reason,
     })
+}
+
+/// Returns the outcome of a request that an engine does not support.
+pub(super) fn unsupported(reason: impl Into<String>) -> Outcome {
+    Outcome::Unsupported {
+        reason: reason.into(),
+    }
+}
+
+/// Checks that a request is in the one dialect that a compiler speaks, or in one that extends it.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] where it is not.
+pub(super) fn speaks(own: DialectName, dialect: DialectName) -> Result<(), Outcome> {
+    match dialect.base() == own.base() {
+        true => Ok(()),
+        false => Err(speaks_not(dialect)),
+    }
+}
+
+/// Returns the outcome of a request in a dialect that an engine does not speak.
+pub(super) fn speaks_not(dialect: DialectName) -> Outcome {
+    unsupported(format!("it does not speak {dialect}"))
+}
+
+/// Returns the outcome of a program that stopped at a fault, with the values that are known of it.
+pub(super) fn faulted(fault: Fault, values: Vec<NamedValue>) -> Outcome {
+    Outcome::Faulted {
+        fault,
+        line: None,
+        values,
+        warnings: Vec::new(),
+    }
 }
 
 /// Returns the outcome of an adapter that could not do its work.

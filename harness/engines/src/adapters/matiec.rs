@@ -14,10 +14,10 @@ mod reproduction;
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed};
+use super::locate::{self, call, failed, speaks, unsupported};
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::rename::library_words;
-use super::source::{MainProgram, main_program, words};
+use super::source::{MainProgram, main_program, words_of};
 use crate::process::{Ended, Folder};
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
@@ -40,8 +40,8 @@ fn configuration(program: &str) -> String {
 }
 
 /// Returns the configuration that has to stand behind a program; nothing where the program brings its own.
-fn added_configuration(source: &str, main: &MainProgram) -> String {
-    match words(source).any(|word| word.is("CONFIGURATION")) {
+fn added_configuration(request: &RunRequest<'_>, main: &MainProgram) -> String {
+    match words_of(request).any(|word| word.is("CONFIGURATION")) {
         true => String::new(),
         false => configuration(&main.name),
     }
@@ -106,7 +106,8 @@ impl Matiec {
     /// Returns every word of the library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of
     /// other kinds.
     fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| library_words(&self.library, "txt"))
+        self.taken
+            .get_or_init(|| library_words(&self.library, "txt", DialectName::MATIEC))
     }
 }
 
@@ -174,36 +175,17 @@ impl Session for MatiecSession<'_> {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(dialect).and_then(|()| self.translate(source)) {
+        match speaks(DialectName::MATIEC, dialect).and_then(|()| self.translate(source)) {
             Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
-    }
-
-    fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        no_rendering()
-    }
-}
-
-fn no_rendering() -> Outcome {
-    Outcome::Unsupported {
-        reason: "iec2c gives no normalised source".to_owned(),
-    }
-}
-
-fn speaks(dialect: DialectName) -> Result<(), Outcome> {
-    match dialect.base() {
-        DialectName::MATIEC => Ok(()),
-        _ => Err(Outcome::Unsupported {
-            reason: format!("it does not speak {dialect}"),
-        }),
     }
 }
 
 impl MatiecSession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        speaks(request.dialect)?;
-        let Some(main) = main_program(request.source) else {
+        speaks(DialectName::MATIEC, request.dialect)?;
+        let Some(main) = main_program(request) else {
             let warnings = self.translate(request.source)?;
             return Ok(Outcome::Accepted { warnings });
         };
@@ -213,8 +195,8 @@ impl MatiecSession<'_> {
             probes: &probes,
             program: main.name.clone(),
         };
-        let driver = driver(&[subject]).map_err(|reason| Outcome::Unsupported { reason })?;
-        let configuration = added_configuration(request.source, &main);
+        let driver = driver(&[subject]).map_err(unsupported)?;
+        let configuration = added_configuration(request, &main);
         let warnings = translate_with(request, &main, probes.list(), |text| {
             self.translate(&format!("{text}{configuration}"))
         })?;

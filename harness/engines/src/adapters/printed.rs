@@ -33,19 +33,19 @@ pub(super) fn kinds<'r>(
     request: &RunRequest<'r>,
     has: fn(ElementaryType) -> bool,
 ) -> Result<Vec<PrintedKind<'r>>, String> {
-    let kind = |asked: &'r Observation| kind(asked, request.source, has);
+    let kind = |asked: &'r Observation| kind(asked, request, has);
     request.observe.iter().map(kind).collect()
 }
 
 fn kind<'r>(
     asked: &'r Observation,
-    source: &str,
+    request: &RunRequest<'_>,
     has: fn(ElementaryType) -> bool,
 ) -> Result<PrintedKind<'r>, String> {
     match ElementaryType::from_name(&asked.type_name) {
         Some(ty) if has(ty) => Ok(PrintedKind::Elementary(ty)),
         Some(ty) => Err(format!("it has no values of {ty}")),
-        None => match enumeration(source, &asked.type_name) {
+        None => match enumeration(request, &asked.type_name) {
             Some(values) => Ok(PrintedKind::Enumerated(&asked.type_name, values)),
             None if asked.type_name.is_empty() => Err(format!("the type of {} was not given", asked.name)),
             None => Err(format!("values of {} cannot be shown", asked.type_name)),

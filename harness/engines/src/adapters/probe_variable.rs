@@ -137,6 +137,7 @@ fn is_path(name: &str) -> bool {
 mod tests {
     use super::super::source::main_program;
     use super::*;
+    use stickler_types::DialectName;
 
     #[test]
     fn probe_variables_move_no_line() {
@@ -148,7 +149,7 @@ mod tests {
         };
         let text = with_probes(
             source,
-            &main_program(source).unwrap(),
+            &main_program(&RunRequest::once(DialectName::MATIEC, source, &[])).unwrap(),
             &[probe(0, "a[1]"), probe(1, "a[2]")],
         );
         assert_eq!(

@@ -23,27 +23,11 @@ pub(super) enum ReadableExpression {
 }
 
 /// The functions that print texts; only where a statement calls them.
-const PRINT_CHARACTER: &str = "\
-static void print_character(unsigned unit) {
-    if (unit >= ' ' && unit <= '~' && unit != '$')
-        printf(\"%c\", unit);
-    else
-        printf(\"$%02X\", unit);
-}
-";
+const PRINT_CHARACTER: &str = include_str!("readable/print_character.c");
 
 /// The function that prints dates and times of day; only where a statement calls it. The numbers behind the date keep apart what
 /// the date shows alike.
-const PRINT_DATE: &str = "\
-static void print_date(const char *name, const char *format, long long seconds, long long nanoseconds) {
-    time_t time = seconds;
-    struct tm *date = gmtime(&time);
-    char text[64] = \"no date\";
-    if (date)
-        strftime(text, sizeof text, format, date);
-    printf(\"%s = %s (%lld s + %lld ns)\\n\", name, text, seconds, nanoseconds);
-}
-";
+const PRINT_DATE: &str = include_str!("readable/print_date.c");
 
 /// Returns the functions that statements call.
 pub(super) fn functions(statements: &str) -> String {

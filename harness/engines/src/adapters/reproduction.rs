@@ -2,23 +2,23 @@
 
 use super::builder::Language;
 use super::source::{MainProgram, main_program};
+use crate::engine::no_rendering;
 use crate::reproduction::command_line;
 use crate::{Ability, NoReproduction, Reproduction, RunRequest};
 
 /// Returns the reproduction of a request: `execution` where the main program is run, otherwise `translation` of the program as it
-/// is. `rendering` is the outcome of a request to render, which such compilers do not do.
+/// is.
 ///
 /// # Errors
 /// [`NoReproduction::Unsupported`] for a rendering, and where `execution` says so.
 pub(super) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
-    rendering: crate::Outcome,
     translation: impl FnOnce(String) -> Reproduction,
     execution: impl FnOnce(&MainProgram) -> Result<Reproduction, NoReproduction>,
 ) -> Result<Reproduction, NoReproduction> {
-    match (ability, main_program(request.source)) {
-        (Ability::Render, _) => Err(rendering.into()),
+    match (ability, main_program(request)) {
+        (Ability::Render, _) => Err(no_rendering().into()),
         (Ability::Execute | Ability::Scans, Some(main)) => execution(&main),
         (Ability::Check, _) | (_, None) => Ok(translation(request.source.to_owned()).accepted()),
     }

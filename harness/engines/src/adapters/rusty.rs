@@ -17,7 +17,7 @@ mod reproduction;
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, failed};
+use super::locate::{self, failed, speaks, unsupported};
 use super::rename::library_words;
 use crate::process::{Folder, ToolLimits, run_tool_with};
 use crate::{
@@ -110,7 +110,8 @@ impl Rusty {
 
     /// Returns every word of the declarations of the library, in capitals.
     fn taken(&self) -> &HashSet<String> {
-        self.taken.get_or_init(|| library_words(&self.declarations, "st"))
+        self.taken
+            .get_or_init(|| library_words(&self.declarations, "st", DialectName::RUSTY))
     }
 
     /// Returns the linker's inputs beside the driver: the object file, the standard library, and the libraries that it needs.
@@ -215,31 +216,10 @@ impl Session for RustySession<'_> {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(dialect).and_then(|()| self.accepts(&["--check"], source)) {
+        match speaks(DialectName::RUSTY, dialect).and_then(|()| self.accepts(&["--check"], source)) {
             Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
-    }
-
-    fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        no_rendering()
-    }
-}
-
-fn no_rendering() -> Outcome {
-    unsupported("plc gives no normalised source")
-}
-
-fn unsupported(reason: &str) -> Outcome {
-    Outcome::Unsupported {
-        reason: reason.to_owned(),
-    }
-}
-
-fn speaks(dialect: DialectName) -> Result<(), Outcome> {
-    match dialect.base() {
-        DialectName::RUSTY => Ok(()),
-        _ => Err(unsupported(&format!("it does not speak {dialect}"))),
     }
 }
 
@@ -253,14 +233,13 @@ const FUNCTIONS: &str = "stickler.st";
 
 impl RustySession<'_> {
     fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        speaks(request.dialect)?;
+        speaks(DialectName::RUSTY, request.dialect)?;
         let Some(program) = PackedProgram::alone(request) else {
             let warnings = self.accepts(&OBJECT, request.source)?;
             return Ok(Outcome::Accepted { warnings });
         };
         let subjects = [program.subject()];
-        let driver = driver(&subjects, &PackedProgram::file_of(program.place))
-            .map_err(|reason| Outcome::Unsupported { reason })?;
+        let driver = driver(&subjects, &PackedProgram::file_of(program.place)).map_err(unsupported)?;
         let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
         if found.iter().any(|(_, reported)| reported.is_error()) {
             return Err(self.refused(&program, found));
@@ -283,12 +262,10 @@ impl RustySession<'_> {
         };
         // The program alone decides whether it is accepted.
         match self.accepts(&OBJECT, program.request.source) {
-            Ok(_) => Outcome::Unsupported {
-                reason: format!(
-                    "the functions that show its values are not accepted: {}",
-                    diagnostic.message
-                ),
-            },
+            Ok(_) => unsupported(format!(
+                "the functions that show its values are not accepted: {}",
+                diagnostic.message
+            )),
             Err(outcome) => outcome,
         }
     }

@@ -1,140 +1,16 @@
-//! Splits a program into words and signs, just enough to know where its main program begins and ends.
+//! Finds the main program, a configuration and the values of an enumeration in a text by its words and signs.
 //!
 //! No grammar takes part, so that the main program is also found in a text that only one compiler accepts.
 
 use std::ops::Range;
+use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::Name;
+use stickler_syntax::{tokens, words};
+use stickler_types::{Dialect, RunRequest};
 
-/// A word of a program: a keyword or a name; no word of a comment, a text or a number.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Word<'s> {
-    /// The word as it is written.
-    pub text: &'s str,
-    /// The offset of the word, in bytes.
-    pub at: usize,
-}
-
-impl Word<'_> {
-    /// Tells whether the word is this keyword or name, in any case.
-    #[must_use]
-    pub fn is(&self, name: &str) -> bool {
-        self.text.eq_ignore_ascii_case(name)
-    }
-
-    /// Returns the offset of the end of the word, in bytes.
-    #[must_use]
-    pub fn end(&self) -> usize {
-        self.at + self.text.len()
-    }
-}
-
-/// A token of a program; comments are none.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum SourceToken<'s> {
-    /// A keyword or a name.
-    Word(Word<'s>),
-    /// Any other character; for a number its first digit, for a text its first quote.
-    Sign(u8),
-    /// A pragma.
-    Pragma,
-    /// A comment, a pragma or a text that does not end.
-    Unfinished,
-}
-
-/// An iterator over the tokens of a program, in order.
-pub struct Tokens<'s> {
-    source: &'s str,
-    at: usize,
-}
-
-/// Returns the tokens of a program, in order.
-#[must_use]
-pub fn tokens(source: &str) -> Tokens<'_> {
-    Tokens { source, at: 0 }
-}
-
-/// Returns the words of a program, in order.
-pub(super) fn words(source: &str) -> impl Iterator<Item = Word<'_>> {
-    tokens(source).filter_map(|token| match token {
-        SourceToken::Word(word) => Some(word),
-        SourceToken::Sign(_) | SourceToken::Pragma | SourceToken::Unfinished => None,
-    })
-}
-
-impl<'s> Iterator for Tokens<'s> {
-    type Item = SourceToken<'s>;
-
-    fn next(&mut self) -> Option<SourceToken<'s>> {
-        let bytes = self.source.as_bytes();
-        while let Some(&byte) = bytes.get(self.at) {
-            let rest = &bytes[self.at..];
-            let at = self.at;
-            let (length, token) = match byte {
-                b'(' if rest.starts_with(b"(*") => skipped(rest, enclosed(rest, 2, b"*)"), None),
-                b'/' if rest.starts_with(b"/*") => skipped(rest, enclosed(rest, 2, b"*/"), None),
-                // The end of the text ends it as well.
-                b'/' if rest.starts_with(b"//") => (enclosed(rest, 2, b"\n").unwrap_or(rest.len()), None),
-                b'{' => skipped(rest, enclosed(rest, 1, b"}"), Some(SourceToken::Pragma)),
-                b'\'' | b'"' => skipped(rest, quoted(rest, byte), Some(SourceToken::Sign(byte))),
-                b'0'..=b'9' => {
-                    let length = length(rest, |byte| is_of_a_word(byte) || byte == b'#');
-                    (length, Some(SourceToken::Sign(byte)))
-                }
-                byte if is_of_a_word(byte) => {
-                    let length = length(rest, is_of_a_word);
-                    let text = &self.source[at..at + length];
-                    (length, Some(SourceToken::Word(Word { text, at })))
-                }
-                byte if byte.is_ascii_whitespace() => (1, None),
-                byte => (1, Some(SourceToken::Sign(byte))),
-            };
-            self.at += length;
-            if token.is_some() {
-                return token;
-            }
-        }
-        None
-    }
-}
-
-/// Returns the length of a construct and its token; where the construct does not end, the rest of the text and
-/// [`SourceToken::Unfinished`].
-fn skipped<'s>(
-    rest: &[u8],
-    length: Option<usize>,
-    token: Option<SourceToken<'s>>,
-) -> (usize, Option<SourceToken<'s>>) {
-    match length {
-        Some(length) => (length, token),
-        None => (rest.len(), Some(SourceToken::Unfinished)),
-    }
-}
-
-fn is_of_a_word(byte: u8) -> bool {
-    byte.is_ascii_alphanumeric() || byte == b'_'
-}
-
-fn length(rest: &[u8], belongs: impl Fn(u8) -> bool) -> usize {
-    rest.iter().take_while(|&&byte| belongs(byte)).count()
-}
-
-/// Returns the length of a construct that ends with `close`; `None` where that is missing.
-fn enclosed(rest: &[u8], open: usize, close: &[u8]) -> Option<usize> {
-    let inside = &rest[open.min(rest.len())..];
-    let found = inside.windows(close.len()).position(|window| window == close);
-    found.map(|found| open + found + close.len())
-}
-
-/// Returns the length of a text in quotes, in which `$` escapes the next character; `None` where the text does not end.
-fn quoted(rest: &[u8], quote: u8) -> Option<usize> {
-    let mut at = 1;
-    while let Some(&byte) = rest.get(at) {
-        at += match byte {
-            b'$' => 2,
-            byte if byte == quote => return Some(at + 1),
-            _ => 1,
-        };
-    }
-    None
+/// Returns the words of the program of a request, in order.
+pub(super) fn words_of<'s>(request: &RunRequest<'s>) -> impl Iterator<Item = Name<'s>> {
+    words(request.source, Dialect::of(request.dialect))
 }
 
 /// The place of the main program in a source text: the program that is called `main`, otherwise the first.
@@ -148,9 +24,9 @@ pub(super) struct MainProgram {
     pub(super) returns: bool,
 }
 
-/// Finds the main program; `None` where there is none.
-pub(super) fn main_program(source: &str) -> Option<MainProgram> {
-    let mut words = words(source);
+/// Finds the main program of a request; `None` where there is none.
+pub(super) fn main_program(request: &RunRequest<'_>) -> Option<MainProgram> {
+    let mut words = words_of(request);
     let mut first = None;
     while let Some(word) = words.next() {
         if word.is("CONFIGURATION") {
@@ -172,7 +48,7 @@ pub(super) fn main_program(source: &str) -> Option<MainProgram> {
 }
 
 /// Reads the rest of a program after its first word.
-fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram> {
+fn program<'s>(words: &mut impl Iterator<Item = Name<'s>>) -> Option<MainProgram> {
     let name = words.next()?;
     let mut returns = false;
     let end = words.find(|word| {
@@ -181,7 +57,7 @@ fn program<'s>(words: &mut impl Iterator<Item = Word<'s>>) -> Option<MainProgram
     })?;
     Some(MainProgram {
         name: name.text.to_owned(),
-        inside: name.end()..end.at,
+        inside: name.span.end as usize..end.span.start as usize,
         returns,
     })
 }
@@ -198,8 +74,10 @@ pub(super) struct OwnConfiguration {
 }
 
 /// Finds the configuration in which a program has an instance; `None` where there is none.
-pub(super) fn own_configuration(source: &str, program: &str) -> Option<OwnConfiguration> {
-    let mut words = words(source).skip_while(|word| !word.is("CONFIGURATION")).skip(1);
+pub(super) fn own_configuration(request: &RunRequest<'_>, program: &str) -> Option<OwnConfiguration> {
+    let mut words = words_of(request)
+        .skip_while(|word| !word.is("CONFIGURATION"))
+        .skip(1);
     let name = words.next()?.text.to_owned();
     let mut resource = None;
     while let Some(word) = words.next() {
@@ -229,62 +107,51 @@ pub(super) fn own_configuration(source: &str, program: &str) -> Option<OwnConfig
 }
 
 /// Returns the names of the values of an enumeration that is declared as `NAME : (A, B, C)`, in order; `None` where it is not
-/// declared so.
-pub(super) fn enumeration(source: &str, name: &str) -> Option<Vec<String>> {
-    words(source)
-        .filter(|word| word.is(name))
-        .find_map(|word| values(&source[word.end()..]))
-}
-
-fn values(behind_the_name: &str) -> Option<Vec<String>> {
-    let list = behind_the_name
-        .trim_start()
-        .strip_prefix(':')?
-        .trim_start()
-        .strip_prefix('(')?;
-    let (list, _) = list.split_once(')')?;
-    // Explicit numbers of the values are not supported.
-    let plain = !list.contains(['=', '*', '#']);
-    plain.then(|| words(list).map(|word| word.text.to_owned()).collect())
+/// declared so. Explicit numbers of the values are not supported.
+pub(super) fn enumeration(request: &RunRequest<'_>, name: &str) -> Option<Vec<String>> {
+    let tokens = tokens(request.source, Dialect::of(request.dialect)).list;
+    let behind = |at: usize| tokens.get(at + 1..).unwrap_or_default();
+    let named = (0..tokens.len()).filter(|&at| tokens[at].is(name, request.source));
+    named.map(behind).find_map(|behind| {
+        let kinds = [behind.first()?.kind, behind.get(1)?.kind];
+        let list = behind
+            .get(2..)?
+            .split(|token| token.kind == TokenKind::RightParen)
+            .next()?;
+        let values = list.iter().step_by(2);
+        let is_list = kinds == [TokenKind::Colon, TokenKind::LeftParen]
+            && list.len() + 2 < behind.len()
+            && list
+                .iter()
+                .skip(1)
+                .step_by(2)
+                .all(|token| token.kind == TokenKind::Comma)
+            && values.clone().all(|token| token.kind == TokenKind::Name);
+        is_list.then(|| {
+            values
+                .map(|token| token.span.text(request.source).to_owned())
+                .collect()
+        })
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
-    #[test]
-    fn words_are_those_of_the_program_and_of_nothing_else() {
-        let source = "a (* b *) 'c $' d' \"e\" // f\n/* g */ {h} 16#FF h2 ä T#1s (* i";
-        let found: Vec<&str> = words(source).map(|word| word.text).collect();
-        assert_eq!(found, ["a", "h2", "T"]);
-        for unfinished in ["'open", "(*", "{", "'$", "/*", "\"$"] {
-            assert!(tokens(unfinished).eq([SourceToken::Unfinished]), "{unfinished}");
-        }
-        assert_eq!(tokens("// the end").count(), 0);
-    }
-
-    #[test]
-    fn signs_stand_between_words() {
-        let found: Vec<SourceToken<'_>> = tokens("a:=5;{p}'t'").collect();
-        let word = Word { text: "a", at: 0 };
-        let signs = [b':', b'=', b'5', b';'].map(SourceToken::Sign);
-        let expected = [
-            &[SourceToken::Word(word)],
-            &signs[..],
-            &[SourceToken::Pragma, SourceToken::Sign(b'\'')],
-        ]
-        .concat();
-        assert_eq!(found, expected);
+    fn on(source: &str) -> RunRequest<'_> {
+        RunRequest::once(DialectName::IRONPLC_ED2, source, &[])
     }
 
     #[test]
     fn the_main_program_is_found_wherever_it_stands() {
         let source = "PROGRAM other END_PROGRAM (* PROGRAM main *)\nprogram Main VAR x : INT; END_VAR x := 1;\nend_program";
-        let main = main_program(source).unwrap();
+        let main = main_program(&on(source)).unwrap();
         assert_eq!(main.name, "Main");
         assert_eq!(&source[main.inside], " VAR x : INT; END_VAR x := 1;\n");
         assert!(!main.returns);
-        let other = main_program("PROGRAM p IF a THEN RETURN; END_IF; END_PROGRAM").unwrap();
+        let other = main_program(&on("PROGRAM p IF a THEN RETURN; END_IF; END_PROGRAM")).unwrap();
         assert_eq!((other.name.as_str(), other.returns), ("p", true));
         for none in [
             "",
@@ -293,7 +160,7 @@ mod tests {
             "PROGRAM main",
             "'PROGRAM p END_PROGRAM'",
         ] {
-            assert_eq!(main_program(none), None, "{none}");
+            assert_eq!(main_program(&on(none)), None, "{none}");
         }
     }
 
@@ -312,22 +179,22 @@ mod tests {
             [configuration, program].concat(),
             [program, configuration].concat(),
         ] {
-            assert_eq!(main_program(&source).unwrap().name, "main");
-            assert_eq!(own_configuration(&source, "main"), Some(found.clone()));
-            assert_eq!(own_configuration(&source, "OTHER").unwrap().instance, "a");
-            assert_eq!(own_configuration(&source, "t"), None);
+            assert_eq!(main_program(&on(&source)).unwrap().name, "main");
+            assert_eq!(own_configuration(&on(&source), "main"), Some(found.clone()));
+            assert_eq!(own_configuration(&on(&source), "OTHER").unwrap().instance, "a");
+            assert_eq!(own_configuration(&on(&source), "t"), None);
         }
-        assert_eq!(own_configuration(program, "main"), None);
+        assert_eq!(own_configuration(&on(program), "main"), None);
     }
 
     #[test]
     fn the_values_of_an_enumeration_are_told_in_order() {
         let source = "VAR c : COLOR; END_VAR TYPE Color : (RED, Green,\nblue) := Green; END_TYPE";
         assert_eq!(
-            enumeration(source, "COLOR"),
+            enumeration(&on(source), "COLOR"),
             Some(vec!["RED".to_owned(), "Green".to_owned(), "blue".to_owned()])
         );
-        assert_eq!(enumeration("TYPE C : (A := 1, B); END_TYPE", "C"), None);
-        assert_eq!(enumeration("TYPE C : INT; END_TYPE", "C"), None);
+        assert_eq!(enumeration(&on("TYPE C : (A := 1, B); END_TYPE"), "C"), None);
+        assert_eq!(enumeration(&on("TYPE C : INT; END_TYPE"), "C"), None);
     }
 }

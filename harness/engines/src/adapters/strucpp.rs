@@ -13,7 +13,7 @@ mod reproduction;
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, failed};
+use super::locate::{self, failed, unsupported};
 use super::probe_variable::{ProbeVariables, translate_with};
 use super::source::main_program;
 use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
@@ -238,16 +238,6 @@ impl Session for StrucppSession<'_> {
             Err(outcome) => outcome,
         }
     }
-
-    fn render(&mut self, _: DialectName, _: &str) -> Outcome {
-        no_rendering()
-    }
-}
-
-fn no_rendering() -> Outcome {
-    Outcome::Unsupported {
-        reason: "it gives no normalised source".to_owned(),
-    }
 }
 
 /// The answer of the translator.
@@ -326,11 +316,11 @@ impl StrucppSession<'_> {
     /// # Errors
     /// The outcome of a program that is not accepted, or that is and has no main program.
     fn accepted<'r>(&mut self, request: &RunRequest<'r>) -> Result<AcceptedProgram<'r>, Outcome> {
-        let Some(main) = main_program(request.source) else {
+        let Some(main) = main_program(request) else {
             let warnings = self.translate(request.source)?.diagnostics();
             return Err(Outcome::Accepted { warnings });
         };
-        driver::kinds(request).map_err(|reason| Outcome::Unsupported { reason })?;
+        driver::kinds(request).map_err(unsupported)?;
         let probes = ProbeVariables::of(request);
         let translated = translate_with(request, &main, probes.list(), |text| self.translate(text))?;
         let subject = StrucppSubject {
@@ -346,7 +336,7 @@ impl StrucppSession<'_> {
         let write = |name: &str, text: &str| self.folder.write(name, text).map(drop).map_err(failed);
         write("program.cpp", &accepted.translated.program)?;
         write("generated.hpp", &accepted.translated.header)?;
-        let driver = driver(&[&accepted.subject]).map_err(|reason| Outcome::Unsupported { reason })?;
+        let driver = driver(&[&accepted.subject]).map_err(unsupported)?;
         self.engine.builder.build(&driver.text, &self.folder)?;
         driver.execute(&self.folder)
     }

@@ -14,6 +14,14 @@ pub struct Name<'s> {
     pub span: Span,
 }
 
+impl Name<'_> {
+    /// Returns whether the identifier is this one, in any ASCII case.
+    #[must_use]
+    pub fn is(&self, name: &str) -> bool {
+        self.text.eq_ignore_ascii_case(name)
+    }
+}
+
 /// A word that compares and hashes without regard to ASCII case.
 #[derive(Clone, Copy, Debug)]
 pub struct CaseFolded<'s>(pub &'s str);

@@ -3,12 +3,12 @@
 use super::DescribedEngine;
 use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
 use super::template::{CommandTemplate, Filling};
-use crate::adapters::locate::{self, failed};
+use crate::adapters::locate::{self, failed, unsupported};
 use crate::adapters::plain::without_colours;
 use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
 use crate::{Diagnostic, Outcome};
 use std::time::Duration;
-use stickler_types::Fault;
+use stickler_types::{DialectName, Fault};
 
 /// The output of one execution, the fault at which it stopped, and the warnings of a compiler that only runs programs.
 pub(super) struct Execution {
@@ -31,9 +31,9 @@ impl DescribedCall<'_> {
     }
 
     /// Writes the file of the program.
-    pub(super) fn write(&self, source: &str) -> Result<(), Outcome> {
+    pub(super) fn write(&self, dialect: DialectName, source: &str) -> Result<(), Outcome> {
         let description = self.description();
-        let text = description.whole(source);
+        let text = description.whole(dialect, source);
         self.folder.write(&description.file.0, &text).map_err(failed)?;
         Ok(())
     }
@@ -124,7 +124,7 @@ impl DescribedCall<'_> {
         match meaning {
             Meaning::Accepted => Ok(()),
             Meaning::Crashed | Meaning::Faulted(_) => Err(ended.crashed()),
-            Meaning::Unsupported => Err(unsupported(&locate::first_error(ended))),
+            Meaning::Unsupported => Err(unsupported(locate::first_error(ended))),
             Meaning::NotImplemented => Err(Outcome::NotImplemented {
                 reason: locate::first_error(ended),
             }),
@@ -204,7 +204,7 @@ impl DescribedCall<'_> {
             if let Some(reason) = of_itself(&CodeMeaning::NotImplemented) {
                 return Outcome::NotImplemented { reason };
             }
-            return unsupported(&of_itself(&CodeMeaning::Unsupported).unwrap_or_default());
+            return unsupported(of_itself(&CodeMeaning::Unsupported).unwrap_or_default());
         }
         let translated = |diagnostic: Diagnostic| match meaning(&diagnostic) {
             Some(CodeMeaning::Code(code)) => Diagnostic {
@@ -255,12 +255,5 @@ fn described(diagnostic: &Diagnostic) -> String {
     match &diagnostic.code {
         Some(code) => format!("{code}: {}", diagnostic.message),
         None => diagnostic.message.clone(),
-    }
-}
-
-/// Returns the outcome of a request that the engine does not support.
-pub(super) fn unsupported(reason: &str) -> Outcome {
-    Outcome::Unsupported {
-        reason: reason.to_owned(),
     }
 }

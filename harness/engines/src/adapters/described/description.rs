@@ -2,8 +2,8 @@
 
 use super::pattern::{DiagnosticPattern, ValuePattern};
 use super::template::{CommandTemplate, Placeholder};
-use crate::Grade;
 use crate::adapters::source::main_program;
+use crate::{Grade, RunRequest};
 use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
@@ -126,9 +126,10 @@ impl Description {
     }
 
     /// Returns the text of the file of a program: the program, and what stands behind it.
-    pub(super) fn whole(&self, program: &str) -> String {
+    pub(super) fn whole(&self, dialect: DialectName, program: &str) -> String {
         let mut text = program.to_owned();
-        if let (Some(append), Some(main)) = (&self.append, main_program(program)) {
+        let request = RunRequest::once(dialect, program, &[]);
+        if let (Some(append), Some(main)) = (&self.append, main_program(&request)) {
             text.push('\n');
             text.push_str(&append.replace("{program}", &main.name));
         }

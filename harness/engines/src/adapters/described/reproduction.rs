@@ -2,11 +2,14 @@
 
 use super::description::{Commands, Description, Parsed};
 use super::template::{CommandTemplate, Filling, HERE, ShellCommand};
-use super::{no_rendering, scans, speaks_not, takes_scans};
+use super::{scans, takes_scans};
+use crate::adapters::locate::speaks_not;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::source::main_program;
+use crate::engine::no_rendering;
 use crate::{Ability, NoReproduction, Reproduction, RunRequest, shell_quote};
 use std::path::Path;
+use stickler_types::DialectName;
 
 impl Description {
     /// Returns the files and commands by which a person runs a program on this compiler without Stickler. The compiler need not
@@ -21,10 +24,10 @@ impl Description {
     ) -> Result<Reproduction, NoReproduction> {
         let dialect = self.word(request.dialect);
         let dialect = dialect.ok_or_else(|| speaks_not(request.dialect))?;
-        match (ability, &self.run, main_program(request.source)) {
+        match (ability, &self.run, main_program(request)) {
             (Ability::Render, ..) => {
                 let render = self.render.as_ref().ok_or_else(no_rendering)?;
-                Ok(self.script(dialect, request.source, &[(&render.0, 0)]))
+                Ok(self.script((request.dialect, dialect), request.source, &[(&render.0, 0)]))
             }
             (Ability::Execute | Ability::Scans, Some(run), Some(main)) => {
                 takes_scans(&run.0, request)?;
@@ -32,7 +35,9 @@ impl Description {
                 let program = with_shown_probes(request, &main, probes.list())?;
                 let mut commands = templates(self.compile.as_ref());
                 commands.extend(scans(request).into_iter().map(|scan| (&run.0, scan)));
-                Ok(self.script(dialect, &program, &commands).legend(probes.list()))
+                Ok(self
+                    .script((request.dialect, dialect), &program, &commands)
+                    .legend(probes.list()))
             }
             _ => {
                 let check = self.check.as_ref().or(self.compile.as_ref());
@@ -41,16 +46,23 @@ impl Description {
                     // A compiler that only runs programs accepts a program by running it.
                     commands.extend(self.run.iter().map(|run| (&run.0, 1)));
                 }
-                Ok(self.script(dialect, request.source, &commands).accepted())
+                Ok(self
+                    .script((request.dialect, dialect), request.source, &commands)
+                    .accepted())
             }
         }
     }
 
     /// Returns the reproduction that gives a program to commands, each with its number of scans; `dialect` is the compiler's own
     /// word.
-    fn script(&self, dialect: &str, program: &str, commands: &[(&CommandTemplate, u32)]) -> Reproduction {
+    fn script(
+        &self,
+        (name, dialect): (DialectName, &str),
+        program: &str,
+        commands: &[(&CommandTemplate, u32)],
+    ) -> Reproduction {
         let file = &self.file.0;
-        let mut reproduction = Reproduction::of(file, self.whole(program));
+        let mut reproduction = Reproduction::of(file, self.whole(name, program));
         for (name, value) in &self.environment {
             reproduction = reproduction.command(format!("export {name}={}", shell_quote(value)));
         }
@@ -111,7 +123,6 @@ fn variable(program: &str) -> String {
 mod tests {
     use super::*;
     use crate::Observation;
-    use stickler_types::DialectName;
 
     const TABLE: &str = "compile = [\"bin/my-st --target '{folder}' {file} -o {folder}/out\", 'cc {folder}/out.c']\n\
                          run = '{folder}/out -n{scans} --library {here}/lib'\n\

@@ -1,8 +1,8 @@
 //! Parses the values that a described compiler prints.
 
 use super::pattern::ValuePattern;
-use crate::Observation;
 use crate::adapters::source::enumeration;
+use crate::{Observation, RunRequest};
 use std::collections::BTreeMap;
 use stickler_types::{ElementaryType, Value};
 
@@ -28,21 +28,26 @@ impl<'t> Printed<'t> {
     ///
     /// # Errors
     /// A fragment that says why the value is not known.
-    pub(super) fn value(&self, variable: &str, asked: &Observation, source: &str) -> Result<Value, String> {
+    pub(super) fn value(
+        &self,
+        variable: &str,
+        asked: &Observation,
+        request: &RunRequest<'_>,
+    ) -> Result<Value, String> {
         match self.0.get(&variable.to_lowercase()) {
             None => Err(format!("it does not show {}", asked.name)),
             Some(None) => Err(format!("it shows several values of {}", asked.name)),
-            Some(Some(shown)) => value(shown, &asked.type_name, source)
+            Some(Some(shown)) => value(shown, &asked.type_name, request)
                 .ok_or_else(|| format!("it shows `{shown}` as {} {}", asked.type_name, asked.name)),
         }
     }
 }
 
 /// Parses a value of a type: a typed literal, or one without its type.
-fn value(shown: &str, type_name: &str, source: &str) -> Option<Value> {
+fn value(shown: &str, type_name: &str, request: &RunRequest<'_>) -> Option<Value> {
     let Some(ty) = ElementaryType::from_name(type_name) else {
         let (_, bare) = shown.rsplit_once('#').unwrap_or(("", shown));
-        let values = enumeration(source, type_name)?;
+        let values = enumeration(request, type_name)?;
         let name = values.iter().find(|name| name.eq_ignore_ascii_case(bare))?;
         return Some(Value::enumerated(type_name, name));
     };
@@ -77,6 +82,7 @@ fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
     fn asked(name: &str, type_name: &str) -> Observation {
         Observation::last(name, type_name)
@@ -85,6 +91,7 @@ mod tests {
     #[test]
     fn values_are_read_with_their_type_and_without() {
         let source = "TYPE COLOR : (RED, GREEN); END_TYPE";
+        let request = RunRequest::once(DialectName::MATIEC, source, &[]);
         for (type_name, shown, literal) in [
             ("INT", "-5", "INT#-5"),
             ("INT", "INT#-5", "INT#-5"),
@@ -101,7 +108,7 @@ mod tests {
             ("COLOR", "green", "COLOR#GREEN"),
             ("COLOR", "COLOR#RED", "COLOR#RED"),
         ] {
-            let read = value(shown, type_name, source).map(|value| value.to_string());
+            let read = value(shown, type_name, &request).map(|value| value.to_string());
             assert_eq!(read.as_deref(), Some(literal), "{shown}");
         }
         for (type_name, shown) in [
@@ -111,19 +118,20 @@ mod tests {
             ("COLOR", "blue"),
             ("X", "1"),
         ] {
-            assert_eq!(value(shown, type_name, source), None, "{shown}");
+            assert_eq!(value(shown, type_name, &request), None, "{shown}");
         }
     }
 
     #[test]
     fn one_of_several_values_is_not_guessed() {
+        let request = RunRequest::once(DialectName::MATIEC, "", &[]);
         let pattern = r"^(?<name>\w+): (?<value>.*)$".parse().unwrap();
         let printed = Printed::read(&pattern, "X: 1\ny: 2\nx: 3\ny: 2\n");
         assert_eq!(
-            printed.value("Y", &asked("Y", "INT"), ""),
+            printed.value("Y", &asked("Y", "INT"), &request),
             Ok(Value::parse("INT#2").unwrap())
         );
-        let error = |name| printed.value(name, &asked(name, "INT"), "").unwrap_err();
+        let error = |name| printed.value(name, &asked(name, "INT"), &request).unwrap_err();
         assert_eq!(error("x"), "it shows several values of x");
         assert_eq!(error("z"), "it does not show z");
     }

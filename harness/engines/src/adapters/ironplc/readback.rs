@@ -103,7 +103,7 @@ impl Readbacks {
         };
         for asked in request.observe {
             if !readbacks.readbacks.contains_key(&*asked.name) {
-                let readback = readbacks.readback(asked, request.source);
+                let readback = readbacks.readback(asked, request);
                 readbacks.readbacks.insert(asked.name.to_string(), readback);
             }
         }
@@ -115,10 +115,10 @@ impl Readbacks {
         &self.probes
     }
 
-    fn readback(&mut self, asked: &Observation, source: &str) -> Readback {
+    fn readback(&mut self, asked: &Observation, request: &RunRequest<'_>) -> Readback {
         let by_name = !asked.name.contains(['.', '[']) && !self.hints.ambiguous.contains(&*asked.name);
         let Some(ty) = ElementaryType::from_name(&asked.type_name) else {
-            return match enumeration(source, &asked.type_name) {
+            return match enumeration(request, &asked.type_name) {
                 Some(values) if by_name => Readback::Enumerated(asked.name.to_string(), values),
                 Some(values) => Readback::Enumerated(self.copy(&asked.name, &asked.type_name), values),
                 None if asked.type_name.is_empty() => {

@@ -20,7 +20,7 @@ pub(in crate::adapters) fn reproduce(
     let compiler = COMPILER.shell_variable();
     let on = |program: String| Reproduction::of(PROGRAM, program).tool(compiler, COMPILER.name);
     let compile = format!("\"${compiler}\" compile --dialect {dialect} {PROGRAM} -o program.iplc");
-    match (ability, main_program(request.source)) {
+    match (ability, main_program(request)) {
         (Ability::Render, _) => Ok(on(request.source.to_owned())
             .command(format!("\"${compiler}\" echo --dialect {dialect} {PROGRAM}"))),
         (Ability::Execute | Ability::Scans, Some(main)) => {

@@ -6,7 +6,7 @@
 use crate::adapters::driver::{self, DrivenProgram, Driver};
 use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::ProbeVariables;
-use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words};
+use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words_of};
 use crate::{RunRequest, Setting};
 use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
@@ -24,7 +24,7 @@ pub(super) struct MatiecSubject<'r, 'c> {
 /// A fragment that says what cannot be observed or set.
 pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r>, String> {
     let own = match subjects {
-        [only] => own_configuration(only.request.source, &only.program),
+        [only] => own_configuration(&only.request, &only.program),
         _ => None,
     };
     let mut text = format!("#include \"stickler.h\"\n{}", translated(own.as_ref()));
@@ -85,15 +85,7 @@ pub(super) const LOCATIONS: &str = "LOCATED_VARIABLES.h";
 
 /// The macros that give each location its memory, 64 KiB that are 0 at first: what a runtime system does. Variables with one location
 /// share it, whatever their types; programs of a pack run in processes of their own.
-const MEMORY_OF_LOCATIONS: &str = "\
-#define __LOCATED_VAR(type, name, ...) static long long located##name[8192];
-#undef __INIT_LOCATED
-#define __INIT_LOCATED(type, location, name, retained) \\
-    { name.value = (type *)located##location; __INIT_RETAIN(name, retained) }
-#undef __INIT_GLOBAL_LOCATED
-#define __INIT_GLOBAL_LOCATED(domain, name, location, retained) \\
-    domain##__##name.value = (void *)located##location; __INIT_RETAIN(domain##__##name, retained)
-";
+const MEMORY_OF_LOCATIONS: &str = include_str!("driver/memory_of_locations.c");
 
 /// Returns the C expression for the instance of a program in its own configuration.
 pub(super) fn configured(own: &OwnConfiguration) -> String {
@@ -123,18 +115,22 @@ pub(super) fn calls(program: &str, instance: &str, is_configured: bool, scan: &s
 }
 
 /// Returns the C expression for a variable of the instance of a program.
-pub(super) fn place(instance: &str, variable: &str, source: &str) -> String {
+pub(super) fn place(instance: &str, variable: &str, request: &RunRequest<'_>) -> String {
     let value = format!("{instance}.{}.value", variable.to_ascii_uppercase());
-    match is_pointer(source, variable) {
+    match is_pointer(request, variable) {
         true => format!("(*{value})"),
         false => value,
     }
 }
 
 /// Returns whether the main program declares a variable of this name with a location or as an external one, of which the C has a pointer.
-fn is_pointer(source: &str, variable: &str) -> bool {
-    let inside = main_program(source).map_or(source, |main| &source[main.inside]);
-    let mut words = words(inside).peekable();
+fn is_pointer(request: &RunRequest<'_>, variable: &str) -> bool {
+    let inside = main_program(request).map_or(request.source, |main| &request.source[main.inside]);
+    let inside = RunRequest {
+        source: inside,
+        ..*request
+    };
+    let mut words = words_of(&inside).peekable();
     let mut is_external = false;
     while let Some(word) = words.next() {
         if word.is("VAR_EXTERNAL") {
@@ -179,22 +175,7 @@ pub(super) fn has(ty: ElementaryType) -> bool {
 }
 
 /// The C functions that print values, one for each printed form.
-const PRINTERS: &str = "\
-static void print_bits(int number, const void *value, size_t size) {
-    unsigned long long bits = 0;
-    memcpy(&bits, value, size);
-    printf(\"%d %llx\\n\", number, bits);
-}
-static void print_time(int number, TIME value) {
-    printf(\"%d %lld %lld\\n\", number, (long long)value.tv_sec, (long long)value.tv_nsec);
-}
-static void print_text(int number, STRING value) {
-    printf(\"%d '\", number);
-    for (int at = 0; at < value.len; at++)
-        printf(\"%02x\", value.body[at]);
-    printf(\"\\n\");
-}
-";
+const PRINTERS: &str = include_str!("driver/printers.c");
 
 /// Writes the function that prints the values observed after a scan; 0 stands for the end.
 fn write_look(
@@ -205,7 +186,7 @@ fn write_look(
 ) {
     let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
     for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(instance, subject.probes.variable(asked), subject.request.source);
+        let variable = place(instance, subject.probes.variable(asked), &subject.request);
         let call = match kind {
             PrintedKind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
             PrintedKind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
@@ -232,12 +213,12 @@ pub(super) fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u3
     let set = request
         .set
         .iter()
-        .map(|setting| Ok((setting.before, written(instance, setting, request.source)?)));
+        .map(|setting| Ok((setting.before, written(instance, setting, request)?)));
     clock.chain(set).collect()
 }
 
 /// Returns the statement that sets a variable.
-fn written(instance: &str, setting: &Setting, source: &str) -> Result<String, String> {
+fn written(instance: &str, setting: &Setting, request: &RunRequest<'_>) -> Result<String, String> {
     let cannot = || format!("its driver cannot write {}", setting.name);
     let Value::Plain { ty, raw } = setting.value else {
         return Err(cannot());
@@ -245,7 +226,7 @@ fn written(instance: &str, setting: &Setting, source: &str) -> Result<String, St
     if setting.name.contains(['.', '[']) {
         return Err(cannot());
     }
-    let variable = place(instance, &setting.name, source);
+    let variable = place(instance, &setting.name, request);
     Ok(if is_time(ty) {
         let (seconds, rest) = split(raw.cast_signed());
         format!("{variable} = (TIME){{{seconds}, {rest}}};")

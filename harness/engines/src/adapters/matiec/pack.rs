@@ -8,7 +8,7 @@ use super::driver::{MatiecSubject, driver};
 use super::{MatiecSession, configuration, diagnostics};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
-use crate::adapters::rename::{Renamed, declared_or_located, has_pack_suffix, pack_suffix, places_named};
+use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix, places_named};
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
@@ -28,8 +28,8 @@ struct PackMember<'r> {
 impl<'r> PackMember<'r> {
     fn of(place: usize, request: &RunRequest<'r>, taken: &HashSet<String>) -> Option<PackMember<'r>> {
         // Locations have no memory in common: see the driver.
-        let names = declared_or_located(request.source, taken)?;
-        let main = main_program(request.source)?;
+        let names = declared(request, taken, true)?;
+        let main = main_program(request)?;
         let probes = ProbeVariables::of(request);
         // Such a program may need more than one run.
         let copied_for_nothing = !probes.list().is_empty() && (main.returns || request.scans == 0);
@@ -55,10 +55,14 @@ impl<'r> PackMember<'r> {
     fn renamed(&self) -> Renamed {
         let probes = self.probes.list();
         if probes.is_empty() {
-            return Renamed::in_pack(self.request.source, &self.names, self.place);
+            return Renamed::in_pack(&self.request, &self.names, self.place);
         }
         let text = with_probes(self.request.source, &self.main, probes);
-        Renamed::in_pack(&text, &self.names, self.place)
+        let request = RunRequest {
+            source: &text,
+            ..self.request
+        };
+        Renamed::in_pack(&request, &self.names, self.place)
     }
 }
 

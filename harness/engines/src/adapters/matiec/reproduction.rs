@@ -6,10 +6,11 @@ use crate::adapters::builder::Language;
 use crate::adapters::printed::{self, PrintedKind};
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::readable::{self, DriverMain, ReadableExpression};
-use crate::adapters::reproduction;
 use crate::adapters::source::{MainProgram, own_configuration};
+use crate::adapters::{locate, reproduction};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
+use stickler_types::DialectName;
 
 /// The C expression for the instance of a program without a configuration of its own.
 const INSTANCE: &str = "program";
@@ -22,10 +23,8 @@ pub(in crate::adapters) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
-    super::speaks(request.dialect)?;
-    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
-        execution(request, main)
-    })
+    locate::speaks(DialectName::MATIEC, request.dialect)?;
+    reproduction::reproduce(request, ability, translation, |main| execution(request, main))
 }
 
 /// Returns the reproduction that only translates a program.
@@ -44,7 +43,7 @@ fn translation(program: String) -> Reproduction {
 fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproduction, NoReproduction> {
     let probes = ProbeVariables::of(request);
     let mut program = with_shown_probes(request, main, probes.list())?;
-    program.push_str(&added_configuration(request.source, main));
+    program.push_str(&added_configuration(request, main));
     let library = LIBRARY.shell_variable();
     let inputs = format!("-I \"${library}/C\" -I . {}", Language::C.driver());
     let libraries = command_line(Language::C.libraries().iter().copied());
@@ -59,7 +58,7 @@ fn text(
     probes: &ProbeVariables,
 ) -> Result<String, NoReproduction> {
     let kinds = printed::kinds(request, has)?;
-    let own = own_configuration(request.source, &main.name);
+    let own = own_configuration(request, &main.name);
     let (instance, declaration) = match &own {
         Some(own) => (configured(own), String::new()),
         None => {
@@ -81,7 +80,7 @@ fn text(
         scan,
         after: observed
             .map(|(asked, kind)| {
-                let variable = place(&instance, probes.variable(asked), request.source);
+                let variable = place(&instance, probes.variable(asked), request);
                 (asked.after, print(asked, kind, variable))
             })
             .collect(),
@@ -109,7 +108,6 @@ fn print(asked: &Observation, kind: &PrintedKind<'_>, variable: String) -> Strin
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::DialectName;
 
     fn reproduction(source: &str, observe: &[Observation]) -> Reproduction {
         let request = RunRequest::once(DialectName::MATIEC, source, observe);

@@ -18,27 +18,7 @@ pub(super) const HEADER: &str =
     "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
 
 /// The C functions that print values, one for each printed form. Each prints only after the scan for which the value is asked.
-const PRINTERS: &str = "\
-static const unsigned long *after;
-static unsigned long scan;
-static void print_bits(int32_t number, const void *value, size_t size) {
-    unsigned long long bits = 0;
-    memcpy(&bits, value, size);
-    if (after[number] == scan) printf(\"%d %llx\\n\", (int)number, bits);
-}
-static void print_bytes(int32_t number, const unsigned char *text) {
-    if (after[number] != scan) return;
-    printf(\"%d '\", (int)number);
-    for (; *text; text++) printf(\"%04x\", *text);
-    printf(\"\\n\");
-}
-static void print_units(int32_t number, const uint16_t *text) {
-    if (after[number] != scan) return;
-    printf(\"%d '\", (int)number);
-    for (; *text; text++) printf(\"%04x\", *text);
-    printf(\"\\n\");
-}
-";
+const PRINTERS: &str = include_str!("driver/printers.c");
 
 /// A compiled program that a driver runs: its request, and the names of its parts in the compiled text.
 pub(super) struct RustySubject<'r> {

@@ -47,7 +47,7 @@ impl<'r> PackedProgram<'r> {
     /// Returns a program that is compiled alone: only the name of its main program changes, since `main` is where a C program
     /// begins. `None` where it has no main program.
     pub(super) fn alone(request: &RunRequest<'r>) -> Option<PackedProgram<'r>> {
-        let main = main_program(request.source)?;
+        let main = main_program(request)?;
         let names = HashSet::from([main.name.to_ascii_uppercase()]);
         Some(PackedProgram::with(request, 0, main, names))
     }
@@ -58,12 +58,11 @@ impl<'r> PackedProgram<'r> {
         place: usize,
         taken: &HashSet<String>,
     ) -> Option<PackedProgram<'r>> {
-        // Accesses to the bits of a variable, such as `.%X0`, are no addresses of the machine.
-        let names = declared(&request.source.replace(".%", ". "), taken)?;
+        let names = declared(request, taken, false)?;
         if names.iter().any(|name| BUILT_IN.contains(&name.as_str())) {
             return None;
         }
-        let main = main_program(request.source)?;
+        let main = main_program(request)?;
         let fits = !has_pack_suffix(request.source);
         fits.then(|| PackedProgram::with(request, place, main, names))
     }
@@ -74,7 +73,7 @@ impl<'r> PackedProgram<'r> {
         main: MainProgram,
         names: HashSet<String>,
     ) -> PackedProgram<'r> {
-        let renamed = Renamed::in_pack(request.source, &names, place);
+        let renamed = Renamed::in_pack(request, &names, place);
         PackedProgram {
             place,
             request: *request,
@@ -102,7 +101,13 @@ impl<'r> PackedProgram<'r> {
 
     /// Returns the program as a driver runs it.
     pub(super) fn subject(&self) -> RustySubject<'r> {
-        let rename = |name: &str| Renamed::in_pack(name, &self.names, self.place).text;
+        let rename = |source: &str| {
+            let request = RunRequest {
+                source,
+                ..self.request
+            };
+            Renamed::in_pack(&request, &self.names, self.place).text
+        };
         RustySubject {
             request: self.request,
             program: rename(&self.main.name),

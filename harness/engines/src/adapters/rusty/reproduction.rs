@@ -5,13 +5,14 @@ use super::{COMPILER, DECLARATIONS, LIBRARY, OBJECT, OBJECT_FILE, library};
 use crate::adapters::builder::Language;
 use crate::adapters::printed::PrintedKind;
 use crate::adapters::readable::{self, DriverMain, ReadableExpression};
-use crate::adapters::reproduction;
-use crate::adapters::source::{MainProgram, words};
+use crate::adapters::source::MainProgram;
+use crate::adapters::{locate, reproduction};
 use crate::reproduction::{PROGRAM, command_line};
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use stickler_types::ElementaryType;
+use stickler_syntax::{Edits, words};
+use stickler_types::{Dialect, DialectName, ElementaryType};
 
 /// The file of the functions that show the observed values.
 const FUNCTIONS: &str = "show.st";
@@ -27,12 +28,10 @@ pub(in crate::adapters) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
-    super::speaks(request.dialect)?;
+    locate::speaks(DialectName::RUSTY, request.dialect)?;
     // Some mistakes are only found when the object file is made.
     let translation = |program| compilation(program, &[PROGRAM], &OBJECT);
-    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
-        execution(request, main)
-    })
+    reproduction::reproduce(request, ability, translation, |main| execution(request, main))
 }
 
 /// Returns the reproduction that only compiles a program.
@@ -84,15 +83,11 @@ fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Reproductio
 
 /// Returns a text without the name at which a C program begins.
 fn renamed(source: &str) -> String {
-    let mut text = String::with_capacity(source.len());
-    let mut behind = 0;
-    for word in words(source).filter(|word| word.is("main")) {
-        text.push_str(&source[behind..word.at]);
-        text.push_str(MAIN);
-        behind = word.end();
+    let mut edits = Edits::new();
+    for word in words(source, Dialect::of(DialectName::RUSTY)).filter(|word| word.is("main")) {
+        edits.replace(word.span, MAIN);
     }
-    text.push_str(&source[behind..]);
-    text
+    edits.apply(source)
 }
 
 /// Returns the function that shows the values observed after a scan; `None` stands for the last.
@@ -200,7 +195,6 @@ fn print(asked: &Observation, kind: &PrintedKind<'_>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::DialectName;
 
     #[test]
     fn a_program_shows_its_values_through_functions_and_keeps_its_lines() {

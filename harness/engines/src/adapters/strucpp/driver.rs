@@ -19,49 +19,13 @@ const SUBSCRIPT: i32 = 3;
 const DAY: i128 = 86_400_000_000_000;
 
 /// The headers that every translated program includes; they are compiled once.
-pub(super) const HEADER: &str = "\
-#include \"iec_types.hpp\"
-#include \"iec_var.hpp\"
-#include \"iec_global.hpp\"
-#include \"iec_array.hpp\"
-#include \"iec_located.hpp\"
-#include \"iec_std_lib.hpp\"
-#include \"iec_enum.hpp\"
-#include \"iec_memory.hpp\"
-#include \"iec_pointer.hpp\"
-#include \"iec_string.hpp\"
-#include \"iec_wstring.hpp\"
-#include <array>
-#include <cstddef>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
-#include <string>
-";
+pub(super) const HEADER: &str = include_str!("driver/headers.hpp");
 
 /// The C++ functions that read a variable: a class with `get`, or where its type is an alias or a subrange, a plain value.
-pub(super) const VALUE_OF: &str = "\
-template<class T> static auto value_of(const T &variable, int) -> decltype(variable.get()) { return variable.get(); }
-template<class T> static T value_of(const T &variable, long) { return variable; }
-";
+pub(super) const VALUE_OF: &str = include_str!("driver/value_of.cpp");
 
 /// The C++ functions that print values, one for each printed form.
-const PRINTERS: &str = "\
-template<class T> static void print_bits(int number, T value) {
-    unsigned long long bits = 0;
-    static_assert(sizeof value <= sizeof bits);
-    std::memcpy(&bits, &value, sizeof value);
-    std::printf(\"%d %llx\\n\", number, bits);
-}
-template<class T> static void print_text(int number, const T &value) {
-    std::printf(\"%d '\", number);
-    for (std::size_t at = 0; at < value.length(); at++) {
-        unsigned unit = static_cast<unsigned>(value[at]);
-        std::printf(\"%04x\", sizeof value[0] == 1 ? unit & 0xffu : unit & 0xffffu);
-    }
-    std::printf(\"\\n\");
-}
-";
+const PRINTERS: &str = include_str!("driver/printers.cpp");
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct StrucppSubject<'r> {
@@ -124,7 +88,7 @@ pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<PrintedKind<'r>>
 
 /// Writes the functions that run a program and print the values observed after a scan; 0 stands for the end.
 fn write_run(text: &mut String, subject: &StrucppSubject<'_>, kinds: &[PrintedKind<'_>]) {
-    text.push_str(&instance(subject.request.source, &subject.program));
+    text.push_str(&instance(&subject.request, &subject.program));
     text.push_str("static void look(unsigned long scan) {\n");
     for (number, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
         let variable = place(subject.probes.variable(asked));
@@ -155,9 +119,9 @@ fn write_run(text: &mut String, subject: &StrucppSubject<'_>, kinds: &[PrintedKi
 
 /// Returns the declaration of `program`, the main program of a source text: an instance of its class, or where the text brings a
 /// configuration, the one that this has, with the global variables that it takes from there.
-pub(super) fn instance(source: &str, program: &str) -> String {
+pub(super) fn instance(request: &RunRequest<'_>, program: &str) -> String {
     let class = format!("strucpp::Program_{}", program.to_ascii_uppercase());
-    match own_configuration(source, program) {
+    match own_configuration(request, program) {
         None => format!("static {class} program;\n"),
         Some(own) => format!(
             "static strucpp::Configuration_{} configuration;\nstatic {class} &program = configuration.{};\n",
@@ -214,7 +178,7 @@ mod tests {
     fn a_configuration_of_the_program_is_used() {
         let source = "PROGRAM main ; END_PROGRAM CONFIGURATION c RESOURCE r ON PLC PROGRAM i : main; END_RESOURCE END_CONFIGURATION";
         assert_eq!(
-            instance(source, "main"),
+            instance(&RunRequest::once(DialectName::STRUCPP, source, &[]), "main"),
             "static strucpp::Configuration_C configuration;\nstatic strucpp::Program_MAIN &program = configuration.I;\n"
         );
     }

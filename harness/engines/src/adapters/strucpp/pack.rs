@@ -21,7 +21,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
     let mut members = Vec::with_capacity(requests.len());
     for (place, request) in requests.iter().enumerate() {
         match session.accepted(request) {
-            Ok(accepted) if declared(request.source, session.engine.taken()).is_some() => {
+            Ok(accepted) if declared(request, session.engine.taken(), false).is_some() => {
                 members.push((place, accepted));
             }
             Ok(_) => {}

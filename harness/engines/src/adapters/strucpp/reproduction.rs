@@ -6,8 +6,8 @@ use crate::adapters::builder::Language;
 use crate::adapters::printed::PrintedKind;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
 use crate::adapters::readable::{self, DriverMain, ReadableExpression};
-use crate::adapters::reproduction;
 use crate::adapters::source::MainProgram;
+use crate::adapters::{locate, reproduction};
 use crate::reproduction::PROGRAM;
 use crate::{Ability, NoReproduction, Observation, Reproduction, RunRequest};
 use stickler_types::ElementaryType;
@@ -23,15 +23,8 @@ pub(in crate::adapters) fn reproduce(
     request: &RunRequest<'_>,
     ability: Ability,
 ) -> Result<Reproduction, NoReproduction> {
-    if request.dialect.base() != DIALECT.base() {
-        return Err(NoReproduction::Unsupported(format!(
-            "it does not speak {}",
-            request.dialect
-        )));
-    }
-    reproduction::reproduce(request, ability, super::no_rendering(), translation, |main| {
-        execution(request, main)
-    })
+    locate::speaks(DIALECT, request.dialect)?;
+    reproduction::reproduce(request, ability, translation, |main| execution(request, main))
 }
 
 /// Returns the reproduction that only translates a program.
@@ -77,7 +70,7 @@ fn text(
     .text();
     Ok(format!(
         "#include \"program.cpp\"\n#include <cstdio>\n#include <ctime>\n\n{}\n{VALUE_OF}{}{text}",
-        instance(request.source, &main.name),
+        instance(request, &main.name),
         readable::functions(&text)
     ))
 }

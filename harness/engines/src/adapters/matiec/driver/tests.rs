@@ -139,13 +139,14 @@ fn a_configuration_of_the_program_is_initialised_and_run() {
 fn a_variable_with_a_location_and_an_external_one_are_pointers() {
     let source = "PROGRAM other VAR y AT %MW2 : INT; END_VAR END_PROGRAM \
                   PROGRAM main VAR x AT %MW1 : INT; y : INT; END_VAR VAR_EXTERNAL g : INT; END_VAR VAR z : INT; END_VAR END_PROGRAM";
+    let request = RunRequest::once(DialectName::MATIEC, source, &[]);
     for (variable, expression) in [
         ("x", "(*p.X.value)"),
         ("y", "p.Y.value"),
         ("g", "(*p.G.value)"),
         ("z", "p.Z.value"),
     ] {
-        assert_eq!(place("p", variable, source), expression);
+        assert_eq!(place("p", variable, &request), expression);
     }
 }
 

@@ -1,0 +1,17 @@
+#include "iec_types.hpp"
+#include "iec_var.hpp"
+#include "iec_global.hpp"
+#include "iec_array.hpp"
+#include "iec_located.hpp"
+#include "iec_std_lib.hpp"
+#include "iec_enum.hpp"
+#include "iec_memory.hpp"
+#include "iec_pointer.hpp"
+#include "iec_string.hpp"
+#include "iec_wstring.hpp"
+#include <array>
+#include <cstddef>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+#include <string>
