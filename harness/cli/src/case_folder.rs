@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
 use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite};
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Question};
 use stickler_workers::Shard;
 
 /// The name of the folder of cases.
@@ -147,10 +147,12 @@ impl CaseFolder {
 
     /// Reads the files in which a word stands, without reporting mistakes in them.
     pub fn load_mentioning(&self, word: &str) -> Suite {
-        Suite::load_files(&self.path, &[], |id, kind| {
-            let file = self.path.join(format!("{id}.{}", kind.extension()));
-            fs::read_to_string(file).is_ok_and(|text| text.contains(word))
-        })
+        Suite::load_files(&self.path, &[], |id, kind| self.mentions(id, kind, word))
+    }
+
+    fn mentions(&self, id: &str, kind: FileKind, word: &str) -> bool {
+        let file = self.path.join(format!("{id}.{}", kind.extension()));
+        fs::read_to_string(file).is_ok_and(|text| text.contains(word))
     }
 
     /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
@@ -204,6 +206,22 @@ impl CaseFolder {
         let named = named_dialects(plan);
         let defined = defined(named.iter().copied());
         let suite = Suite::load_files(&self.path, &defined, |file, of| file == id && of == kind);
+        report_mistakes(&suite);
+        self.prepared(plan, suite, named)
+    }
+
+    /// Loads the cases for a plan that ask whether a type converts implicitly, as [`CaseFolder::load_for`] does.
+    ///
+    /// # Errors
+    /// A session of the reference that cannot be opened.
+    pub fn load_implicit_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
+        let named = named_dialects(plan);
+        let defined = defined(named.iter().copied());
+        let mut suite = Suite::load_files(&self.path, &defined, |id, kind| {
+            self.mentions(id, kind, "implicit(")
+        });
+        let is_implicit = |case: &Case| matches!(case.question.as_deref(), Some(Question::Implicit(_)));
+        suite.cases.retain(is_implicit);
         report_mistakes(&suite);
         self.prepared(plan, suite, named)
     }

@@ -3,15 +3,9 @@
 use crate::case_folder::CaseFolder;
 use crate::output;
 use std::collections::BTreeSet;
-use stickler_conversions::overview::{
-    AssertedResult, CaseProgram, CaseStatement, Statements, StatementsBuilder,
-};
-use stickler_exact::{call_of_program, part_of_program};
+use stickler_conversions::overview::{AssertedResult, CaseStatement, Statements, StatementsBuilder};
 use stickler_suite::{Acceptance, Case, SourceKind, Suite};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
-
-/// The probe whose cells say whether types convert implicitly.
-pub const IMPLICIT_PROBE: &str = "assignment";
+use stickler_types::{DialectName, MatrixWord, Question, Value};
 
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
 /// boundary values of these functions; and what the recorded compilers of the folder answer. A folder or file of recordings that cannot be
@@ -19,30 +13,9 @@ pub const IMPLICIT_PROBE: &str = "assignment";
 pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
     let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
     let mut builder = StatementsBuilder::new(dialects.into_iter().collect());
-    for case in cases.iter().filter(|case| case.placement.is_none()) {
-        if let Some(cell) = &case.cell
-            && &*cell.probe == IMPLICIT_PROBE
-            && let (Some(from), Some(to)) = (
-                ElementaryType::from_name(&cell.row),
-                ElementaryType::from_name(&cell.column),
-            )
-        {
-            builder.add_implicit(from, to, &statement(case, cell.word));
-        } else if let Some(access) = part_of_program(&case.source) {
-            let word = match case.expectation.accepted {
-                Acceptance::Required => MatrixWord::Yes,
-                Acceptance::Rejected => MatrixWord::No,
-                Acceptance::Observed => MatrixWord::Open,
-            };
-            builder.add_part(access.ty, access.part, &statement(case, word));
-        } else {
-            builder.add_program(&CaseProgram {
-                case: &case.id,
-                dialect: case.dialect,
-                source: &case.source,
-                result: asserted_value(case),
-                basis: &case.basis,
-            });
+    for case in cases {
+        if let Some(question) = &case.question {
+            builder.add(question, &statement(case));
         }
     }
     // A run that asks about no conversion does without the recordings, whose files take longer to read than a few cases.
@@ -62,26 +35,34 @@ pub fn of_all_cases(folder: &CaseFolder) -> Statements {
     statements(&suite.cases.iter().collect::<Vec<_>>(), folder)
 }
 
-fn statement(case: &Case, word: MatrixWord) -> CaseStatement<'_> {
+fn statement(case: &Case) -> CaseStatement<'_> {
     CaseStatement {
-        dialect: case.dialect,
-        word,
-        basis: &case.basis,
         case: &case.id,
+        dialect: case.dialect,
+        word: match (&case.cell, case.expectation.accepted) {
+            (Some(cell), _) => cell.word,
+            (None, Acceptance::Required) => MatrixWord::Yes,
+            (None, Acceptance::Rejected) => MatrixWord::No,
+            (None, Acceptance::Observed) => MatrixWord::Open,
+        },
+        result: asserted_value(case),
+        basis: &case.basis,
     }
 }
 
 /// Returns the results that cases assert of a conversion function. A basis that is no document names what it was, with product and version.
 pub fn asserted_results(suite: &Suite, function: &str) -> Vec<AssertedResult> {
     let asserted = |case: &Case| {
-        let value = asserted_value(case)?.clone();
-        let call = call_of_program(&case.source)?;
+        let (Some(Question::Call(call)), Some(value)) = (case.question.as_deref(), asserted_value(case))
+        else {
+            return None;
+        };
         call.function
             .eq_ignore_ascii_case(function)
             .then(|| AssertedResult {
                 dialect: case.dialect,
-                operand: call.operand,
-                value,
+                operands: call.operands.clone(),
+                value: value.clone(),
                 basis: with_product(suite, &case.basis).into(),
             })
     };

@@ -5,10 +5,10 @@ use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::Arc;
-use stickler_conversions::implicit::{MatrixAnswer, TypePair};
+use stickler_conversions::implicit::MatrixAnswer;
 use stickler_conversions::recording::Recording;
 use stickler_conversions::table::{Alignment, Cell, Table};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, wrap_within};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, TypePair, wrap_within};
 
 const YES: Style = AnsiColor::Green.on_default();
 

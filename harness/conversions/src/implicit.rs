@@ -2,11 +2,8 @@
 
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::{Engine, EngineSession, Outcome};
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_types::{DialectName, MatrixWord, TypePair};
 use stickler_workers::WorkerPool;
-
-/// The type of a value, and the type of the variable to which it is assigned.
-pub type TypePair = (ElementaryType, ElementaryType);
 
 /// The reaction of an engine to a value of one type in a variable of another. A crash is no
 /// rejection.

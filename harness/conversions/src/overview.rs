@@ -20,5 +20,5 @@ pub use results::{
     AnswerSource, AssertedResult, ComparedResult, DialectResults, ExpectedResult, OtherStatement,
     SignatureResults, gather,
 };
-pub use statements::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
+pub use statements::{CaseStatement, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};

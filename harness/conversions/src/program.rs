@@ -3,7 +3,6 @@
 use crate::literals;
 use std::fmt::Write;
 use stickler_engines::Observation;
-use stickler_exact::Signature;
 use stickler_types::{ElementaryType, Value};
 
 /// The length, in characters, up to which a STRING of default length holds a text in every system.
@@ -37,11 +36,11 @@ impl ConversionProgram {
 /// than IEC 60559 gives the function other operands.
 #[must_use]
 pub fn listed(
-    signature: &Signature,
+    function: &str,
+    result: ElementaryType,
     calls: &[Vec<Value>],
     literal: fn(&Value) -> String,
 ) -> ConversionProgram {
-    let Signature { function, result, .. } = signature;
     let (mut declarations, mut statements) = infinity(calls);
     let mut observed = Vec::with_capacity(calls.len());
     for (number, call) in (1..).zip(calls) {
@@ -71,7 +70,7 @@ pub fn listed(
     ConversionProgram {
         source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
         observed,
-        ty: *result,
+        ty: result,
     }
 }
 

@@ -2,7 +2,7 @@
 //! version and date, to be shown where the compiler itself is not at hand.
 //!
 //! [`Recording::ask`] asks an engine, and a [`RecordingBuilder`] takes what a person copied out of an editor; [`Recording::write`]
-//! writes the file, and [`Recording::parse`] reads it. A [`Question`] is what is asked.
+//! writes the file, and [`Recording::parse`] reads it. [`all_questions`] are what is asked, in the programs of [`program_of`].
 
 mod ask;
 mod imported;
@@ -11,16 +11,16 @@ mod questions;
 mod tables;
 mod write;
 
-use crate::implicit::{MatrixAnswer, TypePair};
+use crate::implicit::MatrixAnswer;
 use crate::session::{Refusal, RefusalKind};
 use std::collections::HashMap;
 use stickler_engines::{Ability, Grade, Identity};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, TypePair, Value};
 
 pub use imported::RecordingBuilder;
 pub use parse::RecordingError;
-pub use questions::{Question, extreme};
+pub use questions::{all_questions, extreme, program_of};
 pub use tables::{RecordedTable, RecordedTables};
 
 /// The answers of one version of a compiler.

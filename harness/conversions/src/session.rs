@@ -161,11 +161,12 @@ impl<'e> FunctionSession<'e> {
         signature: &Signature,
         calls: &[Vec<Value>],
     ) -> Result<Vec<Value>, Refusal> {
-        let program = program::listed(signature, calls, literal);
+        let Signature { function, result, .. } = signature;
+        let program = program::listed(function, *result, calls, literal);
         let given = self.run(dialect, &program);
         match &given {
             Err(refusal) if refusal.kind == RefusalKind::Rejected && program.source.contains("#-") => {
-                let untyped = program::listed(signature, calls, untyped_literal);
+                let untyped = program::listed(function, *result, calls, untyped_literal);
                 self.run(dialect, &untyped).or(given)
             }
             _ => given,

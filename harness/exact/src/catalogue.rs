@@ -8,7 +8,7 @@ use crate::pair;
 use crate::signature::{Operation, Signature};
 use std::collections::HashMap;
 use std::sync::OnceLock;
-use stickler_types::{Dialect, DialectName, ElementaryType, MomentUnits};
+use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType, MomentUnits};
 
 /// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
 ///
@@ -49,6 +49,13 @@ pub fn signatures(function: &str, dialect: DialectName) -> Vec<Signature> {
         ..signature.clone()
     });
     renamed.collect()
+}
+
+/// Returns the signature of a call in a dialect: of the types of its operands and of the variable that takes its result.
+#[must_use]
+pub fn signature_of(call: &ConversionCall, dialect: DialectName) -> Option<Signature> {
+    let mut all = signatures(&call.function, dialect).into_iter();
+    all.find(|signature| signature.result == call.result && signature.takes(&call.operands))
 }
 
 /// Returns the name of every conversion function of a dialect, each once, in upper case and with the short spelling of the

@@ -15,7 +15,7 @@
 //! | the same, for billions of operands? | [`Bulk`] |
 //! | which types become others without a call? | [`implicit()`] |
 //! | what does a value become without a call? | [`implicit_result()`] |
-//! | which call does the program of a case make? | [`call_of_program`] |
+//! | which signature has the function of a call? | [`signature_of`] |
 //!
 //! ```
 //! use stickler_exact::{expected, signatures};
@@ -47,7 +47,6 @@ mod implicit_result;
 mod integer;
 mod moment;
 mod pair;
-mod program_call;
 mod quotient;
 mod real;
 mod signature;
@@ -57,11 +56,10 @@ mod vendor_page;
 
 pub use basis::{Expected, expected, is_overridden, page_has_truncation};
 pub use bulk::Bulk;
-pub use catalogue::{functions, has_type, signatures};
+pub use catalogue::{functions, has_type, signature_of, signatures};
 pub use choices::choices_of;
 pub use implicit::implicit;
 pub use implicit_result::{ImplicitResult, implicit_result};
-pub use program_call::{PartAccess, ProgramCall, call_of_program, part_of_program};
 pub use signature::{Operation, Signature};
 pub use value::value;
 pub use vendor_page::stated_by_vendor;

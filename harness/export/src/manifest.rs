@@ -20,7 +20,7 @@ const FORMAT: u32 = 1;
 const MAX_ARRAY_ELEMENTS: usize = 1_000_000;
 
 /// The manifest of an export.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(crate) struct Manifest {
     /// The version of the manifest's format.
     pub(crate) format: u32,
@@ -38,7 +38,7 @@ pub(crate) struct Manifest {
 }
 
 /// A page in the manifest.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(crate) struct PageRecord {
     /// The file of the page.
     pub(crate) file: String,

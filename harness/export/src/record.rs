@@ -3,10 +3,10 @@
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue};
-use stickler_types::{Code, DialectName, Observation, Value};
+use stickler_types::{Code, DialectName, Observation, Question, Value};
 
 /// The record of a case. Its program is that of the suite, not that of a page.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub(crate) struct CaseRecord {
     pub(crate) id: String,
     title: String,
@@ -15,6 +15,8 @@ pub(crate) struct CaseRecord {
     line: u32,
     area: String,
     source: String,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    question: Option<Question>,
     accepted: RequiredAcceptance,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     diagnostics: Vec<(u32, String)>,
@@ -76,6 +78,7 @@ impl CaseRecord {
             line: case.line,
             area: case.area.to_string(),
             source: case.source.to_string(),
+            question: case.question.as_deref().cloned(),
             accepted: match expectation.accepted {
                 Acceptance::Required => RequiredAcceptance::Required,
                 Acceptance::Rejected => RequiredAcceptance::Rejected,
@@ -133,6 +136,7 @@ impl CaseRecord {
                 ..Expectation::default()
             }),
             observe: observe.collect(),
+            question: self.question.clone().map(Arc::new),
             ..Case::of_program(&self.id, dialect, &self.source)
         })
     }

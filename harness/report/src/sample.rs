@@ -82,6 +82,7 @@ pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
         duration_us: 12,
         observations: Vec::new(),
         program: None,
+        question: None,
         baseline: None,
     }
 }

@@ -39,6 +39,7 @@ impl CaseJudge<'_> {
         };
         let expectation = Fact::fingerprint(&judgement.expected);
         let passed = judgement.verdict == Verdict::Pass;
+        let shown = needs_program(judgement.verdict).then_some(case);
         let (expected, got) = match passed && tells_nothing(&judgement) {
             true => (Vec::new(), Vec::new()),
             false => (judgement.expected, judgement.got),
@@ -60,7 +61,8 @@ impl CaseJudge<'_> {
             got,
             duration_us: u64::try_from(time.as_micros()).unwrap_or(u64::MAX),
             observations: judgement.observations,
-            program: needs_program(judgement.verdict).then(|| case.source.to_string()),
+            program: shown.map(|case| case.source.to_string()),
+            question: shown.and_then(|case| case.question.as_deref().cloned()),
             baseline,
         }
     }

@@ -17,6 +17,7 @@ use crate::Fact;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use stickler_engines::Grade;
+use stickler_types::Question;
 
 /// The version of the event format.
 pub const FORMAT: u32 = 3;
@@ -181,6 +182,8 @@ pub struct CaseEvent {
     pub observations: Vec<Observed>,
     /// The whole program, where the engine did not meet the expectation; `None` otherwise, since the case file has it.
     pub program: Option<String>,
+    /// The question that the program asks; `None` where it asks none, or where `program` is.
+    pub question: Option<Question>,
     /// The note of the engine's baseline on the case; `None` where no entry matters to it.
     pub baseline: Option<BaselineNote>,
 }

@@ -2,12 +2,11 @@
 //!
 //! Their values come from exact arithmetic with the choices of the definition.
 
-use crate::assembly::TypeNames;
 use crate::citations::NOT_STATED;
 use crate::model::{Acceptance, Case, Expectation, ExpectedValue};
 use std::sync::Arc;
-use stickler_exact::{ImplicitResult, call_of_program, expected, is_overridden, signatures};
-use stickler_types::{DialectName, ElementaryType, Observation, Value};
+use stickler_exact::{ImplicitResult, Signature, expected, is_overridden, signature_of, signatures};
+use stickler_types::{DialectName, ElementaryType, Question, Value};
 
 /// Returns what a value becomes where a definition states that a pair of types converts implicitly: the result of
 /// `<FROM>_TO_<TO>`, or `Open` where no document or definition says what that is.
@@ -27,20 +26,18 @@ pub(crate) fn converted(value: &Value, to: ElementaryType, dialect: DialectName)
     }
 }
 
-/// Replaces the expectation of a case whose program is one call of a conversion function, where the definition of the
+/// Replaces the expectation of a case that asks for the result of a conversion function and observes it, where the definition of the
 /// case's dialect decides the result. Leaves any other case unchanged.
-pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
+pub(crate) fn restate(case: &mut Case) {
     if case.expectation.accepted == Acceptance::Rejected || case.expectation.fault.is_some() {
         return;
     }
-    let Some(call) = call_of_program(&case.source) else {
+    let (Some(Question::Call(call)), [observed]) = (case.question.as_deref(), &*case.observe) else {
         return;
     };
-    let operands = std::slice::from_ref(&call.operand);
-    let found = signatures(call.function, case.dialect)
-        .into_iter()
-        .find(|signature| signature.result == call.result && signature.takes(operands));
-    let Some(signature) = found.filter(|signature| is_overridden(signature, operands, case.dialect)) else {
+    let operands = &call.operands;
+    let is_overridden = |signature: &Signature| is_overridden(signature, operands, case.dialect);
+    let Some(signature) = signature_of(call, case.dialect).filter(is_overridden) else {
         return;
     };
     let expected = expected(&signature, operands, case.dialect);
@@ -48,13 +45,13 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
     match expected.basis {
         Some(basis) => {
             expectation.values.push(ExpectedValue {
-                name: call.target.into(),
+                name: Arc::clone(&observed.name),
                 after: None,
                 value: expected.value,
                 line: case.line,
             });
             case.basis = basis.into();
-            case.title = format!("{}({}) in {}", call.function, call.operand, case.dialect).into();
+            case.title = format!("{call} in {}", case.dialect).into();
             case.summary = None;
         }
         None => {
@@ -63,10 +60,4 @@ pub(crate) fn restate(case: &mut Case, names: &TypeNames) {
         }
     }
     case.expectation = Arc::new(expectation);
-    case.observe = [Observation {
-        name: call.target.into(),
-        type_name: names.elementary(call.result),
-        after: None,
-    }]
-    .into();
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Question};
 use toml::Spanned;
 
 use crate::assembly::{Assembly, TypeNames};
@@ -53,6 +53,7 @@ pub(crate) struct DialectGroup<'a> {
     pub(crate) line: u32,
     pub(crate) source: Arc<str>,
     pub(crate) assembly: Assembly,
+    pub(crate) question: Option<Arc<Question>>,
     pub(crate) cell: Option<&'a Arc<MatrixCell>>,
     pub(crate) placement: Option<&'a Arc<Placement>>,
 }
@@ -109,6 +110,7 @@ impl Harvest {
                 set: Arc::clone(&group.assembly.set),
                 expectation: Arc::clone(&group.assembly.expectation),
                 observe: Arc::clone(&group.assembly.observe),
+                question: group.question.clone(),
                 cell: group.cell.map(Arc::clone),
                 placement: group.placement.map(Arc::clone),
             };

@@ -8,8 +8,8 @@ use crate::citations::is_stated;
 use crate::places::Placement;
 
 use stickler_types::{
-    ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, RunRequest, Setting,
-    Value,
+    ClockSetting, Code, DialectName, Fault, MatrixWord, Observation, ObservationKey, Question, RunRequest,
+    Setting, Value,
 };
 
 /// One program in one dialect, with one expectation.
@@ -48,6 +48,8 @@ pub struct Case {
     pub expectation: Arc<Expectation>,
     /// All variables whose values an engine has to give back, each once: those asserted and those only recorded.
     pub observe: Arc<[Observation]>,
+    /// The question of the program, where its table states one.
+    pub question: Option<Arc<Question>>,
     /// The cell of the matrix, for a case that comes from one.
     pub cell: Option<Arc<MatrixCell>>,
     /// The places of which the program was put together, if it was.
@@ -73,6 +75,7 @@ impl Case {
             set: Arc::default(),
             expectation: Arc::default(),
             observe: Arc::default(),
+            question: None,
             cell: None,
             placement: None,
         }

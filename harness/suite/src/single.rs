@@ -129,6 +129,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
                     line: 1,
                     source,
                     assembly,
+                    question: None,
                     cell: None,
                     placement: None,
                 };

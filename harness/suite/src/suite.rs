@@ -108,9 +108,7 @@ impl Suite {
         let read = |file: &files::CaseFile| {
             let mut harvest = read_file(file, names);
             let cases = harvest.cases.iter_mut();
-            cases
-                .filter(|case| case.dialect.is_custom())
-                .for_each(|case| restate(case, &type_names));
+            cases.filter(|case| case.dialect.is_custom()).for_each(restate);
             harvest
         };
         let files = listing.files.iter();

@@ -247,6 +247,11 @@ impl ElementaryType {
             .map(|&(_, ty)| ty)
     }
 
+    /// Returns the type that a declaration names: a keyword, after which that of a text may have its length, as in `STRING[5]`.
+    pub fn declared(name: &str) -> Option<ElementaryType> {
+        ElementaryType::from_name(name.split_once('[').map_or(name, |(bare, _)| bare))
+    }
+
     /// Returns the type that the prefix of a typed literal names: its keyword, or `T`, `LT`, `D`, `LD`; in any case.
     ///
     /// Basis: iec-61131-3: Tables 8 and 9 (duration, date and time of day literals).

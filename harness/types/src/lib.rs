@@ -14,6 +14,7 @@
 //! | what dialects choose differently | [`ConversionChoices`], [`MatrixWord`] |
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
+//! | what a program asks a compiler about its conversions | [`Question`], [`ConversionCall`] |
 //! | what answered when a compiler was recorded | [`RecordingOrigin`] |
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
@@ -36,6 +37,7 @@ mod observed_value;
 pub mod operators;
 mod options;
 pub mod outcome;
+mod question;
 mod random;
 mod recording_origin;
 pub mod request;
@@ -62,6 +64,7 @@ pub use literal::LiteralError;
 pub use numbers::{counted, grouped};
 pub use operators::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
 pub use outcome::{NamedValue, Outcome};
+pub use question::{ConversionCall, Question, TypePair, UnknownQuestion, is_part};
 pub use random::SplitMix64;
 pub use recording_origin::RecordingOrigin;
 pub use request::{ClockSetting, Observation, ObservationKey, RunRequest, Setting};

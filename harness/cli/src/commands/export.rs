@@ -9,11 +9,11 @@ use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
-use stickler_conversions::recording::Question;
+use stickler_conversions::recording::{all_questions, program_of};
 use stickler_export::{ANSWERS, ExportPlan, Exported, ExtraCases, ProjectPlan, export};
 use stickler_run::{Filter, select};
 use stickler_suite::{Acceptance, Case, Expectation};
-use stickler_types::{DialectName, counted};
+use stickler_types::{DialectName, Question, counted};
 
 /// Writes the pages, and shows which cases are on them and which are not.
 ///
@@ -53,8 +53,8 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
 /// As [`execute`].
 fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let filter = arguments.filter.as_deref().map(Filter::new);
-    let cases: Vec<Case> = Question::all(arguments.dialect)
-        .iter()
+    let cases: Vec<Case> = all_questions(arguments.dialect)
+        .into_iter()
         .map(|question| question_case(question, arguments.dialect))
         .filter(|case| {
             filter
@@ -71,14 +71,15 @@ fn export_questions(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow:
 }
 
 /// Returns the case that asks a question of a recording: whether its program is accepted is open, and so are its values.
-fn question_case(question: &Question, dialect: DialectName) -> Case {
-    let program = question.program();
-    let id = question.id();
+fn question_case(question: Question, dialect: DialectName) -> Case {
+    let program = program_of(&question);
+    let id = question.to_string();
     Case {
         title: id.as_str().into(),
         basis: "rule: not-stated".into(),
         area: "recording".into(),
         observe: program.observations().into(),
+        question: Some(Arc::new(question)),
         expectation: Arc::new(Expectation {
             accepted: Acceptance::Observed,
             ..Expectation::default()

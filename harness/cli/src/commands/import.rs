@@ -266,7 +266,9 @@ impl Recorder {
 
     /// Adds what the compiler did with a case.
     fn take(&mut self, case: &Case, outcome: &Outcome) {
-        if !self.builder.take(&case.source, outcome) {
+        let observed = case.observe.first().map_or("", |observed| &*observed.name);
+        let asked = case.question.as_deref();
+        if !asked.is_some_and(|question| self.builder.take(question, observed, outcome)) {
             self.others += 1;
         }
     }

@@ -2,7 +2,6 @@
 
 use crate::arguments::{MatrixArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
-use crate::documented::IMPLICIT_PROBE as PROBE;
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
 use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
@@ -10,10 +9,10 @@ use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
 use std::sync::Arc;
-use stickler_conversions::implicit::{self, TypePair};
+use stickler_conversions::implicit;
 use stickler_conversions::recording::Recording;
 use stickler_suite::Case;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, TypePair};
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
 const TYPES: [ElementaryType; 20] = [
@@ -46,12 +45,12 @@ const TYPES: [ElementaryType; 20] = [
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
-        filter: Some(format!("*{PROBE}(*")),
+        filter: None,
         dialect: arguments.dialect.clone(),
     };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     // No document speaks of the pairs that a dialect of stickler.toml does not inherit.
-    let Loaded { suite, .. } = folder.load_for(&case_folder::plan(&selection, None))?;
+    let Loaded { suite, .. } = folder.load_implicit_for(&case_folder::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let recordings: Vec<Recording> = match arguments.recorded || arguments.engine.is_empty() {
@@ -59,7 +58,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
         false => Vec::new(),
     };
     let mut exit = case_folder::exit_of(&suite);
-    if !suite.cases.iter().any(|case| case.cell.is_some()) {
+    if !suite.cases.iter().any(|case| implicit_word(case).is_some()) {
         return Ok(case_folder::nothing_selected(&suite));
     }
     let asked = if arguments.dialect.is_empty() {
@@ -93,16 +92,20 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     Ok(exit)
 }
 
+/// Returns the pair of types of which a cell of a matrix asks whether they convert implicitly, and the word of the documents.
+fn implicit_word(case: &Case) -> Option<(TypePair, MatrixWord)> {
+    match (case.question.as_deref(), &case.cell) {
+        (Some(Question::Implicit(pair)), Some(cell)) => Some((*pair, cell.word)),
+        _ => None,
+    }
+}
+
 fn documents(cases: &[Case], dialect: DialectName) -> Documents {
-    let of_case = |case: &Case| {
-        let cell = case.cell.as_deref().filter(|cell| &*cell.probe == PROBE)?;
-        let pair = (
-            ElementaryType::from_name(&cell.row)?,
-            ElementaryType::from_name(&cell.column)?,
-        );
-        Some((pair, (cell.word, Arc::clone(&case.basis))))
-    };
     let cases = cases.iter().filter(|case| case.dialect == dialect);
+    let of_case = |case: &Case| {
+        let (pair, word) = implicit_word(case)?;
+        Some((pair, (word, Arc::clone(&case.basis))))
+    };
     cases.filter_map(of_case).collect()
 }
 

@@ -66,6 +66,9 @@ fn write_group(group: &[&Case], sources: &Sources, out: &mut dyn Write) -> io::R
     }
     writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
     writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
+    if let Some(question) = &case.question {
+        writeln!(out, "{DIM}asks{DIM:#}      {question}")?;
+    }
     if !case.tags.is_empty() {
         writeln!(out, "{DIM}tags{DIM:#}      {}", case.tags.join(", "))?;
     }

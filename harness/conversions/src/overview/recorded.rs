@@ -1,11 +1,11 @@
 //! The answers of recordings to the questions of a table of statements, compared with what the sources state.
 
 use super::results::{ComparedResult, ExpectedResult};
-use crate::implicit::{MatrixAnswer, TypePair};
+use crate::implicit::MatrixAnswer;
 use crate::recording::Recording;
 use crate::session::{Refusal, RefusalKind};
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, MatrixWord, RecordingOrigin, Value};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, RecordingOrigin, TypePair, Value};
 
 /// The number of a question to which documents and engines have answers: whether a pair of types converts implicitly, whether a
 /// type has a part, or what one call of a function gives. Pairs come first, then parts, then calls.

@@ -75,8 +75,8 @@ pub struct OtherStatement {
 pub struct AssertedResult {
     /// The dialect.
     pub dialect: DialectName,
-    /// The operand.
-    pub operand: Value,
+    /// The operands.
+    pub operands: Vec<Value>,
     /// The result.
     pub value: Value,
     /// The source and section that the case cites.
@@ -158,7 +158,7 @@ impl SignatureResults {
         let asserted = |call: &CallOperands| {
             let is_same = |one: &&AssertedResult| {
                 one.dialect == dialect
-                    && call[..] == [one.operand.clone()]
+                    && call[..] == one.operands[..]
                     && one.value.type_name() == signature.result.name()
             };
             let found = asserted.iter().find(is_same)?;

@@ -85,28 +85,15 @@ struct CallStatements {
     values: Vec<Vec<u32>>,
 }
 
-/// A statement of a document, of which a case asks whether an engine does so.
-#[derive(Clone, PartialEq, Debug)]
+/// The answer that a case expects to the question that it asks.
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub struct CaseStatement<'c> {
+    /// The id of the case.
+    pub case: &'c Arc<str>,
     /// The dialect.
     pub dialect: DialectName,
     /// Whether the program must be accepted.
     pub word: MatrixWord,
-    /// The source and section that say so.
-    pub basis: &'c str,
-    /// The id of the case.
-    pub case: &'c Arc<str>,
-}
-
-/// A case whose program may make one call of a conversion function.
-#[derive(Clone, Copy, Debug)]
-pub struct CaseProgram<'c> {
-    /// The id of the case.
-    pub case: &'c Arc<str>,
-    /// The dialect.
-    pub dialect: DialectName,
-    /// The program.
-    pub source: &'c str,
     /// The value that the case asserts, if it asserts exactly one.
     pub result: Option<&'c Value>,
     /// The source and section that the case cites.
@@ -160,12 +147,10 @@ impl Statements {
 
 #[cfg(test)]
 mod tests {
-    use super::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
+    use super::{CaseStatement, Statements, StatementsBuilder};
     use serde_json::{Value, json};
     use std::sync::Arc;
-    use stickler_types::{DialectName, ElementaryType, MatrixWord};
-
-    const PROGRAM: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+    use stickler_types::{DialectName, MatrixWord, Question};
 
     fn statements() -> Statements {
         let dialects = vec![
@@ -175,33 +160,34 @@ mod tests {
             DialectName::CODESYS,
         ];
         let mut builder = StatementsBuilder::new(dialects);
-        let case = Arc::from("w::assignment(INT,DINT,1)");
+        let question = |text: &str| text.parse::<Question>().unwrap();
         let statement = CaseStatement {
+            case: &Arc::from("w::assignment(INT,DINT,1)"),
             dialect: DialectName::MATIEC,
             word: MatrixWord::No,
-            basis: "measured: here",
-            case: &case,
+            result: None,
+            basis: &Arc::from("measured: here"),
         };
-        builder.add_implicit(ElementaryType::Int, ElementaryType::Dint, &statement);
+        builder.add(&question("implicit(INT,DINT)"), &statement);
         let part = CaseStatement {
             case: &Arc::from("b::p(BYTE,8)"),
             ..statement
         };
-        builder.add_part(ElementaryType::Byte, "8", &part);
+        builder.add(&question("bits(BYTE,8)"), &part);
         let recorded = stickler_types::Value::parse("INT#77").unwrap();
-        let program = CaseProgram {
+        let call = CaseStatement {
             case: &Arc::from("c::p(REAL,INT,2.25)"),
             dialect: DialectName::CODESYS,
-            source: PROGRAM,
+            word: MatrixWord::Yes,
             result: Some(&recorded),
             basis: &Arc::from("codesys-recording: here"),
         };
-        builder.add_program(&program);
-        builder.add_program(&CaseProgram {
+        builder.add(&question("REAL_TO_INT(REAL#2.25) : INT"), &call);
+        let none = CaseStatement {
             case: &Arc::from("c::none"),
-            source: "PROGRAM main END_PROGRAM",
-            ..program
-        });
+            ..call
+        };
+        builder.add(&question("REAL_TO_INTEGER(REAL#2.25) : INT"), &none);
         builder.finish(&[])
     }
 

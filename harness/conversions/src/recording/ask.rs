@@ -1,14 +1,14 @@
 //! Asks an engine for the answers of a recording.
 
-use super::questions::{self, Question, is_true, pairs_compared, signatures};
+use super::questions::{self, is_true, pairs_compared, program_of, questions_of, signatures, word_key};
 use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, comparison_word, key};
-use crate::implicit::{self, MatrixAnswer, TypePair};
+use crate::implicit::{self, MatrixAnswer};
 use crate::overview;
 use crate::session::FunctionSession;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::Engine;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, RecordingOrigin};
+use stickler_types::{DialectName, Question, RecordingOrigin, TypePair};
 use stickler_workers::WorkerPool;
 
 /// The number of pairs that one program compares, where an engine accepts them together.
@@ -48,15 +48,15 @@ impl Recording {
     ) -> Result<(), ForeignError> {
         match section {
             RecordedSection::Implicit | RecordedSection::Bits => {
-                let asked = Question::of(section);
-                let sources: Vec<String> = asked.iter().map(|question| question.program().source).collect();
+                let asked = questions_of(section);
+                let sources: Vec<String> = asked.iter().map(|question| program_of(question).source).collect();
                 let answers = implicit::accepted(engine, dialect, &sources, jobs, answered)?;
                 self.add_words(dialect, &asked, answers.into_iter().map(MatrixAnswer::as_str));
             }
             RecordedSection::Comparisons => {
                 let answers = compared(engine, dialect, &pairs_compared(), jobs, answered)?;
                 let words = answers.into_iter().map(comparison_word);
-                self.add_words(dialect, &Question::of(section), words);
+                self.add_words(dialect, &questions_of(section), words);
             }
             RecordedSection::Functions => {
                 let signatures = signatures(dialect);
@@ -83,7 +83,7 @@ impl Recording {
         asked: &[Question],
         words: impl Iterator<Item = &'static str>,
     ) {
-        let keys = asked.iter().filter_map(Question::word_key);
+        let keys = asked.iter().filter_map(word_key);
         self.words.extend(keys.map(|key| (dialect, key)).zip(words));
     }
 
@@ -92,7 +92,7 @@ impl Recording {
     pub fn questions(dialects: &[DialectName], sections: &[RecordedSection]) -> usize {
         let of = |dialect: DialectName, section: RecordedSection| match section {
             RecordedSection::Functions => signatures(dialect).len(),
-            section => Question::of(section).len(),
+            section => questions_of(section).len(),
         };
         let of_dialect = |dialect: &DialectName| {
             sections

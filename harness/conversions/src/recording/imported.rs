@@ -1,20 +1,18 @@
 //! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
 
-use super::questions::{self, Question, is_true};
+use super::questions::{self, is_true, word_key};
 use super::{AnsweredCalls, FunctionAnswers, Recording, comparison_word, key};
 use crate::implicit::MatrixAnswer;
 use crate::session::{RefusalKind, refusal_kind};
 use std::collections::HashMap;
 use stickler_engines::Outcome;
-use stickler_exact::{Signature, call_of_program, part_of_program};
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value};
+use stickler_exact::signature_of;
+use stickler_types::{DialectName, Question, RecordingOrigin, Value};
 
 /// Gathers the answers of a compiler in one dialect.
 pub struct RecordingBuilder {
     dialect: DialectName,
     recording: Recording,
-    /// The questions of the dialect by their programs.
-    questions: HashMap<String, Question>,
     calls: HashMap<String, AnsweredCalls>,
 }
 
@@ -22,30 +20,17 @@ impl RecordingBuilder {
     /// Begins a recording of a compiler that is asked in a dialect; `name` is that of its file.
     #[must_use]
     pub fn new(name: &str, origin: RecordingOrigin, dialect: DialectName) -> RecordingBuilder {
-        let questions = Question::all(dialect).into_iter();
         RecordingBuilder {
             dialect,
             recording: Recording::empty(name, origin, vec![dialect]),
-            questions: questions
-                .map(|question| (question.program().source, question))
-                .collect(),
             calls: HashMap::new(),
         }
     }
 
-    /// Adds what the compiler did with a program, if it asks a question of a recording: whether a type converts implicitly, a part can be
-    /// read, or a value is less than another, or for the result of a conversion function. Returns whether it does. Of several programs that
-    /// ask the same question, the answer to the first counts.
-    pub fn take(&mut self, source: &str, outcome: &Outcome) -> bool {
-        let known = self.questions.get(source).cloned();
-        let asked = known.map(|question| {
-            let observed = question.program().observed;
-            (question, observed.into_iter().next().unwrap_or_default())
-        });
-        let taken = asked
-            .or_else(|| recognized(source, self.dialect))
-            .and_then(|(question, observed)| self.add(question, outcome, &observed));
-        taken.is_some()
+    /// Adds what the compiler did with a program that asks a question and shows the answer in the variable `observed`. Returns whether
+    /// that is an answer. Of several programs that ask the same question, the answer to the first counts.
+    pub fn take(&mut self, question: &Question, observed: &str, outcome: &Outcome) -> bool {
+        self.add(question, observed, outcome).is_some()
     }
 
     /// Returns the number of questions that have an answer.
@@ -76,43 +61,26 @@ impl RecordingBuilder {
     }
 
     /// Adds an answer; `None` where the outcome has none.
-    fn add(&mut self, question: Question, outcome: &Outcome, observed: &str) -> Option<()> {
-        let place = question.word_key();
+    fn add(&mut self, question: &Question, observed: &str, outcome: &Outcome) -> Option<()> {
         let word = match question {
             Question::Implicit(_) | Question::Part(..) => accepted(outcome)?.as_str(),
             Question::Comparison(_) => {
                 comparison_word(result(outcome, observed)?.map(|value| is_true(&value)))
             }
-            Question::Call(signature, operands) => {
+            Question::Call(call) => {
+                let signature = signature_of(call, self.dialect)?;
                 let answer = result(outcome, observed)?;
                 let calls = self.calls.entry(key(&signature)).or_default();
-                if calls.iter().all(|(known, _)| *known != operands) {
-                    calls.push((operands, answer));
+                if calls.iter().all(|(known, _)| *known != call.operands) {
+                    calls.push((call.operands.clone(), answer));
                 }
                 return Some(());
             }
         };
-        self.recording.words.entry((self.dialect, place?)).or_insert(word);
+        let place = word_key(question)?;
+        self.recording.words.entry((self.dialect, place)).or_insert(word);
         Some(())
     }
-}
-
-/// Returns the question of a program that is none of those that a recording asks by itself, such as that of a case, and the variable that
-/// it observes.
-fn recognized(source: &str, dialect: DialectName) -> Option<(Question, String)> {
-    if let Some(access) = part_of_program(source) {
-        let question = Question::Part(access.ty, access.part.to_owned());
-        return Some((question, String::new()));
-    }
-    let call = call_of_program(source)?;
-    let from = ElementaryType::from_name(call.operand.type_name())?;
-    let function = call.function.to_ascii_uppercase();
-    let fits = |one: &Signature| one.operands == [from] && one.result == call.result;
-    let signature = stickler_exact::signatures(&function, dialect)
-        .into_iter()
-        .find(fits)?;
-    let target = call.target.to_owned();
-    Some((Question::Call(signature, vec![call.operand]), target))
 }
 
 /// Returns whether an outcome is one of an accepted program; `None` where it is neither accepted nor refused.
@@ -140,9 +108,9 @@ fn result(outcome: &Outcome, name: &str) -> Option<Result<Value, RefusalKind>> {
 #[cfg(test)]
 mod tests {
     use super::RecordingBuilder;
-    use crate::recording::{Question, RecordedSection, Recording, RecordingOrigin};
+    use crate::recording::{RecordedSection, Recording, RecordingOrigin, all_questions, program_of};
     use stickler_engines::{Engine, EngineSession, Outcome, Reference, RunRequest};
-    use stickler_types::DialectName;
+    use stickler_types::{DialectName, Question};
 
     const DIALECT: DialectName = DialectName::MATIEC;
 
@@ -161,8 +129,8 @@ mod tests {
         let reference = Reference::default();
         let mut session = EngineSession::open(&reference).unwrap();
         let mut builder = RecordingBuilder::new(&reference.identity().name, origin(), DIALECT);
-        for question in Question::all(DIALECT) {
-            let program = question.program();
+        for question in all_questions(DIALECT) {
+            let program = program_of(&question);
             let observed = program.observations();
             let outcome = match observed.is_empty() {
                 true => session.check(DIALECT, &program.source).unwrap(),
@@ -170,28 +138,30 @@ mod tests {
                     .run(&RunRequest::once(DIALECT, &program.source, &observed))
                     .unwrap(),
             };
-            assert!(builder.take(&program.source, &outcome), "{}", question.id());
+            let name = program.observed.first().map_or("", String::as_str);
+            assert!(builder.take(&question, name, &outcome), "{question}");
         }
         let asked = Recording::ask(&reference, origin(), &[DIALECT], &RecordedSection::ALL, 0, &|| {});
         let asked = asked.unwrap();
         assert_eq!(builder.finish(), asked);
     }
 
+    fn question(text: &str) -> Question {
+        text.parse().unwrap()
+    }
+
     #[test]
-    fn a_case_that_asks_the_same_counts_and_another_program_does_not() {
+    fn the_first_answer_to_a_question_counts() {
         let mut builder = RecordingBuilder::new("n", origin(), DIALECT);
-        let case = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+        let asked = question("REAL_TO_INT(REAL#2.25) : INT");
         let value = stickler_types::Value::parse("INT#7").unwrap();
         let executed = Outcome::executed(vec![("into".to_owned(), value)]);
-        assert!(builder.take(case, &executed));
-        // The answer to the first counts, and questions are counted once.
-        assert!(builder.take(
-            case,
-            &Outcome::Rejected {
-                diagnostics: Vec::new()
-            }
-        ));
-        assert!(!builder.take("PROGRAM main END_PROGRAM", &executed));
+        assert!(!builder.take(&asked, "given", &executed), "another variable");
+        assert!(builder.take(&asked, "into", &executed));
+        let diagnostics = Vec::new();
+        assert!(builder.take(&asked, "into", &Outcome::Rejected { diagnostics }));
+        let unknown = question("REAL_TO_INTEGER(REAL#2.25) : INT");
+        assert!(!builder.take(&unknown, "into", &executed));
         assert_eq!(builder.number(), 1);
         let mut text = Vec::new();
         builder.finish().write(&mut text).unwrap();
@@ -202,10 +172,9 @@ mod tests {
     #[test]
     fn one_refused_call_says_nothing_about_the_others() {
         let mut builder = RecordingBuilder::new("n", origin(), DIALECT);
-        let is_call = |question: &Question| question.id().starts_with("REAL_TO_INT(");
-        let question = Question::all(DIALECT).into_iter().find(is_call).unwrap();
         let diagnostics = Vec::new();
-        builder.take(&question.program().source, &Outcome::Rejected { diagnostics });
+        let asked = question("REAL_TO_INT(REAL#0.5) : INT");
+        builder.take(&asked, "given1", &Outcome::Rejected { diagnostics });
         let mut text = Vec::new();
         builder.finish().write(&mut text).unwrap();
         let text = String::from_utf8(text).unwrap();

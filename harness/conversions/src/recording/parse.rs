@@ -6,7 +6,7 @@ use crate::session::RefusalKind;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue};
+use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue, is_part};
 use toml::Spanned;
 
 /// The mistake for which the file of a recording is refused: its file, its line, what is wrong, and what to do.
@@ -179,14 +179,9 @@ fn comparison(word: &str) -> Result<&'static str, String> {
 
 /// Reads a bit or a part of a variable.
 fn part_of(text: &str) -> Result<String, String> {
-    let index = match text.strip_prefix('%') {
-        Some(sized) => sized.strip_prefix(['X', 'B', 'W', 'D', 'L']),
-        None => Some(text),
-    };
-    let is_index = |index: &&str| !index.is_empty() && index.bytes().all(|byte| byte.is_ascii_digit());
-    match index.filter(is_index) {
-        Some(_) => Ok(text.to_owned()),
-        None => Err(format!("`{text}` is no bit or part such as `7`, `%X7` or `%B1`")),
+    match is_part(text) {
+        true => Ok(text.to_owned()),
+        false => Err(format!("`{text}` is no bit or part such as `7`, `%X7` or `%B1`")),
     }
 }
 

@@ -1,100 +1,77 @@
 //! The questions that a recording answers, each with the program that asks it.
 
 use super::{RecordedSection, WordKey};
-use crate::implicit::{self, TypePair};
+use crate::implicit;
 use crate::literals::{literal, untyped_literal};
 use crate::overview;
 use crate::program::{self, ConversionProgram};
+use std::slice;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, Family, Value};
-
-/// A question about the conversions of a compiler.
-#[derive(Clone, PartialEq, Debug)]
-pub enum Question {
-    /// Whether a variable of the second type takes a value of the first.
-    Implicit(TypePair),
-    /// Whether a bit or a part of a variable can be read: `7`, `%X7` or `%B1`.
-    Part(ElementaryType, String),
-    /// Whether a value of the first type is less than one of the second: [`extreme`] values of them.
-    Comparison(TypePair),
-    /// The result of a call of a conversion function.
-    Call(Signature, Vec<Value>),
-}
+use stickler_types::{ConversionCall, DialectName, ElementaryType, Family, Question, TypePair, Value};
 
 /// The name of the variable that a question observes, or whose assignment it asks for.
 const TAKEN: &str = "taken";
 
-impl Question {
-    /// Returns the questions of a dialect: pairs of types, then parts, then comparisons, then calls.
-    #[must_use]
-    pub fn all(dialect: DialectName) -> Vec<Question> {
-        let calls = signatures(dialect).into_iter().flat_map(|signature| {
-            let calls = overview::boundary_calls(&signature);
-            let question = move |call| Question::Call(signature.clone(), call);
-            calls.into_iter().map(question)
-        });
-        let words = RecordedSection::ALL.into_iter().flat_map(Question::of);
-        words.chain(calls).collect()
-    }
-
-    /// Returns the questions of a section, which are the same in every dialect; none of the functions.
-    pub(super) fn of(section: RecordedSection) -> Vec<Question> {
-        let of_pairs = |pairs: Vec<TypePair>, question| pairs.into_iter().map(question).collect();
-        match section {
-            RecordedSection::Implicit => {
-                of_pairs(pairs(&ElementaryType::ALL), Question::Implicit as fn(_) -> _)
-            }
-            RecordedSection::Bits => parts()
-                .into_iter()
-                .map(|(ty, part)| Question::Part(ty, part))
-                .collect(),
-            RecordedSection::Comparisons => of_pairs(pairs_compared(), Question::Comparison),
-            RecordedSection::Functions => Vec::new(),
-        }
-    }
-
-    /// Returns the text that names the question among those of its dialect: `implicit(INT,DINT)`, `REAL_TO_INT(REAL#2.5) : INT` …
-    #[must_use]
-    pub fn id(&self) -> String {
-        match self {
-            Question::Implicit((from, into)) => format!("implicit({from},{into})"),
-            Question::Part(ty, part) => format!("bits({ty},{part})"),
-            Question::Comparison((left, right)) => format!("less({left},{right})"),
-            Question::Call(signature, operands) => {
-                let operands: Vec<String> = operands.iter().map(ToString::to_string).collect();
-                let Signature { function, result, .. } = signature;
-                format!("{function}({}) : {result}", operands.join(", "))
-            }
-        }
-    }
-
-    /// Returns where a recording has the word of the answer; `None` where the answer is a value.
-    pub(super) fn word_key(&self) -> Option<WordKey> {
-        let of_pair = |section, (row, column): TypePair| (section, row, column.name().to_owned());
-        match self {
-            Question::Implicit(pair) => Some(of_pair(RecordedSection::Implicit, *pair)),
-            Question::Part(ty, part) => Some((RecordedSection::Bits, *ty, part.clone())),
-            Question::Comparison(pair) => Some(of_pair(RecordedSection::Comparisons, *pair)),
-            Question::Call(..) => None,
-        }
-    }
-
-    /// Returns the program that asks the question. Where only its acceptance counts, it observes no variable.
-    #[must_use]
-    pub fn program(&self) -> ConversionProgram {
-        let asking_acceptance = |source| ConversionProgram {
-            source,
-            observed: Vec::new(),
-            ty: ElementaryType::Bool,
+/// Returns the questions that a recording answers in a dialect: pairs of types, then parts, then comparisons, then calls.
+#[must_use]
+pub fn all_questions(dialect: DialectName) -> Vec<Question> {
+    let calls = signatures(dialect).into_iter().flat_map(|signature| {
+        let calls = overview::boundary_calls(&signature);
+        let Signature { function, result, .. } = signature;
+        let call = move |operands| ConversionCall {
+            function: function.clone(),
+            operands,
+            result,
         };
-        match self {
-            Question::Implicit(pair) => asking_acceptance(implicit::source(*pair)),
-            Question::Part(ty, part) => asking_acceptance(part_source(*ty, part)),
-            Question::Comparison(pair) => comparisons(&[*pair]),
-            Question::Call(signature, call) => {
-                program::listed(signature, std::slice::from_ref(call), untyped_literal)
-            }
-        }
+        calls.into_iter().map(call).map(Question::Call)
+    });
+    let words = RecordedSection::ALL.into_iter().flat_map(questions_of);
+    words.chain(calls).collect()
+}
+
+/// Returns the questions of a section, which are the same in every dialect; none of the functions.
+pub(super) fn questions_of(section: RecordedSection) -> Vec<Question> {
+    let of_pairs = |pairs: Vec<TypePair>, question| pairs.into_iter().map(question).collect();
+    match section {
+        RecordedSection::Implicit => of_pairs(pairs(&ElementaryType::ALL), Question::Implicit as fn(_) -> _),
+        RecordedSection::Bits => parts()
+            .into_iter()
+            .map(|(ty, part)| Question::Part(ty, part))
+            .collect(),
+        RecordedSection::Comparisons => of_pairs(pairs_compared(), Question::Comparison),
+        RecordedSection::Functions => Vec::new(),
+    }
+}
+
+/// Returns where a recording has the word of the answer to a question; `None` where the answer is a value.
+pub(super) fn word_key(question: &Question) -> Option<WordKey> {
+    let of_pair = |section, (row, column): TypePair| (section, row, column.name().to_owned());
+    match question {
+        Question::Implicit(pair) => Some(of_pair(RecordedSection::Implicit, *pair)),
+        Question::Part(ty, part) => Some((RecordedSection::Bits, *ty, part.clone())),
+        Question::Comparison(pair) => Some(of_pair(RecordedSection::Comparisons, *pair)),
+        Question::Call(_) => None,
+    }
+}
+
+/// Returns the program that asks a question; of a comparison, one of [`extreme`] values. Where only its acceptance counts, it observes no
+/// variable.
+#[must_use]
+pub fn program_of(question: &Question) -> ConversionProgram {
+    let asking_acceptance = |source| ConversionProgram {
+        source,
+        observed: Vec::new(),
+        ty: ElementaryType::Bool,
+    };
+    match question {
+        Question::Implicit(pair) => asking_acceptance(implicit::source(*pair)),
+        Question::Part(ty, part) => asking_acceptance(part_source(*ty, part)),
+        Question::Comparison(pair) => comparisons(&[*pair]),
+        Question::Call(ConversionCall {
+            function,
+            operands,
+            result,
+        }) => program::listed(function, *result, slice::from_ref(operands), untyped_literal),
     }
 }
 
@@ -204,19 +181,21 @@ pub(super) fn is_true(compared: &Value) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Question, extreme, parts};
+    use super::{all_questions, extreme, parts, program_of};
     use std::collections::BTreeSet;
-    use stickler_types::{DialectName, ElementaryType};
+    use stickler_types::{DialectName, ElementaryType, Question};
 
     #[test]
     fn questions_have_names_and_programs_of_their_own() {
-        let questions = Question::all(DialectName::CODESYS);
-        for text in [
-            |question: &Question| question.id(),
-            |question: &Question| question.program().source,
-        ] {
+        let questions = all_questions(DialectName::CODESYS);
+        for text in [Question::to_string, |question: &Question| {
+            program_of(question).source
+        }] {
             let texts: BTreeSet<String> = questions.iter().map(text).collect();
             assert_eq!(texts.len(), questions.len());
+        }
+        for question in questions {
+            assert_eq!(question.to_string().parse(), Ok(question));
         }
     }
 

@@ -1,13 +1,14 @@
 //! Turns the answers of a recording into tables of cases, whose basis is the recording.
 
-use super::{Question, RecordedSection, Recording};
+use super::{RecordedSection, Recording, all_questions, program_of};
 use crate::implicit::MatrixAnswer;
 use crate::program::ConversionProgram;
 use crate::session::RefusalKind;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::slice;
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_exact::signature_of;
+use stickler_types::{DialectName, ElementaryType, Question, Value};
 use toml::Value as Toml;
 
 /// A table of cases that was made of a section of a recording.
@@ -45,16 +46,16 @@ impl Recording {
     pub fn case_tables(&self, dialect: DialectName, owner: &str) -> RecordedTables {
         let mut made = RecordedTables::default();
         let mut rows: BTreeMap<RecordedSection, Vec<CaseRow>> = BTreeMap::new();
-        for question in Question::all(dialect) {
+        for question in all_questions(dialect) {
             let Some((section, answer)) = self.expected(dialect, &question) else {
                 continue;
             };
             match answer {
-                Ok(expected) => {
-                    rows.entry(section)
-                        .or_default()
-                        .push((question.id(), question.program(), expected))
-                }
+                Ok(expected) => rows.entry(section).or_default().push((
+                    question.to_string(),
+                    program_of(&question),
+                    expected,
+                )),
                 Err(reason) => *made.left_out.entry(reason).or_default() += 1,
             }
         }
@@ -109,8 +110,9 @@ impl Recording {
                 };
                 Some((RecordedSection::Comparisons, expected))
             }
-            Question::Call(signature, call) => {
-                let answers = self.results(dialect, signature, slice::from_ref(call));
+            Question::Call(call) => {
+                let signature = signature_of(call, dialect)?;
+                let answers = self.results(dialect, &signature, slice::from_ref(&call.operands));
                 let answer = answers.into_iter().next()?.map_err(|refusal| refusal.kind);
                 let expected = match answer {
                     Err(RefusalKind::NotAsked) => return None,
@@ -166,7 +168,11 @@ impl Recording {
             let cells = [id, &declared, &done].map(|cell| quoted(cell)).join(", ");
             let _ = writeln!(text, "    [{cells}, {target}{}],", quoted(recorded));
         }
-        let _ = write!(text, "]\n\n[[probe]]\nname    = {}\n", quoted(probe));
+        let _ = write!(
+            text,
+            "]\nasks = \"{{id}}\"\n\n[[probe]]\nname    = {}\n",
+            quoted(probe)
+        );
         if let Some((ty, (_, program, _))) = observe.zip(rows.first()) {
             let name = program.observed.first().map_or("", String::as_str);
             let _ = writeln!(text, "observe = \"{name} : {ty}\"");

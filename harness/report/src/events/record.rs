@@ -5,6 +5,7 @@ use crate::groups::{Group, GroupNumber};
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, Observed, Verdict};
+use stickler_types::Question;
 
 /// A line of an event log. Readers ignore keys that they do not know.
 #[cfg(test)]
@@ -76,6 +77,10 @@ pub(crate) struct CaseObject<'r> {
     /// The whole program, where the engine did not meet the expectation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     program: Option<Cow<'r, str>>,
+    /// The question that the program asks, such as `implicit(INT,DINT)` or `REAL_TO_INT(REAL#2.5) : INT`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[cfg_attr(test, schemars(with = "Option<String>"))]
+    question: Option<Cow<'r, Question>>,
     /// The note of the engine's baseline on the case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     baseline: Option<Cow<'r, BaselineNote>>,
@@ -116,6 +121,7 @@ impl<'r> PassedLine<'r> {
             got: Cow::default(),
             observations: Cow::default(),
             program: None,
+            question: None,
             baseline: None,
         }
     }
@@ -143,6 +149,7 @@ impl<'r> CaseObject<'r> {
             got: Cow::Borrowed(&case.got),
             observations: Cow::Borrowed(&case.observations),
             program: case.program.as_deref().map(Cow::Borrowed),
+            question: case.question.as_ref().map(Cow::Borrowed),
             baseline: case.baseline.as_ref().map(Cow::Borrowed),
         }
     }
@@ -166,6 +173,7 @@ impl<'r> CaseObject<'r> {
             duration_us: self.duration_us,
             observations: self.observations.into_owned(),
             program: self.program.map(Cow::into_owned),
+            question: self.question.map(Cow::into_owned),
             baseline: self.baseline.map(Cow::into_owned),
         }
     }

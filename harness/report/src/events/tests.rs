@@ -95,6 +95,20 @@ fn a_passed_case_that_has_more_to_tell_is_written_whole() {
 }
 
 #[test]
+fn a_case_with_its_program_has_its_question() {
+    let question = "REAL_TO_INT(REAL#2.5) : INT";
+    let case = CaseEvent {
+        question: Some(question.parse().expect("a question")),
+        ..sample::case("a", Verdict::Fail)
+    };
+    let run = sample::run_of(vec![case]);
+    let log = log_of(&run);
+    let text = String::from_utf8_lossy(&log);
+    assert!(text.contains(&format!(r#""question":"{question}""#)), "{text}");
+    assert_eq!(read_back(&log).expect("a log").0, run);
+}
+
+#[test]
 fn a_case_whose_group_is_not_described_is_no_case() {
     let text = String::from_utf8(log_of(&sample::run())).expect("text");
     let without: String = text

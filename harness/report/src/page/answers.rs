@@ -3,11 +3,10 @@
 use crate::answers::{answer_of, shortened};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
-use stickler_conversions::implicit::TypePair;
 use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers, Statements};
 use stickler_conversions::recording::extreme;
 use stickler_run::CaseEvent;
-use stickler_types::{RecordingOrigin, WordTable};
+use stickler_types::{RecordingOrigin, TypePair, WordTable};
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]

@@ -12,10 +12,10 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Arc;
-use stickler_conversions::overview::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
 use stickler_conversions::recording::Recording;
 use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
-use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
+use stickler_types::{DialectName, MatrixWord, Value};
 
 /// The variable that names a browser.
 const VARIABLE: &str = "STICKLER_CHROMIUM";
@@ -89,59 +89,56 @@ fn statements() -> Statements {
         DialectName::STRUCPP,
         DialectName::CODESYS,
     ]);
-    let statement = |case: &'static str| (Arc::<str>::from(case), MatrixWord::No);
-    let (pair, word) = statement("widening/w::assignment(INT,SINT,1)");
     let implicit = CaseStatement {
+        case: &Arc::from("widening/w::assignment(INT,SINT,1)"),
         dialect: DialectName::IRONPLC_ED2,
-        word,
-        basis: "ironplc-type-conversions: Integer widening",
-        case: &pair,
+        word: MatrixWord::No,
+        result: None,
+        basis: &Arc::from("ironplc-type-conversions: Integer widening"),
     };
-    builder.add_implicit(ElementaryType::Int, ElementaryType::Sint, &implicit);
-    for (to, case) in [
-        (ElementaryType::Usint, "widening/w::assignment(INT,USINT,1)"),
-        (ElementaryType::Uint, "widening/w::assignment(INT,UINT,1)"),
+    let mut add = |question: &str, statement: &CaseStatement<'_>| {
+        builder.add(&question.parse().expect("a question"), statement);
+    };
+    add("implicit(INT,SINT)", &implicit);
+    for (question, case) in [
+        ("implicit(INT,USINT)", "widening/w::assignment(INT,USINT,1)"),
+        ("implicit(INT,UINT)", "widening/w::assignment(INT,UINT,1)"),
     ] {
         let statement = CaseStatement {
             word: MatrixWord::Warn,
             case: &Arc::from(case),
             ..implicit
         };
-        builder.add_implicit(ElementaryType::Int, to, &statement);
+        add(question, &statement);
     }
-    let (bit, word) = statement("widening/b::write(BYTE,8)");
-    builder.add_part(
-        ElementaryType::Byte,
-        "8",
-        &CaseStatement {
-            word,
-            case: &bit,
-            ..implicit
-        },
-    );
-    let call = CaseProgram {
+    let bit = CaseStatement {
+        case: &Arc::from("widening/b::write(BYTE,8)"),
+        ..implicit
+    };
+    add("bits(BYTE,8)", &bit);
+    let call = CaseStatement {
         case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
         dialect: DialectName::IRONPLC_ED2,
-        source: CALL,
+        word: MatrixWord::Yes,
         result: None,
         basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
     };
-    builder.add_program(&call);
-    builder.add_program(&CaseProgram {
+    add("REAL_TO_INT(REAL#2.25) : INT", &call);
+    let call = CaseStatement {
         case: &Arc::from("widening/c::variable(REAL,INT,2.375)"),
         dialect: DialectName::PLCNEXT,
-        source: &CALL.replace("2.25", "2.375"),
         result: Some(&Value::parse("INT#7").expect("a literal")),
         basis: &Arc::from("builds: 2026"),
-    });
-    let call = CALL.replace("REAL", "LREAL").replace("INT", "DINT");
-    builder.add_program(&CaseProgram {
+        ..call
+    };
+    add("REAL_TO_INT(REAL#2.375) : INT", &call);
+    let call = CaseStatement {
         case: &Arc::from("widening/c::variable(LREAL,DINT,-3.0E9)"),
         dialect: DialectName::CODESYS,
-        source: &call.replace("2.25", "-3.0E9"),
         result: Some(&Value::parse("DINT#-2147483648").expect("a literal")),
-        basis: &Arc::from("builds: 2026"),
-    });
+        ..call
+    };
+    add("LREAL_TO_DINT(LREAL#-3.0E9) : DINT", &call);
     builder.finish(&RECORDINGS.map(|(file, text)| Recording::parse(file, text).expect("a recording")))
 }
 

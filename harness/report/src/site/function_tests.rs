@@ -8,12 +8,10 @@ use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
-use stickler_conversions::overview::{CaseProgram, Statements, StatementsBuilder};
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
 use stickler_conversions::recording::Recording;
 use stickler_run::{CaseEvent, Event, Verdict};
-use stickler_types::DialectName;
-
-const PROGRAM: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
+use stickler_types::{DialectName, MatrixWord, Question};
 
 const RECORDING: &str = "[recording]\nproduct = \"A <b>PLC</b>\"\nversion = \"3.5\"\nplatform = \"linux\"\ndate = \"2026-11-24\"\n\
     [[answers]]\ndialects = [\"matiec\"]\n[answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.25\", \"7\"], [\"2.5\", \"crashed\"]]\n";
@@ -25,20 +23,22 @@ fn statements() -> Statements {
         DialectName::MATIEC,
         DialectName::CODESYS,
     ]);
-    let program = CaseProgram {
+    let question: Question = "REAL_TO_INT(REAL#2.25) : INT".parse().expect("a question");
+    let call = CaseStatement {
         case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
         dialect: DialectName::IRONPLC_ED2,
-        source: PROGRAM,
+        word: MatrixWord::Yes,
         result: None,
         basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
     };
-    builder.add_program(&program);
-    builder.add_program(&CaseProgram {
+    builder.add(&question, &call);
+    let recorded = CaseStatement {
         dialect: DialectName::CODESYS,
         result: Some(&stickler_types::Value::parse("INT#99").expect("a literal")),
         basis: &Arc::from("codesys-recording: functions"),
-        ..program
-    });
+        ..call
+    };
+    builder.add(&question, &recorded);
     builder.finish(&[Recording::parse("a-plc.toml", RECORDING).expect("a recording")])
 }
 

@@ -153,7 +153,9 @@ impl CaseGroup<'_, '_> {
             return Ok(());
         }
         let result = match &own {
-            Some(own) => elementary(own).and_then(|ty| cell.implicit_result(input.value.as_ref()?, ty)),
+            Some(own) => {
+                ElementaryType::declared(own).and_then(|ty| cell.implicit_result(input.value.as_ref()?, ty))
+            }
             None => cell.result_in_column(input),
         };
         let column = own.as_deref().unwrap_or(&cell.column.name);
@@ -206,7 +208,7 @@ impl CaseGroup<'_, '_> {
                 .is_some_and(|input| input.value.is_some())
         };
         let ty = match own {
-            Some(own) => Some(elementary(&own).map_or(own, |ty| names.elementary(ty))),
+            Some(own) => Some(ElementaryType::declared(&own).map_or(own, |ty| names.elementary(ty))),
             None => match column.base {
                 Some(ty) => Some(names.elementary(ty)),
                 None => enumeration().then(|| Arc::clone(&column.name)),
@@ -230,9 +232,4 @@ impl CaseGroup<'_, '_> {
         let name = target.name.fill(&mut scratch, texts);
         (name, target.ty.as_ref().map(|ty| ty.fill(&mut scratch, texts)))
     }
-}
-
-/// Returns the elementary type of this name; the name of a text type may have a length.
-fn elementary(name: &str) -> Option<ElementaryType> {
-    ElementaryType::from_name(name.split_once('[').map_or(name, |(bare, _)| bare))
 }

@@ -348,6 +348,7 @@ impl RowExpander<'_, '_> {
             line,
             source,
             assembly,
+            question: probe.question(&mut self.scratch, texts, line)?,
             cell: None,
             placement: probe.placement.as_ref(),
         };

@@ -25,6 +25,7 @@ pub(crate) struct TableFile {
     pub(crate) columns: Option<Vec<Spanned<String>>>,
     pub(crate) rows: Option<Vec<Spanned<TableRow>>>,
     pub(crate) expect: Option<Spanned<String>>,
+    pub(crate) asks: Option<Spanned<String>>,
     pub(crate) generate: Option<Spanned<Generate>>,
     #[serde(default)]
     pub(crate) probe: Vec<Spanned<ProbeKey>>,
@@ -96,6 +97,7 @@ pub(crate) struct ProbeKey {
     pub(crate) observe: Option<Strings>,
     pub(crate) values: Option<Spanned<TextOr<Spanned<Scalar>>>>,
     pub(crate) expect: Option<Spanned<String>>,
+    pub(crate) asks: Option<Spanned<String>>,
     pub(crate) only: Option<Spanned<String>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) title: Option<Spanned<String>>,

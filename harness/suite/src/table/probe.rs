@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use stickler_types::{Code, DialectName};
+use stickler_types::{Code, DialectName, Question, UnknownQuestion};
 use toml::Spanned;
 
 use crate::condition::{Condition, Testable};
@@ -33,6 +33,8 @@ pub(crate) struct Probe<'a> {
     pub(crate) title: Option<Template>,
     pub(crate) basis: Option<BasisTemplate>,
     pub(crate) expect: Option<Template>,
+    /// The text of the question that the program asks.
+    pub(crate) asks: Option<Template>,
     pub(crate) frame: ProbeFrame,
     /// Whether each mark, by index, applied in some case.
     pub(crate) applied: Vec<bool>,
@@ -121,6 +123,11 @@ impl<'a> ProbeReader<'a, '_> {
                 .as_ref()
                 .or(file.expect.as_ref())
                 .and_then(|expect| self.template(expect, expect.get_ref(), "expect")),
+            asks: key
+                .asks
+                .as_ref()
+                .or(file.asks.as_ref())
+                .and_then(|asks| self.template(asks, asks.get_ref(), "asks")),
             frame,
             placement: None,
         })
@@ -229,6 +236,8 @@ impl<'a> Probe<'a> {
             title: self.title.clone(),
             basis: self.basis.clone(),
             expect: self.expect.clone(),
+            // The program asks about a place as well.
+            asks: None,
             frame: self.frame.clone(),
             placement: Some(Arc::new(placement)),
         }
@@ -262,6 +271,22 @@ impl<'a> Probe<'a> {
         shows
     }
 
+    /// Returns the question of a program.
+    ///
+    /// # Errors
+    /// A mistake on `line`, if the text of the probe is none with these texts.
+    pub(crate) fn question(
+        &self,
+        scratch: &mut String,
+        texts: &[&str],
+        line: u32,
+    ) -> Result<Option<Arc<Question>>, Mistake> {
+        let Some(asks) = &self.asks else { return Ok(None) };
+        let question = asks.fill(scratch, texts).parse();
+        let wrong = |error: UnknownQuestion| Mistake::new(line, error.to_string()).key("asks");
+        question.map(|question| Some(Arc::new(question))).map_err(wrong)
+    }
+
     /// Records that the marks with these indices applied in a case.
     pub(crate) fn note_applied(&mut self, active: &[usize]) {
         for &index in active {
@@ -282,7 +307,12 @@ impl<'a> Probe<'a> {
     pub(crate) fn mentions(&self, slot: usize) -> bool {
         let in_template = |template: &Template| template.slots().any(|used| used == slot);
         let basis = self.basis.as_ref().map(|basis| &basis.template);
-        let templates = [self.title.as_ref(), basis, self.expect.as_ref()];
+        let templates = [
+            self.title.as_ref(),
+            basis,
+            self.expect.as_ref(),
+            self.asks.as_ref(),
+        ];
         self.program.uses(slot)
             || templates.into_iter().flatten().any(in_template)
             || self

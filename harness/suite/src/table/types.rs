@@ -58,8 +58,7 @@ impl TypeInfo {
         if let Some(declared) = declared.get(&**name) {
             return Ok(declared.copy());
         }
-        let bare = name.split_once('[').map_or(&**name, |(bare, _)| bare);
-        match ElementaryType::from_name(bare) {
+        match ElementaryType::declared(name) {
             Some(ty) => Ok(TypeInfo::elementary(name, ty)),
             None => Err(format!(
                 "`{name}` is no elementary type, and the file has no [types.{name}]"

@@ -24,7 +24,7 @@ const FILES: [(&str, &str); 4] = [
         "a/calls.toml",
         "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc-ed3']\ncolumns = ['input', 'expected']\n\
          rows = [['2.0', 'SINT#2'], ['2.5', 'SINT#2'], ['127.5', 'SINT#127'], ['300.0', 'open']]\n\
-         [[probe]]\nname = 'p'\nobserve = 'into : SINT'\nexpect = '{expected}'\nsource = \"\"\"\n\
+         [[probe]]\nname = 'p'\nasks = 'REAL_TO_SINT(REAL#{input}) : SINT'\nobserve = 'into : SINT'\nexpect = '{expected}'\nsource = \"\"\"\n\
          PROGRAM main\nVAR\n    data : REAL := {input};\n    into : SINT;\nEND_VAR\n    into := REAL_TO_SINT(data);\nEND_PROGRAM\n\"\"\"\n",
     ),
     (

@@ -28,7 +28,8 @@ fn expected(case: &Case) -> Vec<(&str, String)> {
 
 #[test]
 fn a_cell_becomes_a_case_for_each_value_and_dialect() {
-    let text = file("     BOOL WORD\nBOOL =    yes\n", ASSIGNMENT);
+    let probe = format!("asks = \"implicit({{row}},{{column}})\"\n{ASSIGNMENT}");
+    let text = file("     BOOL WORD\nBOOL =    yes\n", &probe);
     let cases = cases("area/file.toml", &text);
     assert_eq!(
         ids(&cases)[..4],
@@ -54,6 +55,7 @@ fn a_cell_becomes_a_case_for_each_value_and_dialect() {
         (&*last.observe[0].name, &*last.observe[0].type_name),
         ("into", "WORD")
     );
+    assert_eq!(last.question.as_ref().unwrap().to_string(), "implicit(BOOL,WORD)");
     assert_eq!((last.line, &*last.title), (6, "t BOOL"));
     let cell = last.cell.as_ref().unwrap();
     assert_eq!(

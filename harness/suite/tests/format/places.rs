@@ -212,6 +212,7 @@ fn a_program_is_put_together_line_by_line() {
 fn a_row_takes_its_share_of_the_combinations() {
     let table = "title = 't'\nbasis = 'b: c'\ndialects = ['plcnext']\ncolumns = ['type', 'bit', 'expected']\n\
                  rows = [['INT', '0', 'INT#1'], ['INT', '1', 'INT#2'], ['INT', '2', 'INT#4']]\nexpect = '{expected}'\n\
+                 asks = 'bits({type},{bit})'\n\
                  [[probe]]\nname = 'p'\nplaces = { from = 'BOOL', to = '{type}', value = 'TRUE', typed = 'BOOL#TRUE', combinations = 1,\
                  targets = ['field'], variable = '{target}.{bit}', before = '{target} := INT#0;' }\n";
     let suite = suite(PLACES, table);
@@ -224,6 +225,10 @@ fn a_row_takes_its_share_of_the_combinations() {
         .map(|case| &*case.placement.as_ref().unwrap().source)
         .collect();
     assert_eq!(sources.len(), 2);
+    assert!(
+        suite.cases.iter().all(|case| case.question.is_none()),
+        "they ask about a place as well"
+    );
     let source = &suite.cases[2].source;
     assert!(source.contains("into.field := INT#0;\n"), "{source}");
     assert!(source.contains("into.field.2 := "), "{source}");

@@ -49,6 +49,40 @@ fn a_row_becomes_a_case_for_each_dialect() {
 }
 
 #[test]
+fn a_row_asks_what_its_file_or_its_probe_says() {
+    let rows = "[\"DINT\", \"INT\", 100_000, \"INT#-31072\"],\n[\"TIME\", \"DINT\", \"T#5ms\", \"DINT#5\"]";
+    let asks = "asks = \"{from}_TO_{to}({from}#{input}) : {to}\"\n";
+    let own = CALL.replace("\"call\"\n", "\"own\"\nasks = \"implicit({from},{to})\"\n");
+    let cases = cases(
+        "area/file.toml",
+        &file(COLUMNS, rows, &format!("{asks}{CALL}{own}")),
+    );
+    let asked = |case: &Case| case.question.as_ref().expect("a question").to_string();
+    let asked: Vec<String> = cases.iter().step_by(2).map(asked).collect();
+    assert_eq!(
+        asked,
+        [
+            "DINT_TO_INT(DINT#100000) : INT",
+            "TIME_TO_DINT(TIME#5ms) : DINT",
+            "implicit(DINT,INT)",
+            "implicit(TIME,DINT)"
+        ]
+    );
+}
+
+#[test]
+fn a_text_that_is_no_question_is_a_mistake_of_its_row() {
+    let asks = "asks = \"{from}_TO_{to}({input}) : {to}\"\n";
+    let text = file(
+        COLUMNS,
+        "[\"DINT\", \"INT\", \"5\", \"INT#5\"]",
+        &format!("{asks}{CALL}"),
+    );
+    let said = "`asks`: `DINT_TO_INT(5) : INT` is no question such as";
+    one_mistake("area/file.toml", &text, 6, said);
+}
+
+#[test]
 fn words_expect_rejection_faults_and_nothing() {
     let rows =
         "[\"no\", \"P4035\"],\n[\"fault\", \"\"],\n[\"open\", \"\"],\n[\"accepted\", \"\"],\n[\"-\", \"\"]";

@@ -1,14 +1,14 @@
 //! Gathers what cases state about conversions, and numbers the questions.
 
-use super::{Accepted, CaseProgram, CaseStatement, FunctionStatements, Statements};
+use super::{Accepted, CaseStatement, FunctionStatements, Statements};
 use crate::overview::inputs;
 use crate::overview::recorded::{QuestionNumber, RecordedColumn};
 use crate::overview::results::ExpectedResult;
 use crate::recording::Recording;
 use std::collections::HashMap;
 use std::sync::Arc;
-use stickler_exact::{Signature, call_of_program, signatures};
-use stickler_types::{DialectName, ElementaryType, Value, WordTable};
+use stickler_exact::{Signature, signature_of};
+use stickler_types::{ConversionCall, DialectName, ElementaryType, Question, Value, WordTable};
 
 /// Gathers statements.
 pub struct StatementsBuilder {
@@ -17,7 +17,7 @@ pub struct StatementsBuilder {
     pairs: AcceptedTable,
     parts: AcceptedTable,
     functions: Vec<StatedFunction>,
-    function_numbers: HashMap<(String, ElementaryType, ElementaryType), Option<usize>>,
+    function_numbers: HashMap<(String, Vec<String>, ElementaryType), Option<usize>>,
     call_cases: Vec<(Arc<str>, usize, usize)>,
 }
 
@@ -80,35 +80,31 @@ impl StatementsBuilder {
         }
     }
 
-    /// Adds a statement about the implicit conversion of a pair of types.
-    pub fn add_implicit(&mut self, from: ElementaryType, to: ElementaryType, statement: &CaseStatement<'_>) {
-        let pair = (self.words.number(from.name()), self.words.number(to.name()));
-        let basis = self.words.number(statement.basis);
-        self.pairs.add(pair, statement, &self.dialects, basis);
+    /// Adds the answer that a case expects to a question; and with the first call of a function the boundary values of its types.
+    pub fn add(&mut self, question: &Question, statement: &CaseStatement<'_>) {
+        match question {
+            Question::Implicit((from, to)) => {
+                let pair = (self.words.number(from.name()), self.words.number(to.name()));
+                let basis = self.words.number(statement.basis);
+                self.pairs.add(pair, statement, &self.dialects, basis);
+            }
+            Question::Part(ty, part) => {
+                let pair = (self.words.number(ty.name()), self.words.number(part));
+                let basis = self.words.number(statement.basis);
+                self.parts.add(pair, statement, &self.dialects, basis);
+            }
+            Question::Comparison(_) => {}
+            Question::Call(call) => self.add_call(call, statement),
+        }
     }
 
-    /// Adds a statement about a bit or a part of a type, such as `7` or `%B1`.
-    pub fn add_part(&mut self, ty: ElementaryType, part: &str, statement: &CaseStatement<'_>) {
-        let pair = (self.words.number(ty.name()), self.words.number(part));
-        let basis = self.words.number(statement.basis);
-        self.parts.add(pair, statement, &self.dialects, basis);
-    }
-
-    /// Adds the call that a case makes, if its program makes one call of a conversion function, and the result that it asserts; and with
-    /// the first call of a function the boundary values of its types.
-    pub fn add_program(&mut self, case: &CaseProgram<'_>) {
-        let Some(call) = call_of_program(case.source) else {
-            return;
-        };
-        let Some(from) = ElementaryType::from_name(call.operand.type_name()) else {
-            return;
-        };
-        let function = call.function.to_ascii_uppercase();
-        let key = (function, from, call.result);
+    fn add_call(&mut self, call: &ConversionCall, statement: &CaseStatement<'_>) {
+        let operands = call.operands.iter().map(|operand| operand.type_name().to_owned());
+        let key = (call.function.clone(), operands.collect(), call.result);
         let number = match self.function_numbers.get(&key) {
             Some(number) => *number,
             None => {
-                let function = StatedFunction::find(&key, &self.dialects);
+                let function = StatedFunction::find(call, &self.dialects);
                 let number = function.is_some().then_some(self.functions.len());
                 self.functions.extend(function);
                 self.function_numbers.insert(key, number);
@@ -117,13 +113,16 @@ impl StatementsBuilder {
         };
         if let Some(number) = number {
             let function = &mut self.functions[number];
-            let call = function.call(vec![call.operand]);
-            let dialect = self.dialects.iter().position(|dialect| *dialect == case.dialect);
-            if let (Some(dialect), Some(result)) = (dialect, case.result) {
-                let stated = (result.clone(), Arc::clone(case.basis));
+            let call = function.call(call.operands.clone());
+            let dialect = self
+                .dialects
+                .iter()
+                .position(|dialect| *dialect == statement.dialect);
+            if let (Some(dialect), Some(result)) = (dialect, statement.result) {
+                let stated = (result.clone(), Arc::clone(statement.basis));
                 function.asserted.entry((call, dialect)).or_insert(stated);
             }
-            self.call_cases.push((Arc::clone(case.case), number, call));
+            self.call_cases.push((Arc::clone(statement.case), number, call));
         }
     }
 
@@ -232,15 +231,10 @@ impl StatementsBuilder {
 
 impl StatedFunction {
     /// Returns a function with its boundary values, if one of the dialects has it with these types.
-    fn find(
-        (name, from, result): &(String, ElementaryType, ElementaryType),
-        dialects: &[DialectName],
-    ) -> Option<StatedFunction> {
+    fn find(call: &ConversionCall, dialects: &[DialectName]) -> Option<StatedFunction> {
         let mut found: Option<StatedFunction> = None;
         for (index, dialect) in dialects.iter().enumerate() {
-            let mut all = signatures(name, *dialect).into_iter();
-            let signature = all.find(|one| one.operands == [*from] && one.result == *result);
-            match (&mut found, signature) {
+            match (&mut found, signature_of(call, *dialect)) {
                 (_, None) => {}
                 (Some(function), Some(_)) => function.dialects.push(index),
                 (None, Some(signature)) => {

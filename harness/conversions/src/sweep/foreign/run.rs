@@ -152,6 +152,6 @@ fn probes(sweep: &Sweep, plan: &SweepPlan) -> Vec<ConversionProgram> {
         .filter(|place| *place < length)
         .map(|place| sweep.domain.operands(place))
         .filter(|call| call.iter().all(has_literal))
-        .map(|call| listed(signature, &[call], literal))
+        .map(|call| listed(&signature.function, signature.result, &[call], literal))
         .collect()
 }

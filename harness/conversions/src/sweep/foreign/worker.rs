@@ -13,7 +13,7 @@ use crate::sweep::findings::{Difference, MAX_DIFFERENCES};
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
-use stickler_exact::{Expected, Operation, expected, value};
+use stickler_exact::{Expected, Operation, Signature, expected, value};
 use stickler_types::{DialectName, ElementaryType, Value};
 use stickler_workers::Cancellation;
 
@@ -191,7 +191,8 @@ impl ForeignSweep<'_> {
             .iter()
             .map(|place| self.sweep.domain.operands(*place))
             .collect();
-        match self.ask(session, &listed(&self.sweep.signature, &calls, literal)) {
+        let Signature { function, result, .. } = &self.sweep.signature;
+        match self.ask(session, &listed(function, *result, &calls, literal)) {
             Ok(given) => {
                 self.compare(places, given);
             }
