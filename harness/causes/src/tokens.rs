@@ -2,6 +2,7 @@
 
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::SourceUnit;
 use stickler_types::{Dialect, DialectName};
 
 /// A token with its place in the text.
@@ -69,6 +70,11 @@ pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
         }
     }
     found
+}
+
+/// Returns the tree of a program of any dialect; what no dialect has is left out.
+pub(crate) fn parsed(program: &str) -> SourceUnit<'_> {
+    stickler_syntax::parse(program, Dialect::of(DialectName::IRONPLC_ED3)).0
 }
 
 /// Returns the kind of a token; one that is malformed is what it begins like.
