@@ -5,6 +5,7 @@ use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::{LOOPS, operations};
 use crate::shape::{in_declarations, own_functions, path};
+use crate::sign::is_of_reading;
 use crate::statements::is_block;
 use crate::title::unimplemented;
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
@@ -23,9 +24,8 @@ pub(crate) const UNCHECKED: &str = "unchecked";
 /// Returns whether an engine says that it could not read a program.
 pub(crate) fn is_unread(got: &[Fact]) -> bool {
     let reported = got.iter().find_map(Fact::diagnostic);
-    reported
-        .and_then(|reported| reported.code.as_deref())
-        .is_some_and(|code| code.starts_with("P0"))
+    let code = reported.and_then(|reported| reported.code.as_deref());
+    code.is_some_and(is_of_reading)
 }
 
 /// A small program with the line that matters.
