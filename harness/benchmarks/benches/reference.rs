@@ -121,7 +121,7 @@ fn steps(criterion: &mut Criterion) {
 
 /// Returns the conversion of a function that takes one type.
 fn conversion(name: &str) -> Conversion {
-    let function = function(name, &Dialect::of(DIALECT)).expect("the catalogue has the function");
+    let function = function(name, Dialect::of(DIALECT)).expect("the catalogue has the function");
     let Parameter::Exactly(from) = function.parameter else {
         panic!("{name} is overloaded")
     };

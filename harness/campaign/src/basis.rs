@@ -71,7 +71,7 @@ fn of_conversion(signature: &Signature, operand: &Expression, dialect: DialectNa
 
 /// Basis: the headings of the documents.
 fn of_widening(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> Option<String> {
-    if dialect.statements().documents.implicit == DocumentedImplicit::Plcnext {
+    if dialect.rules().documents.implicit == DocumentedImplicit::Plcnext {
         return Some(format!("implicit-conversion-table: {from} to {to}"));
     }
     if !is_ironplc(dialect) {
@@ -102,5 +102,5 @@ pub(crate) fn of_code(code: Code, dialect: DialectName) -> String {
 }
 
 fn is_ironplc(dialect: DialectName) -> bool {
-    dialect.statements().documents.functions == DocumentedFunctions::Ironplc
+    dialect.rules().documents.functions == DocumentedFunctions::Ironplc
 }

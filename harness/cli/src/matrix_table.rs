@@ -1,29 +1,22 @@
 //! Writes the matrix of one dialect as a table: the words of the documents, and the answers of engines.
 
+use crate::output::{BAD, BOLD, DIM};
 use anstyle::{AnsiColor, Style};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit::{MatrixAnswer, TypePair};
 use stickler_conversions::recording::Recording;
+use stickler_conversions::table::{Alignment, Cell, Table};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, wrap_within};
 
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
 const YES: Style = AnsiColor::Green.on_default();
-const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// The maximum width of a table, in characters.
 const WIDTH: usize = 80;
 
-/// The width of the first column: the longest name of a type and a space.
-const HEAD: usize = 8;
-
-/// The words of the documents for each pair, from the case files.
-pub type Documents = BTreeMap<TypePair, MatrixWord>;
-
-/// The source and section from which the word for each pair comes.
-pub type CellBases = BTreeMap<TypePair, Arc<str>>;
+/// The word of the documents for each pair, and the source and section from which it comes; from the case files.
+pub type Documents = BTreeMap<TypePair, (MatrixWord, Arc<str>)>;
 
 /// The maximum number of recorded contradictions that are described below a table.
 const MAX_DESCRIBED: usize = 4;
@@ -36,8 +29,6 @@ pub struct DialectMatrix {
     pub types: Vec<ElementaryType>,
     /// The words of the documents.
     pub documents: Documents,
-    /// The sources of these words.
-    pub bases: CellBases,
     /// The answers of each engine that speaks the dialect, in the order of the engines.
     pub engines: Vec<EngineAnswers>,
 }
@@ -62,7 +53,8 @@ impl EngineAnswers {
 
     /// Returns whether the engine contradicts the documents for a pair of types.
     fn differs(&self, documents: &Documents, pair: TypePair) -> bool {
-        self.answer(pair).contradicts(documents.get(&pair).copied())
+        let word = documents.get(&pair).map(|(word, _)| *word);
+        self.answer(pair).contradicts(word)
     }
 
     fn differing(&self, documents: &Documents) -> usize {
@@ -105,21 +97,22 @@ impl DialectMatrix {
     /// Errors of writing to `out`.
     pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         self.write_heading(out)?;
-        for columns in self.blocks() {
-            write!(out, "{:HEAD$}", "")?;
-            columns.iter().try_for_each(|column| {
-                write!(out, " {BOLD}{:>1$}{BOLD:#}", column.name(), self.width(*column))
-            })?;
-            writeln!(out)?;
-            for row in &self.types {
-                write!(out, "{BOLD}{:<HEAD$}{BOLD:#}", row.name())?;
-                columns
-                    .iter()
-                    .try_for_each(|column| self.write_cell((*row, *column), out))?;
-                writeln!(out)?;
-            }
-            writeln!(out)?;
+        let heads = self.types.iter().map(|ty| Cell::plain(ty.name()));
+        // The first column has room for the longest name of a type and a space.
+        let first = Cell::left(format_args!("{:8}", ""));
+        let mut table = Table::of_values(vec![[first].into_iter().chain(heads).collect()], 1, 1);
+        for row in &self.types {
+            let name = vec![(row.name().to_owned(), BOLD)];
+            let cells = self.types.iter().map(|column| self.cell((*row, *column)));
+            table.row(
+                [Cell::new(name, Alignment::Left)]
+                    .into_iter()
+                    .chain(cells)
+                    .collect(),
+            );
         }
+        table.write(out, Some(WIDTH))?;
+        writeln!(out)?;
         self.write_disputed(out)
     }
 
@@ -129,11 +122,9 @@ impl DialectMatrix {
         let mut disputed = Vec::new();
         for engine in &self.engines {
             let Some(date) = &engine.recorded else { continue };
-            for ((from, to), word) in &self.documents {
+            for ((from, to), (word, basis)) in &self.documents {
                 let pair = (*from, *to);
-                if let Some(basis) = self.bases.get(&pair)
-                    && engine.differs(&self.documents, pair)
-                {
+                if engine.differs(&self.documents, pair) {
                     let does = match engine.answer(pair) {
                         MatrixAnswer::Accepts => "accepts",
                         MatrixAnswer::Warns => "warns of",
@@ -179,33 +170,9 @@ impl DialectMatrix {
         }
     }
 
-    /// Divides the columns into pieces that fit the width.
-    fn blocks(&self) -> Vec<&[ElementaryType]> {
-        let mut blocks = Vec::new();
-        let (mut start, mut used) = (0, HEAD);
-        for (index, column) in self.types.iter().enumerate() {
-            let needed = 1 + self.width(*column);
-            if used + needed > WIDTH && index > start {
-                blocks.push(&self.types[start..index]);
-                (start, used) = (index, HEAD);
-            }
-            used += needed;
-        }
-        blocks.push(&self.types[start..]);
-        blocks
-    }
-
-    /// Returns the width of a column: of its name, or of the mark, the word of the documents and a sign for each engine.
-    fn width(&self, column: ElementaryType) -> usize {
-        column.name().len().max(self.signs())
-    }
-
-    fn signs(&self) -> usize {
-        2 + self.engines.len()
-    }
-
-    fn write_cell(&self, pair: TypePair, out: &mut dyn Write) -> io::Result<()> {
-        let said = match self.documents.get(&pair) {
+    /// Returns a cell: a mark where an engine differs, the word of the documents, and a sign for each engine.
+    fn cell(&self, pair: TypePair) -> Cell {
+        let said = match self.documents.get(&pair).map(|(word, _)| word) {
             Some(MatrixWord::Yes) => 'y',
             Some(MatrixWord::Same) => '=',
             Some(MatrixWord::Warn) => 'w',
@@ -219,9 +186,7 @@ impl DialectMatrix {
         } else {
             ' '
         };
-        // The cells are aligned at the right, so that no line ends in blanks.
-        let padding = self.width(pair.1) - self.signs();
-        write!(out, " {:padding$}{BAD}{mark}{BAD:#}{said}", "")?;
+        let mut pieces = vec![(mark.to_string(), BAD), (said.to_string(), Style::new())];
         for engine in &self.engines {
             let answer = engine.answer(pair);
             let style = match (differs(engine), answer) {
@@ -229,9 +194,9 @@ impl DialectMatrix {
                 (false, MatrixAnswer::Accepts | MatrixAnswer::Warns) => YES,
                 (false, MatrixAnswer::Rejects | MatrixAnswer::Unsupported) => DIM,
             };
-            write!(out, "{style}{}{style:#}", sign(answer))?;
+            pieces.push((sign(answer).to_string(), style));
         }
-        Ok(())
+        Cell::new(pieces, Alignment::Right)
     }
 }
 
@@ -247,7 +212,7 @@ fn sign(answer: MatrixAnswer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{CellBases, DialectMatrix, Documents, EngineAnswers};
+    use super::{DialectMatrix, Documents, EngineAnswers};
     use stickler_conversions::implicit::MatrixAnswer;
     use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
@@ -256,11 +221,14 @@ mod tests {
     const NARROWING: (ElementaryType, ElementaryType) = (ElementaryType::Int, ElementaryType::Sint);
 
     fn documents() -> Documents {
-        Documents::from([
+        let words = [
             (WIDENING, MatrixWord::Yes),
             (SIGN, MatrixWord::Warn),
             (NARROWING, MatrixWord::No),
-        ])
+        ];
+        words
+            .map(|(pair, word)| (pair, (word, "here: there".into())))
+            .into()
     }
 
     fn always(engine: &str, answer: MatrixAnswer) -> EngineAnswers {
@@ -296,7 +264,6 @@ mod tests {
             dialect: DialectName::MATIEC,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
-            bases: CellBases::from([(WIDENING, "here: there".into())]),
             engines: vec![EngineAnswers {
                 recorded: recorded.map(str::to_owned),
                 ..always("e", MatrixAnswer::Fails)
@@ -320,7 +287,6 @@ mod tests {
             dialect: DialectName::MATIEC,
             types: vec![ElementaryType::Sint, ElementaryType::Int],
             documents: documents(),
-            bases: CellBases::from([(WIDENING, "here: there".into())]),
             engines: vec![
                 always("a", MatrixAnswer::Accepts),
                 always("b", MatrixAnswer::Rejects),

@@ -5,8 +5,14 @@ use std::env;
 use std::fmt::Display;
 use std::io::{self, BufWriter, Write};
 
-const ERROR: Style = AnsiColor::Red.on_default().bold();
-const NOTE: Style = Style::new().bold();
+/// The style of headings.
+pub const BOLD: Style = Style::new().bold();
+/// The style of what matters less.
+pub const DIM: Style = Style::new().dimmed();
+/// The style of what is as it should be.
+pub const GOOD: Style = AnsiColor::Green.on_default().bold();
+/// The style of errors and of what is not as it should be.
+pub const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// Returns the buffered standard output, which strips styles where it is no terminal or `NO_COLOR` is set. After its reader has
 /// gone, as in `stickler list | head`, it drops what is written: the command still ends with the exit code of its result, for
@@ -75,11 +81,11 @@ pub fn stderr() -> impl Write {
 pub fn error(error: &anyhow::Error) {
     let causes: Vec<String> = error.chain().map(ToString::to_string).collect();
     // A closed stderr is no reason to fail.
-    let _ = writeln!(anstream::stderr(), "{ERROR}error:{ERROR:#} {}", causes.join(": "));
+    let _ = writeln!(anstream::stderr(), "{BAD}error:{BAD:#} {}", causes.join(": "));
 }
 
 /// Writes a note to stderr.
 pub fn note(text: impl Display) {
     // A closed stderr is no reason to fail.
-    let _ = writeln!(anstream::stderr(), "{NOTE}note:{NOTE:#} {text}");
+    let _ = writeln!(anstream::stderr(), "{BOLD}note:{BOLD:#} {text}");
 }

@@ -10,7 +10,6 @@ mod page;
 mod recorded;
 mod results;
 mod statements;
-mod table;
 mod values;
 
 pub use inputs::boundaries as boundary_calls;
@@ -22,5 +21,4 @@ pub use results::{
     SignatureResults, gather,
 };
 pub use statements::{CaseProgram, CaseStatement, Statements, StatementsBuilder};
-pub use statements::{FunctionCall, FunctionTable, StatedResult};
 pub use values::{CallOperands, ValueError, calls};

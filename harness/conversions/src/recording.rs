@@ -32,11 +32,13 @@ pub struct Recording {
     pub origin: RecordingOrigin,
     /// The dialects in which the compiler was asked.
     pub dialects: Vec<DialectName>,
-    implicit: HashMap<(DialectName, TypePair), MatrixAnswer>,
-    parts: HashMap<(DialectName, ElementaryType, String), MatrixAnswer>,
-    comparisons: HashMap<(DialectName, TypePair), ComparisonAnswer>,
+    /// The words of answers, by dialect.
+    words: HashMap<(DialectName, WordKey), &'static str>,
     functions: HashMap<(DialectName, String), FunctionAnswers>,
 }
+
+/// The place of a word in a recording: its section, its row, and in that another type or a part.
+type WordKey = (RecordedSection, ElementaryType, String);
 
 /// Whether the [`extreme`] value of one type is less than that of another, or why there is no answer.
 pub type ComparisonAnswer = Result<bool, RefusalKind>;
@@ -54,7 +56,7 @@ enum FunctionAnswers {
 }
 
 /// A section of the answers of a recording.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum RecordedSection {
     /// The pairs of types that convert implicitly.
     Implicit,
@@ -121,9 +123,7 @@ impl Recording {
             name: name.to_owned(),
             origin,
             dialects,
-            implicit: HashMap::new(),
-            parts: HashMap::new(),
-            comparisons: HashMap::new(),
+            words: HashMap::new(),
             functions: HashMap::new(),
         }
     }
@@ -135,9 +135,9 @@ impl Recording {
                 self.dialects.push(dialect);
             }
         }
-        complete(&mut self.implicit, older.implicit);
-        complete(&mut self.parts, older.parts);
-        complete(&mut self.comparisons, older.comparisons);
+        for (key, word) in older.words {
+            self.words.entry(key).or_insert(word);
+        }
         for (key, answers) in older.functions {
             match (self.functions.get_mut(&key), answers) {
                 (None, answers) => {
@@ -177,20 +177,30 @@ impl Recording {
     /// Returns the recorded reaction to a value of one type in a variable of another; `None` where it was not asked.
     #[must_use]
     pub fn implicit(&self, dialect: DialectName, pair: TypePair) -> Option<MatrixAnswer> {
-        self.implicit.get(&(dialect, pair)).copied()
+        let word = self.word(
+            dialect,
+            (RecordedSection::Implicit, pair.0, pair.1.name().to_owned()),
+        );
+        word.and_then(MatrixAnswer::from_word)
     }
 
     /// Returns the recorded reaction to a program that reads a bit or a part of a variable, such as `7` or `%B1`; `None` where it was not
     /// asked.
     #[must_use]
     pub fn part(&self, dialect: DialectName, ty: ElementaryType, part: &str) -> Option<MatrixAnswer> {
-        self.parts.get(&(dialect, ty, part.to_owned())).copied()
+        let word = self.word(dialect, (RecordedSection::Bits, ty, part.to_owned()));
+        word.and_then(MatrixAnswer::from_word)
     }
 
     /// Returns whether the [`extreme`] value of the first type is less than that of the second; `None` where it was not asked.
     #[must_use]
     pub fn comparison(&self, dialect: DialectName, pair: TypePair) -> Option<ComparisonAnswer> {
-        self.comparisons.get(&(dialect, pair)).copied()
+        let key = (RecordedSection::Comparisons, pair.0, pair.1.name().to_owned());
+        match self.word(dialect, key)? {
+            "true" => Some(Ok(true)),
+            "false" => Some(Ok(false)),
+            word => RefusalKind::from_word(word).map(Err),
+        }
     }
 
     /// Returns each pair of types of which a comparison was asked, in order, with the word of the answer: `true`, `false`, `rejected` …
@@ -198,14 +208,14 @@ impl Recording {
     pub fn all_comparisons(&self, dialect: DialectName) -> Vec<(TypePair, &'static str)> {
         let pairs = questions::pairs_compared().into_iter();
         let answered = pairs.filter_map(|pair| {
-            let word = match self.comparison(dialect, pair)? {
-                Ok(true) => "true",
-                Ok(false) => "false",
-                Err(kind) => kind.word(),
-            };
-            Some((pair, word))
+            let key = (RecordedSection::Comparisons, pair.0, pair.1.name().to_owned());
+            Some((pair, self.word(dialect, key)?))
         });
         answered.collect()
+    }
+
+    fn word(&self, dialect: DialectName, key: WordKey) -> Option<&'static str> {
+        self.words.get(&(dialect, key)).copied()
     }
 
     /// Returns the recorded result of each call of a function. A call that was not recorded is a refusal of the kind
@@ -235,9 +245,12 @@ impl Recording {
     }
 }
 
-fn complete<K: Eq + std::hash::Hash, A>(known: &mut HashMap<K, A>, older: HashMap<K, A>) {
-    for (key, answer) in older {
-        known.entry(key).or_insert(answer);
+/// Returns the word for the answer to a comparison.
+fn comparison_word(answer: ComparisonAnswer) -> &'static str {
+    match answer {
+        Ok(true) => "true",
+        Ok(false) => "false",
+        Err(kind) => kind.word(),
     }
 }
 

@@ -181,11 +181,11 @@ pub enum EngineError {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::Definition;
+    use stickler_types::Dialect;
 
     #[test]
     fn who_does_not_know_a_defined_dialect_is_asked_by_its_base() {
-        let define = |name| DialectName::define(Definition::new(name, DialectName::MATIEC, "here"));
+        let define = |name| DialectName::define(Dialect::custom(name, DialectName::MATIEC, "here"));
         let (known, unknown) = (define("announced").unwrap(), define("unheard-of").unwrap());
         let identity = Identity {
             name: "compiler".to_owned(),
@@ -198,9 +198,9 @@ mod tests {
         assert_eq!(identity.asked_in(known), Some(known));
         assert_eq!(identity.asked_in(unknown), Some(DialectName::MATIEC));
         assert_eq!(identity.asked_in(DialectName::MATIEC), Some(DialectName::MATIEC));
-        let variant = DialectName::define(Definition {
+        let variant = DialectName::define(Dialect {
             kind: stickler_types::DialectKind::Variant,
-            ..Definition::new("matiec-with-an-option", DialectName::MATIEC, "here")
+            ..Dialect::custom("matiec-with-an-option", DialectName::MATIEC, "here")
         });
         assert_eq!(identity.asked_in(variant.unwrap()), None);
         assert!(!identity.speaks(DialectName::PLCNEXT));

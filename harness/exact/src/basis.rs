@@ -41,7 +41,7 @@ pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName)
                 signature,
                 from,
                 to: signature.result,
-                rules: dialect.statements().documents.functions,
+                rules: dialect.rules().documents.functions,
             };
             match dialect.definition() {
                 None => call.basis(operand),
@@ -79,7 +79,7 @@ pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: Dialect
             signature,
             from,
             to: signature.result,
-            rules: dialect.statements().documents.functions,
+            rules: dialect.rules().documents.functions,
         }
         .is_overridden(operand, definition, &choices_of(dialect)),
         _ => false,

@@ -96,7 +96,7 @@ impl Features {
     fn of(dialect: DialectName) -> Features {
         Features {
             third_edition: has_type(ElementaryType::Ltime, dialect),
-            roundings: !Dialect::of(dialect).only_standard_rounding,
+            roundings: Dialect::of(dialect).rounding_functions,
             moment_units: choices_of(dialect).moment_units,
             long_dates: has_type(ElementaryType::Ldate, dialect),
         }

@@ -5,7 +5,6 @@
 //! `<FROM>_TO_<TO>`.
 
 use crate::catalogue::has_type;
-use stickler_types::definition::Flag;
 use stickler_types::documents::DocumentedImplicit;
 use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
@@ -31,13 +30,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) 
     if let Some(stated) = rules.cells.get(&(from, to)) {
         return stated.value;
     }
-    let widens_across = dialect
-        .definition()
-        .and_then(|definition| definition.flag(Flag::CrossFamilyWidening));
-    if let Some(on) = widens_across.filter(|_| is_cross_family(from, to)) {
-        return said(on);
-    }
-    match dialect.statements().documents.implicit {
+    match rules.documents.implicit {
         DocumentedImplicit::Ironplc if is_cross_family(from, to) => said(rules.cross_family_widening),
         DocumentedImplicit::Ironplc => ironplc(from, to),
         DocumentedImplicit::None => MatrixWord::No,

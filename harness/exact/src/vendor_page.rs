@@ -16,8 +16,8 @@ pub fn stated_by_vendor(
     operands: &[Value],
     dialect: DialectName,
 ) -> Option<(Value, &'static str)> {
-    let statements = dialect.definition().is_none().then(|| dialect.statements());
-    let page = statements?.documents.page_on_reals.as_ref()?;
+    let documented = dialect.definition().is_none().then(|| dialect.rules());
+    let page = documented?.documents.page_on_reals.as_ref()?;
     if !is_of_finite_real(signature, operands) {
         return None;
     }

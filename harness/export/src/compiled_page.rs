@@ -4,9 +4,10 @@
 //! was accepted, if the list is complete: so the first statement of the page and its last are wrong on purpose, and a list that
 //! lacks either shows nothing about any case.
 
-use crate::page::{PageText, counted, shown};
+use crate::page::{PageText, shown};
 use crate::page_case::PageKind;
 use std::fmt::Write;
+use stickler_types::counted;
 
 /// The statement at the beginning and the end of a page. Its types are wrong, as in most cases: compilers check types last, and
 /// some that stop before that check would report an undeclared name.
@@ -27,7 +28,7 @@ impl PageText<'_, '_> {
              Only compile it, copy all messages into a file, and give that to `stickler import`.\n   \
              The first statement and the last are wrong on purpose: without their messages the list is not whole. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    stickler_wrong : BOOL;\nEND_VAR\n",
-            counted(self.cases.len()),
+            counted(self.cases.len() as u64, "case", "cases"),
         );
         self.write_variables(&mut text, &suffixes);
         let before = text.matches('\n').count();

@@ -25,7 +25,7 @@ use crate::rename::Renaming;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use stickler_engines::{SourceToken, tokens};
-use stickler_types::{ElementaryType, Fnv1a, Value};
+use stickler_types::{ElementaryType, Fnv1a, Value, counted};
 
 /// The first element of every array of results: `STK1` in ASCII.
 pub(crate) const MAGIC: i32 = 0x5354_4B31;
@@ -160,7 +160,7 @@ impl<'c, 'r> PageText<'c, 'r> {
              Let it run until results[5] is {} and copy the whole array: results[0] to results[{last}].\n   \
              Where a case is not accepted, note that in answers.txt and export again. *)\n\
              PROGRAM stickler_page_{number}\nVAR\n    results : ARRAY[0..{last}] OF DINT;\n",
-            counted(cases.len()),
+            counted(cases.len() as u64, "case", "cases"),
             self.steps.len(),
         )
     }
@@ -407,10 +407,6 @@ fn declares_in_place(ready: &PageCase<'_>) -> bool {
         })
         .collect();
     ready.parts.unit_names.iter().any(|name| !words.contains(name))
-}
-
-pub(crate) fn counted(cases: usize) -> String {
-    format!("{cases} {}", if cases == 1 { "case" } else { "cases" })
 }
 
 /// Returns an id for use within a comment, which it must neither end nor nest.

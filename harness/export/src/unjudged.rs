@@ -3,6 +3,7 @@
 use crate::ANSWERS;
 use crate::manifest::PageRecord;
 use crate::result_arrays::PageResult;
+use stickler_types::counted;
 
 /// The maximum number of cases that a note names.
 const MAX_NAMED_CASES: usize = 5;
@@ -35,7 +36,7 @@ impl UnjudgedCases {
         if let Some(state) = state {
             notes.push(format!("{name}: {state}"));
         }
-        let cases = |number: usize| counted(number as u64);
+        let cases = |number: usize| counted(number as u64, "case is", "cases are");
         match self.missing.len() {
             0 => {}
             number => notes.push(format!(
@@ -73,14 +74,6 @@ impl UnjudgedCases {
     }
 }
 
-fn counted(number: u64) -> String {
-    if number == 1 {
-        "1 case is".to_owned()
-    } else {
-        format!("{number} cases are")
-    }
-}
-
 /// The pages for which no results were given.
 #[derive(Default)]
 pub(crate) struct PagesWithoutResults {
@@ -112,7 +105,7 @@ impl PagesWithoutResults {
         notes.push(format!(
             "{word} {}: no results were given; {} not judged",
             stretches.join(", "),
-            counted(self.cases)
+            counted(self.cases, "case is", "cases are")
         ));
     }
 }

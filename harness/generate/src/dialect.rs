@@ -9,10 +9,10 @@ pub(crate) fn has_type(dialect: DialectName, ty: ElementaryType) -> bool {
 
 /// Returns whether the documents of a dialect know access to single bits.
 pub(crate) fn has_bits(dialect: DialectName) -> bool {
-    dialect.statements().documents.bits
+    dialect.rules().documents.bits
 }
 
 /// Returns whether the documents of a dialect know `.%Xn`.
 pub(crate) fn has_partial_access(dialect: DialectName) -> bool {
-    dialect.statements().documents.partial_access
+    dialect.rules().documents.partial_access
 }

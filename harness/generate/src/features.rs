@@ -81,7 +81,7 @@ pub fn measured(program: &Program) -> BTreeMap<String, u64> {
 fn of_text(program: &Program) -> BTreeMap<String, u64> {
     let text = write(program, &Style::default()).text;
     let mut counted = BTreeMap::new();
-    for used in feature_uses(&text, &Dialect::of(program.dialect)) {
+    for used in feature_uses(&text, Dialect::of(program.dialect)) {
         *counted.entry(used.key.into_owned()).or_default() += 1;
     }
     counted

@@ -47,15 +47,12 @@ fn property(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{MAX_ERRORS, write_github};
-    use crate::overview::Overview;
+
     use crate::sample;
     use stickler_run::{CaseEvent, Verdict};
 
     fn annotations(cases: Vec<CaseEvent>) -> String {
-        let mut overview = Overview::default();
-        sample::run_of(cases)
-            .iter()
-            .for_each(|event| overview.take(event));
+        let overview = sample::overview(&sample::run_of(cases));
         let mut bytes = Vec::new();
         write_github(&overview, &mut bytes).expect("a vector takes all");
         String::from_utf8(bytes).expect("text")

@@ -2,18 +2,10 @@
 //!
 //! Basis of the keys: the endpoint badge of shields.io, which draws a badge from a JSON file at any address.
 
-use crate::ReportError;
 use crate::claims::Standing;
 use crate::overview::Overview;
-use crate::pending::PendingFile;
 use serde::Serialize;
-use std::path::PathBuf;
 use stickler_types::counted;
-
-/// The badge of a run, written when the run is over.
-pub(crate) struct Badge {
-    file: PendingFile,
-}
 
 /// The content of the file.
 #[derive(PartialEq, Eq, Debug, Serialize)]
@@ -25,30 +17,12 @@ struct Endpoint {
     color: &'static str,
 }
 
-impl Badge {
-    /// Creates the file.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be created.
-    pub(crate) fn create(path: PathBuf) -> Result<Badge, ReportError> {
-        Ok(Badge {
-            file: PendingFile::create(path)?,
-        })
-    }
-
-    /// Writes the file; a run that was cut short gets none, since the badge could not show what is missing.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be written.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
-        if overview.footer.is_none() {
-            return Ok(());
-        }
-        let path = self.file.path().to_owned();
-        serde_json::to_writer(&mut self.file, &endpoint(overview))
-            .map_err(|error| ReportError::writing(&path)(error.into()))?;
-        self.file.commit()
-    }
+/// Returns the content of the file.
+///
+/// # Errors
+/// Returns the error of serde_json.
+pub(crate) fn json(overview: &Overview) -> serde_json::Result<Vec<u8>> {
+    serde_json::to_vec(&endpoint(overview))
 }
 
 fn endpoint(overview: &Overview) -> Endpoint {
@@ -107,14 +81,12 @@ fn color(worst: Option<u64>) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::endpoint;
-    use crate::overview::Overview;
+
     use crate::sample;
     use stickler_run::{CaseEvent, Event, Verdict};
 
     fn said(events: &[Event]) -> (String, &'static str) {
-        let mut overview = Overview::default();
-        events.iter().for_each(|event| overview.take(event));
-        let endpoint = endpoint(&overview);
+        let endpoint = endpoint(&sample::overview(events));
         (endpoint.message, endpoint.color)
     }
 

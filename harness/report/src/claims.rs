@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
 
 /// The results of the cases of one claim, counted. Every case counts once.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, serde::Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Standing {
     /// The number of cases in which the engine did what the document says (verdicts pass and xpass).

@@ -3,17 +3,9 @@
 //! Basis: GitLab, "Code Quality", <https://docs.gitlab.com/ci/testing/code_quality/#code-quality-report-format>: an array of objects with these keys, and
 //! severities from `info` to `blocker`.
 
-use crate::ReportError;
 use crate::overview::Overview;
-use crate::pending::PendingFile;
 use crate::unexpected::Unexpected;
 use serde::Serialize;
-use std::path::PathBuf;
-
-/// The file, written when the run is over.
-pub(crate) struct CodeQuality {
-    file: PendingFile,
-}
 
 /// One unexpected result.
 #[derive(Serialize)]
@@ -36,31 +28,13 @@ struct IssueLines {
     begin: u32,
 }
 
-impl CodeQuality {
-    /// Creates the file.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be created.
-    pub(crate) fn create(path: PathBuf) -> Result<CodeQuality, ReportError> {
-        Ok(CodeQuality {
-            file: PendingFile::create(path)?,
-        })
-    }
-
-    /// Writes the file; a run that was cut short gets none, since the service takes what is missing for mended.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be written.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
-        if overview.footer.is_none() {
-            return Ok(());
-        }
-        let path = self.file.path().to_owned();
-        let violations: Vec<Violation> = Unexpected::all(overview).map(violation).collect();
-        serde_json::to_writer(&mut self.file, &violations)
-            .map_err(|error| ReportError::writing(&path)(error.into()))?;
-        self.file.commit()
-    }
+/// Returns the content of the file.
+///
+/// # Errors
+/// Returns the error of serde_json.
+pub(crate) fn json(overview: &Overview) -> serde_json::Result<Vec<u8>> {
+    let violations: Vec<Violation> = Unexpected::all(overview).map(violation).collect();
+    serde_json::to_vec(&violations)
 }
 
 /// Returns the object of a result. The service shows only the description, in one line, and wants a path and a line.
@@ -81,20 +55,13 @@ fn violation(unexpected: Unexpected) -> Violation {
 
 #[cfg(test)]
 mod tests {
-    use super::CodeQuality;
-    use crate::{Overview, sample};
-    use std::fs;
-    use stickler_run::{Event, Verdict};
+    use super::json;
+    use crate::sample;
+    use stickler_run::{CaseEvent, Verdict};
 
-    fn report(events: &[Event]) -> Option<serde_json::Value> {
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        let path = folder.path().join("gl-code-quality-report.json");
-        let report = CodeQuality::create(path.clone()).expect("a file");
-        let mut overview = Overview::default();
-        events.iter().for_each(|event| overview.take(event));
-        report.finish(&overview).expect("written");
-        let text = fs::read_to_string(path).ok()?;
-        Some(serde_json::from_str(&text).expect("JSON"))
+    fn report(cases: Vec<CaseEvent>) -> serde_json::Value {
+        let text = json(&sample::overview(&sample::run_of(cases))).expect("JSON");
+        serde_json::from_slice(&text).expect("JSON")
     }
 
     #[test]
@@ -105,7 +72,7 @@ mod tests {
             sample::case("t::a(3)", Verdict::Crash),
             sample::case("t::a(4)", Verdict::Differs),
         ];
-        let report = report(&sample::run_of(cases)).expect("a report");
+        let report = report(cases);
         let [first, second] = &report.as_array().expect("an array")[..] else {
             panic!("two are not as expected: {report}")
         };
@@ -121,9 +88,8 @@ mod tests {
     }
 
     #[test]
-    fn a_run_without_violations_has_an_empty_array_and_one_that_was_cut_short_no_report() {
-        let events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
-        assert_eq!(report(&events), Some(serde_json::json!([])));
-        assert_eq!(report(&events[..2]), None);
+    fn a_run_without_violations_has_an_empty_array() {
+        let cases = vec![sample::case("a", Verdict::Pass)];
+        assert_eq!(report(cases), serde_json::json!([]));
     }
 }

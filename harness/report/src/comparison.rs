@@ -10,13 +10,14 @@ mod page;
 pub use json::write_json;
 pub use page::write;
 
+use crate::LogError;
 use crate::engine;
-use crate::events::Completeness;
+use crate::events::Reader;
 use crate::overview::kept;
-use crate::{EventSource, LogError};
 use older_case::OlderCase;
 use serde::{Serialize, Serializer};
 use std::collections::{BTreeMap, HashMap};
+use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
 
 /// The maximum number of changes of each kind that are kept with their texts. Further ones are kept by name; the logs have
@@ -118,10 +119,10 @@ pub struct Comparison {
 pub enum ComparisonError {
     /// The older run cannot be read, or is incomplete.
     #[error("the older run cannot be compared")]
-    Old(#[source] IncomparableRun),
+    Old(#[source] LogError),
     /// The newer run cannot be read, or is incomplete.
     #[error("the newer run cannot be compared")]
-    New(#[source] IncomparableRun),
+    New(#[source] LogError),
     /// No engine took part in both.
     #[error("no engine took part in both runs: in the older one there is {old}, in the newer one {new}")]
     NoEngine {
@@ -142,36 +143,29 @@ pub enum ComparisonError {
     },
 }
 
-/// The reason why a run cannot be compared.
-#[derive(Debug, thiserror::Error)]
-pub enum IncomparableRun {
-    /// The event log cannot be read.
-    #[error(transparent)]
-    Log(#[from] LogError),
-    /// The event log does not cover the whole run.
-    #[error("{0}")]
-    Truncated(Completeness),
-}
-
 impl Comparison {
     /// Compares two runs. Engines are matched by name; where each run has a single engine, these two are compared, whatever
     /// their names.
     ///
     /// # Errors
     /// [`ComparisonError`] where one of the runs is incomplete, or they have no engine in common.
-    pub fn of(mut old: impl EventSource, mut new: impl EventSource) -> Result<Comparison, ComparisonError> {
-        let in_old = |error: LogError| ComparisonError::Old(error.into());
-        let in_new = |error: LogError| ComparisonError::New(error.into());
-        let headers = (old.header().map_err(in_old)?, new.header().map_err(in_new)?);
+    pub fn of(
+        mut old: Reader<impl BufRead>,
+        mut new: Reader<impl BufRead>,
+    ) -> Result<Comparison, ComparisonError> {
+        let headers = (
+            old.header().map_err(ComparisonError::Old)?,
+            new.header().map_err(ComparisonError::New)?,
+        );
         let mut matching = Matching::new(headers)?;
         for event in &mut old {
-            matching.take_old(event.map_err(in_old)?);
+            matching.take_old(event.map_err(ComparisonError::Old)?);
         }
-        whole(&old).map_err(ComparisonError::Old)?;
+        old.check_complete().map_err(ComparisonError::Old)?;
         for event in &mut new {
-            matching.take_new(event.map_err(in_new)?);
+            matching.take_new(event.map_err(ComparisonError::New)?);
         }
-        whole(&new).map_err(ComparisonError::New)?;
+        new.check_complete().map_err(ComparisonError::New)?;
         Ok(matching.finish())
     }
 
@@ -185,13 +179,6 @@ impl Comparison {
         self.changes
             .iter()
             .any(|change| matches!(change.kind, Kind::Crashed | Kind::Broken))
-    }
-}
-
-fn whole(reader: &impl EventSource) -> Result<(), IncomparableRun> {
-    match reader.completeness() {
-        Completeness::Complete => Ok(()),
-        truncated => Err(IncomparableRun::Truncated(truncated)),
     }
 }
 
@@ -280,7 +267,7 @@ impl Matching {
                 Box::new(ComparedTexts {
                     new: older_case::said(&case, expected.as_deref()),
                     old: known.said(expected.as_deref(), expectation_changed),
-                    rerun: engine::rerun(engine::of(&self.found.new.engines, &case), &case),
+                    rerun: engine::rerun(engine::named(&self.found.new.engines, &case.engine), &case),
                     expected,
                     case: kept(&case),
                 })

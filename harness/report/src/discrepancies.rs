@@ -17,9 +17,8 @@ use crate::overview::{Overview, kept};
 use crate::pending::PendingFile;
 use std::collections::BTreeMap;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use stickler_run::{CaseEvent, Cause, EngineHeader, Event, Grade, Symptom};
+use stickler_run::{CaseEvent, Cause, Event, ExplainedCases, Grade, Reproducer, Symptom, Verdict};
 
 /// The name of the pages' folder in a folder of reports.
 pub(crate) const NAME: &str = "discrepancies";
@@ -49,8 +48,6 @@ struct EngineClusters {
     causes: Vec<Cause>,
     /// The number of failing cases.
     failing: u64,
-    /// The number of cases that belong to no kept cluster.
-    left_out: u64,
 }
 
 /// The common properties of the cases of a cluster.
@@ -66,8 +63,8 @@ struct ClusterKey {
 struct Cluster {
     /// The case with the smallest program.
     smallest: CaseEvent,
-    /// The number of cases, by probe and dialect.
-    cases: BTreeMap<(String, String), u64>,
+    /// The number of cases, by probe, dialect and verdict.
+    cases: BTreeMap<(String, String, Verdict), u64>,
 }
 
 impl Discrepancies {
@@ -116,14 +113,13 @@ impl Discrepancies {
             symptom: Symptom::of(case, engine.strict),
         };
         if engine.clusters.len() >= MAX_CLUSTERS && !engine.clusters.contains_key(&key) {
-            engine.left_out += 1;
             return;
         }
         let cluster = engine.clusters.entry(key).or_insert_with(|| Cluster {
             smallest: kept(case),
             cases: BTreeMap::new(),
         });
-        let counted = (probe(&case.id).to_owned(), case.dialect.clone());
+        let counted = (probe(&case.id).to_owned(), case.dialect.clone(), case.verdict);
         *cluster.cases.entry(counted).or_default() += 1;
         if size(case) < size(&cluster.smallest) {
             cluster.smallest = kept(case);
@@ -135,84 +131,111 @@ impl Discrepancies {
     /// # Errors
     /// [`ReportError::Write`] where a page cannot be written.
     pub(crate) fn finish(self, overview: &Overview) -> Result<(), ReportError> {
-        let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
+        if overview.footer.is_none() {
             return Ok(());
-        };
-        let engines = self.engines.iter();
+        }
+        let engines = self.engines.into_iter();
         for (name, engine) in engines.filter(|(_, engine)| !engine.clusters.is_empty()) {
-            let folder = self.folder.join(file_name(name));
-            fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
-            if !engine.causes.is_empty() {
-                engine.write_causes(&folder, name, overview)?;
-                continue;
-            }
-            let about = header.engines.iter().find(|engine| engine.name == *name);
-            // The cluster with the most cases comes first.
-            let mut clusters: Vec<(&ClusterKey, &Cluster)> = engine.clusters.iter().collect();
-            clusters.sort_by_key(|(_, cluster)| std::cmp::Reverse(cluster.number()));
-            let mut index = page::index(name, about, clusters.len(), engine.left_out);
-            for (number, (key, cluster)) in clusters.into_iter().enumerate() {
-                let file = page_name(number + 1, key);
-                index.push_str(&page::entry(&file, key, cluster));
-                write(folder.join(file), &page::page(name, about, key, cluster))?;
-            }
-            write(folder.join("README.md"), &index)?;
+            let folder = self.folder.join(file_name(&name));
+            engine.write(&folder, &name, overview)?;
         }
         Ok(())
     }
 }
 
+/// A cause of failing cases, or a cluster in the form of one, with the case that has its smallest program.
+type Discrepancy = (Cause, Option<CaseEvent>);
+
 impl EngineClusters {
-    /// Writes a page for each cause, and the lists of them: causes that contradict no source that binds the engine, and those whose
+    /// Writes a page for each cause or cluster, and the lists of them: what contradicts no source that binds the engine, and causes whose
     /// programs are not as small as possible, have folders of their own.
-    fn write_causes(&self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
-        let about = engine(overview, name);
-        let explained: u64 = self.causes.iter().map(Cause::number).sum();
-        let unexplained = self.failing.saturating_sub(explained);
-        let (differ, fail): (Vec<&Cause>, Vec<&Cause>) =
-            self.causes.iter().partition(|cause| cause.differs());
-        let (partly, fail): (Vec<&Cause>, Vec<&Cause>) =
-            fail.into_iter().partition(|cause| cause.is_partly_reduced());
-        let mut index = cause_page::index(name, about, fail.len(), unexplained);
+    fn write(self, folder: &Path, name: &str, overview: &Overview) -> Result<(), ReportError> {
+        let about = overview.engine(name);
+        let words = match self.causes.is_empty() {
+            true => cause_page::OF_CLUSTERS,
+            false => cause_page::OF_CAUSES,
+        };
+        let failing = self.failing;
+        let found = self.discrepancies(name);
+        let explained: u64 = found.iter().map(|(cause, _)| cause.number()).sum();
+        let all = found.iter();
+        let (differ, fail): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.differs());
+        let all = fail.into_iter();
+        let (partly, fail): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.is_partly_reduced());
+        let unexplained = failing.saturating_sub(explained);
+        let mut index = cause_page::index(name, about, (fail.len(), words), unexplained);
         index.push_str(&cause_page::list(&fail));
         let separate = [
             (UNREDUCED, partly, cause_page::UNREDUCED),
             (DIFFERS, differ, cause_page::DIFFERS),
         ];
-        for (kind, causes, words) in separate.into_iter().filter(|(_, causes, _)| !causes.is_empty()) {
-            index.push_str(&words.link(kind, &causes));
-            let folder = folder.join(kind);
-            fs::create_dir_all(&folder).map_err(ReportError::writing(&folder))?;
-            let text = words.head(name, about) + &cause_page::list(&causes);
-            write(folder.join("README.md"), &text)?;
-            write_pages(&folder, name, overview, &causes)?;
+        for (kind, found, words) in separate.into_iter().filter(|(_, found, _)| !found.is_empty()) {
+            index.push_str(&words.link(kind, &found));
+            let list = words.head(name, about) + &cause_page::list(&found);
+            write_pages(&folder.join(kind), name, overview, &found, &list)?;
         }
-        write_pages(folder, name, overview, &fail)?;
-        write(folder.join("README.md"), &index)
+        write_pages(folder, name, overview, &fail, &index)
+    }
+
+    /// Returns the causes, or the clusters where causes were not searched for; those with most cases come first.
+    fn discrepancies(self, name: &str) -> Vec<Discrepancy> {
+        if !self.causes.is_empty() {
+            return self.causes.into_iter().map(|cause| (cause, None)).collect();
+        }
+        let clusters = self.clusters.into_iter();
+        let mut found: Vec<Discrepancy> = clusters
+            .map(|(key, cluster)| (cluster.cause(name, &key), Some(cluster.smallest)))
+            .collect();
+        found.sort_by_key(|(cause, _)| std::cmp::Reverse(cause.number()));
+        found
     }
 }
 
-/// Writes a page for each of these causes.
-fn write_pages(folder: &Path, name: &str, overview: &Overview, causes: &[&Cause]) -> Result<(), ReportError> {
-    let about = engine(overview, name);
-    for (cause, number) in causes.iter().zip(1..) {
-        write(
-            folder.join(cause_page::file(number, cause)),
-            &cause_page::page(name, about, cause, overview),
-        )?;
+/// Writes a page for each of these causes, and the list of them.
+fn write_pages(
+    folder: &Path,
+    name: &str,
+    overview: &Overview,
+    found: &[&Discrepancy],
+    list: &str,
+) -> Result<(), ReportError> {
+    fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+    let about = overview.engine(name);
+    for ((cause, case), number) in found.iter().copied().zip(1..) {
+        let page = cause_page::page(name, about, (cause, case.as_ref()), overview);
+        write(folder.join(cause_page::file(number, cause)), &page)?;
     }
-    Ok(())
-}
-
-/// Returns the engine with this name, where the header of the run names it.
-fn engine<'o>(overview: &'o Overview, name: &str) -> Option<&'o EngineHeader> {
-    let mut engines = overview.header.iter().flat_map(|header| &header.engines);
-    engines.find(|engine| engine.name == name)
+    write(folder.join("README.md"), list)
 }
 
 impl Cluster {
-    fn number(&self) -> u64 {
-        self.cases.values().sum()
+    /// Returns the cluster in the form of a cause.
+    fn cause(&self, engine: &str, key: &ClusterKey) -> Cause {
+        let case = &self.smallest;
+        let cases = self.cases.iter();
+        Cause {
+            engine: engine.to_owned(),
+            title: format!("{}: {}", key.file, key.symptom),
+            shown: Reproducer {
+                case: case.id.clone(),
+                dialect: case.dialect.clone(),
+                basis: case.basis.clone(),
+                program: case.program.clone().unwrap_or_default(),
+                expected: case.expected.clone(),
+                got: case.got.clone(),
+                ..Reproducer::default()
+            },
+            cases: cases
+                .map(|((probe, dialect, verdict), cases)| ExplainedCases {
+                    probe: probe.clone(),
+                    dialect: dialect.clone(),
+                    basis: case.basis.clone(),
+                    verdict: *verdict,
+                    cases: *cases,
+                })
+                .collect(),
+            ..Cause::default()
+        }
     }
 }
 
@@ -221,18 +244,7 @@ fn size(case: &CaseEvent) -> usize {
 }
 
 fn write(path: PathBuf, text: &str) -> Result<(), ReportError> {
-    let mut file = PendingFile::create(path)?;
-    let path = file.path().to_owned();
-    file.write_all(text.as_bytes())
-        .map_err(ReportError::writing(&path))?;
-    file.commit()
-}
-
-/// Returns the name of a page's file, such as `03-bit-access-outside-short-line-of-P4025.md`.
-fn page_name(number: usize, key: &ClusterKey) -> String {
-    let mut name = file_name(&format!("{}-{}", key.file, key.symptom.word()));
-    name.truncate(80);
-    format!("{number:02}-{name}.md")
+    PendingFile::create(path)?.fill(text.as_bytes())
 }
 
 /// Returns a name that every file system accepts: a character other than a letter, digit, hyphen or dot becomes a hyphen,

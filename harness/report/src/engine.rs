@@ -1,10 +1,10 @@
-//! Looks up what the header of a run states about the engine of a case.
+//! Looks up what the header of a run states about an engine.
 
 use stickler_run::{CaseEvent, EngineHeader, Grade};
 
-/// Returns the engine of a case, where the header names it.
-pub(crate) fn of<'h>(engines: &'h [EngineHeader], case: &CaseEvent) -> Option<&'h EngineHeader> {
-    engines.iter().find(|engine| engine.name == case.engine)
+/// Returns the engine with this name, where the header names it.
+pub(crate) fn named<'h>(engines: &'h [EngineHeader], name: &str) -> Option<&'h EngineHeader> {
+    engines.iter().find(|engine| engine.name == name)
 }
 
 /// Returns the worst grade of a rejection by an engine that still passed; [`Grade::Code`] for an engine that the header does

@@ -1,6 +1,6 @@
 //! The errors of writing a report and of reading an event log.
 
-use crate::results;
+use crate::events::Completeness;
 use std::io;
 use std::path::{Path, PathBuf};
 use stickler_run::FORMAT;
@@ -47,16 +47,6 @@ const fn writing_advice(reason: io::ErrorKind) -> &'static str {
     }
 }
 
-/// Returns the advice to run the cases again, for a file of an earlier format; empty for another.
-fn rerun_advice(format: u32) -> &'static str {
-    match format {
-        0..results::FORMAT => {
-            "; an earlier version of Stickler wrote it, so run the cases again with this version first"
-        }
-        _ => "",
-    }
-}
-
 /// An error of reading an event log.
 #[derive(Debug, thiserror::Error)]
 pub enum LogError {
@@ -68,7 +58,7 @@ pub enum LogError {
     Empty,
     /// The first line is not a header.
     #[error("line 1 of the event log is no header, so this is no event log")]
-    NoHeader,
+    NoHeader(#[source] Option<serde_json::Error>),
     /// A line before the last one is no event.
     #[error("line {line} of the event log is no event")]
     Line {
@@ -108,12 +98,24 @@ pub enum LogError {
     },
     /// The file is a `results.json`.
     #[error(
-        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl beside it{}",
-        rerun_advice(*format)
+        "this is a results.json of format {format} and no event log; name its folder, or the events.jsonl beside it"
     )]
     Results {
         /// The version of the format of that file.
         format: u32,
+    },
+    /// The log has no footer.
+    #[error("{0}")]
+    Truncated(Completeness),
+    /// Lines of the log contradict each other, though each is as the schema says.
+    #[error("line {line} of the event log: expected {expected}, found {found}")]
+    Contradiction {
+        /// The number of the line, from 1.
+        line: u64,
+        /// The description of what was expected.
+        expected: String,
+        /// The description of what is there.
+        found: String,
     },
     /// The log has a footer, but not all of its cases.
     #[error("the event log promises {promised} cases and holds {cases}, so it is not whole")]

@@ -7,6 +7,8 @@ mod record;
 
 use crate::groups::{GroupNumber, Groups};
 use crate::{LogError, ReportError};
+#[cfg(test)]
+pub(crate) use record::LogLine;
 use record::{CaseObject, Decoder, GroupLine, PassedLine, RunLine};
 use serde::{Deserialize, Serialize};
 use std::fmt;
@@ -14,7 +16,10 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use stickler_run::{Event, FORMAT};
+use stickler_run::{Event, FORMAT, Header};
+
+/// The JSON Schema of a line of the log, as it is published.
+pub(crate) const SCHEMA: &str = include_str!("../schemas/events.schema.json");
 
 /// The name of the log in a folder of reports.
 pub const NAME: &str = "events.jsonl";
@@ -209,12 +214,39 @@ impl<R: BufRead> Reader<R> {
         }
     }
 
+    /// Reads the header, which comes first.
+    ///
+    /// # Errors
+    /// [`LogError`] where the log does not begin with one.
+    pub fn header(&mut self) -> Result<Header, LogError> {
+        match self.next().transpose()? {
+            Some(Event::Header(header)) => Ok(header),
+            _ => Err(LogError::NoHeader(None)),
+        }
+    }
+
     /// Returns whether the events that were read cover a whole run; meaningful only at the end.
     pub const fn completeness(&self) -> Completeness {
         match self.complete {
             true => Completeness::Complete,
             false => Completeness::Truncated { cases: self.cases },
         }
+    }
+
+    /// Checks that the events that were read cover a whole run; meaningful only at the end.
+    ///
+    /// # Errors
+    /// [`LogError::Truncated`] where they do not.
+    pub const fn check_complete(&self) -> Result<(), LogError> {
+        match self.completeness() {
+            Completeness::Complete => Ok(()),
+            truncated @ Completeness::Truncated { .. } => Err(LogError::Truncated(truncated)),
+        }
+    }
+
+    /// Returns the number of the last line that was read, from 1.
+    pub(crate) const fn line(&self) -> u64 {
+        self.number
     }
 
     fn event(&mut self) -> Result<Option<Event>, LogError> {
@@ -244,9 +276,10 @@ impl<R: BufRead> Reader<R> {
         match self.decoder.event(&self.line, line) {
             Ok(_) if self.complete => Err(LogError::Misplaced { line }),
             Ok(Some(Event::Header(_))) if line > 1 => Err(LogError::Misplaced { line }),
-            Ok(Some(Event::Case(_) | Event::Cause(_) | Event::Footer(_)) | None) | Err(_) if line == 1 => {
-                Err(LogError::NoHeader)
+            Ok(Some(Event::Case(_) | Event::Cause(_) | Event::Footer(_)) | None) if line == 1 => {
+                Err(LogError::NoHeader(None))
             }
+            Err(LogError::Line { source, .. }) if line == 1 => Err(LogError::NoHeader(Some(source))),
             Ok(Some(event)) => self.count(&event).map(|()| Some(Some(event))),
             Ok(None) => Ok(Some(None)),
             Err(_) if !self.line.ends_with(b"\n") => Ok(None),
@@ -291,7 +324,7 @@ const RESULTS: &[u8] = b"{\"format\":";
 ///
 /// # Errors
 /// [`LogError::Results`], [`LogError::Earlier`] and [`LogError::Later`].
-pub(crate) fn check_format(line: &[u8]) -> Result<(), LogError> {
+fn check_format(line: &[u8]) -> Result<(), LogError> {
     if let Some(behind) = line.strip_prefix(RESULTS) {
         let digits = behind.iter().take_while(|byte| byte.is_ascii_digit());
         let format = digits.fold(0, |number: u32, digit| {

@@ -1,84 +1,138 @@
 //! The folder of a run's reports: every file is opened before the run, and each event goes to all of them.
 
 use crate::ReportError;
-use crate::badge::Badge;
-use crate::code_quality::CodeQuality;
 use crate::discrepancies::Discrepancies;
 use crate::events::{self, EventLog};
 use crate::junit::Junit;
 use crate::overview::Overview;
 use crate::page::Page;
+use crate::pending::PendingFile;
 use crate::results::Results;
-use crate::sarif::Sarif;
-use crate::summary::Summary;
+use crate::{badge, code_quality, sarif, summary};
 use std::fs;
 use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_run::Event;
 
-/// The reports of a run while it goes on.
+/// The overview of a run while it goes on, and its reports, where they are wanted.
 pub struct Reports {
+    overview: Overview,
+    files: Option<ReportFiles>,
+    /// The error after which the reports are no longer written.
+    broken: Option<ReportError>,
+}
+
+/// The files of a run's reports.
+struct ReportFiles {
     events: EventLog,
     results: Results,
     junit: Junit,
-    summary: Summary,
-    badge: Badge,
-    sarif: Sarif,
-    code_quality: CodeQuality,
     discrepancies: Discrepancies,
     page: Page,
+    /// The files of [`OF_OVERVIEW`].
+    of_overview: Vec<PendingFile>,
 }
 
+/// Returns the content of a report that is made of the overview alone.
+type Content = fn(&Overview) -> serde_json::Result<Vec<u8>>;
+
+/// The reports that are made of the overview of a whole run, by the names of their files. A run that was cut short gets none of them, since
+/// they could not show what is missing, and services take what is missing for mended.
+const OF_OVERVIEW: [(&str, Content); 4] = [
+    ("badge.json", badge::json),
+    ("results.sarif", sarif::json),
+    ("gl-code-quality-report.json", code_quality::json),
+    ("summary.md", |overview| {
+        Ok(summary::markdown(overview).into_bytes())
+    }),
+];
+
 impl Reports {
-    /// Creates the folder where it is missing, and opens every file in it. The files of an earlier run are removed, so that
+    /// Creates the folder where one is wanted and missing, and opens every file in it. The files of an earlier run are removed, so that
     /// all files of a folder belong to one run. `statements` are what documents state about the conversions that the cases are about;
     /// the page shows them beside what the engines do.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the folder or a file cannot be made: before the run, not after it.
-    pub fn create(folder: &Path, statements: Statements) -> Result<Reports, ReportError> {
-        fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+    pub fn create(folder: Option<&Path>, statements: Statements) -> Result<Reports, ReportError> {
+        let files = folder.map(|folder| ReportFiles::create(folder, statements));
         Ok(Reports {
-            events: EventLog::create(folder.join(events::NAME))?,
-            results: Results::create(folder.join("results.json"))?,
-            junit: Junit::create(folder.join("junit.xml"))?,
-            summary: Summary::create(folder.join("summary.md"))?,
-            badge: Badge::create(folder.join("badge.json"))?,
-            sarif: Sarif::create(folder.join("results.sarif"))?,
-            code_quality: CodeQuality::create(folder.join("gl-code-quality-report.json"))?,
-            discrepancies: Discrepancies::create(folder)?,
-            page: Page::create(folder.join("index.html"), statements)?,
+            overview: Overview::default(),
+            files: files.transpose()?,
+            broken: None,
         })
     }
 
-    /// Adds one event to every report.
+    /// Adds one event. Returns whether it could be reported; after the first that could not, the reports get no more events.
+    pub fn take(&mut self, event: &Event) -> bool {
+        self.overview.take(event);
+        if self.broken.is_none()
+            && let Some(files) = &mut self.files
+        {
+            self.broken = files.take(event).err();
+        }
+        self.broken.is_none()
+    }
+
+    /// Returns the overview of the events so far.
+    #[must_use]
+    pub const fn overview(&self) -> &Overview {
+        &self.overview
+    }
+
+    /// Completes the reports, and returns the overview. For a run that was cut short, only the event log stays.
     ///
     /// # Errors
-    /// [`ReportError`] where a file cannot be written.
-    pub fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+    /// [`ReportError`] where a file cannot be written, or could not be.
+    pub fn finish(self) -> Result<Overview, ReportError> {
+        if let Some(error) = self.broken {
+            return Err(error);
+        }
+        if let Some(files) = self.files {
+            files.finish(&self.overview)?;
+        }
+        Ok(self.overview)
+    }
+}
+
+impl ReportFiles {
+    fn create(folder: &Path, statements: Statements) -> Result<ReportFiles, ReportError> {
+        fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
+        Ok(ReportFiles {
+            events: EventLog::create(folder.join(events::NAME))?,
+            results: Results::create(folder.join("results.json"))?,
+            junit: Junit::create(folder.join("junit.xml"))?,
+            discrepancies: Discrepancies::create(folder)?,
+            page: Page::create(folder.join("index.html"), statements)?,
+            of_overview: OF_OVERVIEW
+                .iter()
+                .map(|(name, _)| PendingFile::create(folder.join(name)))
+                .collect::<Result<_, _>>()?,
+        })
+    }
+
+    fn take(&mut self, event: &Event) -> Result<(), ReportError> {
         let group = self.events.take_case(event)?;
-        self.results.take(event, group)?;
+        self.results.take(event)?;
         self.junit.take(event, group);
         self.discrepancies.take(event);
         self.page.take(event, group);
         Ok(())
     }
 
-    /// Completes every report. For a run that was cut short, only the event log stays.
-    ///
-    /// # Errors
-    /// [`ReportError`] where a file cannot be written.
-    pub fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
+    fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         self.events.flush()?;
         let groups = self.events.groups();
-        self.results.finish(overview, groups)?;
+        self.results.finish(overview)?;
         self.junit.finish(overview, groups)?;
         self.discrepancies.finish(overview)?;
-        self.badge.finish(overview)?;
-        self.sarif.finish(overview)?;
-        self.code_quality.finish(overview)?;
         self.page.finish(overview, groups)?;
-        self.summary.finish(overview)
+        if overview.footer.is_some() {
+            for (file, (_, content)) in self.of_overview.into_iter().zip(OF_OVERVIEW) {
+                file.fill(&content(overview)?)?;
+            }
+        }
+        Ok(())
     }
 }
 
@@ -89,7 +143,6 @@ mod tests {
     use crate::sample::{self, report as write};
     use std::fs;
     use stickler_conversions::overview::Statements;
-    use stickler_run::{CaseEvent, Fact};
 
     #[test]
     fn a_whole_run_leaves_every_report_and_nothing_else() {
@@ -123,7 +176,7 @@ mod tests {
         let blocked = folder.path().join("file");
         fs::write(&blocked, "").expect("a file in the way");
         let Err(ReportError::Write { path, .. }) =
-            Reports::create(&blocked.join("latest"), Statements::default())
+            Reports::create(Some(&blocked.join("latest")), Statements::default())
         else {
             panic!("a file is no folder");
         };
@@ -136,7 +189,7 @@ mod tests {
         write(folder.path(), &sample::run());
         let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
         let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        assert_eq!(results["format"], 2);
+        assert_eq!(results["format"], 3);
         for key in ["stickler", "suite", "started", "duration_ms"] {
             assert!(!results[key].is_null(), "{key}");
         }
@@ -173,50 +226,5 @@ mod tests {
         }
         assert_eq!(results["claims"][0]["standing"]["passed"], 2);
         assert_eq!(results["claims"][0]["standing"]["open"], 1);
-    }
-
-    #[test]
-    fn results_name_what_passed_and_what_was_observed_by_probe() {
-        let in_dialect = |case: CaseEvent, dialect: &str| CaseEvent {
-            dialect: dialect.to_owned(),
-            ..case
-        };
-        let mut cases = Vec::new();
-        for (id, dialects) in [
-            ("a::p(1)", &["d", "e"][..]),
-            ("a::p(2)", &["e"]),
-            ("a::p(3)", &["d", "e"]),
-        ] {
-            cases.extend(
-                dialects
-                    .iter()
-                    .map(|dialect| in_dialect(sample::open_case(id), dialect)),
-            );
-        }
-        cases[4].observations[0].value = "INT#4".to_owned();
-        cases[0].got = vec![Fact::RejectedSilently];
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        write(folder.path(), &sample::run_of(cases));
-        let text = fs::read_to_string(folder.path().join("results.json")).expect("results");
-        let results: serde_json::Value = serde_json::from_str(&text).expect("JSON");
-        let passed = &results["passed"];
-        assert_eq!(passed[0]["id"], "widening/a::p");
-        assert_eq!(passed[0]["dialects"], serde_json::json!(["d", "e"]));
-        assert_eq!(
-            passed[0]["duration_us"],
-            serde_json::json!({"(1)": [12, 12], "(3)": [12, 12]})
-        );
-        assert_eq!(
-            passed[0]["got"],
-            serde_json::json!({"(1)": {"d": [{"fact": "rejected-silently"}]}})
-        );
-        assert_eq!(passed[1]["dialects"], serde_json::json!(["e"]));
-        assert_eq!(
-            results["observations"][0],
-            serde_json::json!({
-                "id": "widening/a::p", "engine": "reference", "dialects": ["d", "e"], "name": "r",
-                "values": {"(1)": ["INT#3", "INT#3"], "(3)": ["INT#3", "INT#4"]}
-            })
-        );
     }
 }

@@ -7,15 +7,22 @@ use stickler_run::{CaseEvent, Grade};
 
 /// The common properties of the cases of a group.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub(crate) struct Group {
     /// The beginning that the ids of the group's cases share: a case file and a probe, such as
     /// `widening/integer::assignment`.
     pub(crate) id: String,
+    /// The dialect of the cases.
     pub(crate) dialect: String,
+    /// The name of the engine.
     pub(crate) engine: String,
+    /// The title of the cases.
     pub(crate) title: String,
+    /// The claim of the cases: source and section.
     pub(crate) basis: String,
+    /// The path of the case file.
     pub(crate) file: String,
+    /// The area of the cases.
     pub(crate) area: String,
     /// Whether the document leaves the result open.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

@@ -74,7 +74,7 @@ impl Junit {
             Verdict::Unsupported => tally.unsupported.take(case),
             _ => {
                 let name = suite_name(&case.engine, &case.dialect, &case.area);
-                let test = case::test(case, engine::of(&self.engines, case));
+                let test = case::test(case, engine::named(&self.engines, &case.engine));
                 suite_of(&mut self.suites, name).add(test);
             }
         }

@@ -3,7 +3,7 @@
 //! | module | file | for |
 //! |---|---|---|
 //! | [`events`] | `events.jsonl` | the stream itself, written while the run goes on; the only file that a run leaves when it is cut short |
-//! | `results` | `results.json` | programs |
+//! | `results` | `results.json` | programs that want numbers and failures |
 //! | `junit` | `junit.xml` | CI services |
 //! | [`summary`] | `summary.md` | a CI step summary, a pull request |
 //! | `page` | `index.html` | everybody: one file that a browser opens |
@@ -47,14 +47,15 @@ mod page;
 pub mod parts;
 mod pending;
 mod results;
-mod run_file;
 #[cfg(test)]
 mod sample;
 mod sarif;
+#[cfg(test)]
+mod schema_check;
+#[cfg(test)]
+mod schema_tests;
 pub mod site;
-mod spool;
 pub mod summary;
-mod table;
 pub mod terminal;
 mod text;
 mod unexpected;
@@ -63,5 +64,3 @@ pub use comparison::{Comparison, ComparisonError};
 pub use error::{LogError, ReportError};
 pub use folder::Reports;
 pub use overview::Overview;
-pub use results::ResultsError;
-pub use run_file::{EventSource, RunFileError};

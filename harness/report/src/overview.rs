@@ -103,9 +103,9 @@ impl Overview {
         self.sources().iter().find(|source| source.key == key)
     }
 
-    /// Returns the engine of a case, where the header names it.
-    pub(crate) fn engine(&self, case: &CaseEvent) -> Option<&EngineHeader> {
-        engine::of(&self.header.as_ref()?.engines, case)
+    /// Returns the engine with this name, where the header names it.
+    pub(crate) fn engine(&self, name: &str) -> Option<&EngineHeader> {
+        engine::named(&self.header.as_ref()?.engines, name)
     }
 
     /// Returns the entries of baselines that are out of date; a run with any of them is not as expected.
@@ -156,14 +156,10 @@ pub(crate) fn kept(case: &CaseEvent) -> CaseEvent {
 mod tests {
     use super::{MAX_KEPT_FAILURES, Overview};
     use crate::sample;
-    use stickler_run::{CaseEvent, Event, Fact, Verdict};
+    use stickler_run::{CaseEvent, Fact, Verdict};
 
     fn overview(cases: Vec<CaseEvent>) -> Overview {
-        let mut overview = Overview::default();
-        sample::run_of(cases)
-            .iter()
-            .for_each(|event: &Event| overview.take(event));
-        overview
+        sample::overview(&sample::run_of(cases))
     }
 
     #[test]

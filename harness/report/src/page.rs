@@ -8,7 +8,7 @@
 //! |---|---|
 //! | `run` | header, totals, claims, causes, observations on which engines disagree: small, read at once |
 //! | `conversions` | what documents state about conversions and recorded compilers answered, which the caller hands over, and what engines answered: read when it is shown |
-//! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases |
+//! | `cases` | every case that did not pass, in columns of numbers into tables of texts: read when somebody looks at cases; missing in the page of a site, which has the newest run of each engine |
 
 mod answers;
 mod assets;
@@ -21,13 +21,14 @@ use crate::ReportError;
 use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use answers::{AnswersData, PageAnswers};
+use answers::AnswersData;
+pub(crate) use answers::PageAnswers;
 pub(crate) use assets::STYLE;
 use cases::MissedCases;
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
-use stickler_conversions::overview::{RecordedAnswers, Statements};
+use stickler_conversions::overview::Statements;
 use stickler_run::{Event, Totals, Verdict};
 
 /// The page of a run, gathered until it is written.
@@ -45,6 +46,31 @@ pub(crate) struct Page {
 struct ConversionsData<'p> {
     statements: &'p Statements,
     answers: AnswersData,
+}
+
+/// Writes a page that shows what documents state of conversions, what the engines of `run` answered, and, where there are any, its cases.
+///
+/// # Errors
+/// Errors of writing to `out`.
+pub(crate) fn write(
+    out: &mut impl Write,
+    run: &impl Serialize,
+    (statements, answers): (&Statements, PageAnswers),
+    cases: Option<&impl Serialize>,
+) -> io::Result<()> {
+    let (before_style, before_data, before_script, end) = assets::skeleton();
+    write!(out, "{before_style}{}{before_data}", assets::STYLE)?;
+    data(out, "run", run)?;
+    let answers = answers.into_data();
+    data(out, "conversions", &ConversionsData { statements, answers })?;
+    if let Some(cases) = cases {
+        data(out, "cases", cases)?;
+    }
+    out.write_all(before_script.as_bytes())?;
+    for script in assets::SCRIPTS {
+        out.write_all(script.as_bytes())?;
+    }
+    out.write_all(end.as_bytes())
 }
 
 impl Page {
@@ -92,43 +118,16 @@ impl Page {
         };
         let path = self.file.path().to_owned();
         let cases = self.cases.into_data(groups, &self.totals);
-        // What an engine answers now is worth more than what it answered once.
-        let engines = overview.engines();
-        let ran = |recorded: &RecordedAnswers| engines.iter().any(|engine| recorded.is_of(engine));
-        for recorded in self
-            .statements
-            .recorded()
-            .iter()
-            .filter(|recorded| !ran(recorded))
-        {
-            self.answers.add_recorded(recorded);
-        }
-        let conversions = ConversionsData {
-            statements: &self.statements,
-            answers: self.answers.into_data(),
-        };
-        write(&mut self.file, &run, &conversions, &cases).map_err(ReportError::writing(&path))?;
+        self.answers.add_recordings(&self.statements, &overview.engines());
+        write(
+            &mut self.file,
+            &run,
+            (&self.statements, self.answers),
+            Some(&cases),
+        )
+        .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
-}
-
-/// Writes the skeleton with its style, data and scripts.
-fn write(
-    out: &mut impl Write,
-    run: &impl Serialize,
-    conversions: &impl Serialize,
-    cases: &impl Serialize,
-) -> io::Result<()> {
-    let (before_style, before_data, before_script, end) = assets::skeleton();
-    write!(out, "{before_style}{}{before_data}", assets::STYLE)?;
-    data(out, "run", run)?;
-    data(out, "conversions", conversions)?;
-    data(out, "cases", cases)?;
-    out.write_all(before_script.as_bytes())?;
-    for script in assets::SCRIPTS {
-        out.write_all(script.as_bytes())?;
-    }
-    out.write_all(end.as_bytes())
 }
 
 /// Writes an element with data that a script reads.
@@ -137,6 +136,11 @@ fn data(out: &mut impl Write, id: &str, value: &impl Serialize) -> io::Result<()
     script_json::write(out, value)?;
     out.write_all(b"</script>\n")
 }
+
+#[cfg(test)]
+pub(crate) use browser_tests::{browser, open};
+#[cfg(test)]
+pub(crate) use tests::data_of;
 
 #[cfg(test)]
 mod browser_tests;

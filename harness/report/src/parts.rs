@@ -5,7 +5,6 @@
 
 mod belonging;
 
-use crate::EventSource;
 use crate::LogError;
 use crate::events::{Completeness, Reader};
 use std::io::BufRead;

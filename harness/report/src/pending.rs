@@ -44,6 +44,16 @@ impl PendingFile {
         &self.path
     }
 
+    /// Writes the whole content, and renames the file to its own name.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the content cannot be written or the file cannot be renamed.
+    pub(crate) fn fill(mut self, content: &[u8]) -> Result<(), ReportError> {
+        let path = self.path.clone();
+        self.write_all(content).map_err(ReportError::writing(&path))?;
+        self.commit()
+    }
+
     /// Renames the complete file to its own name.
     ///
     /// # Errors

@@ -1,30 +1,16 @@
-//! `results.json`: the whole run as one JSON document, for programs. reports/README.md names its keys.
+//! `results.json`: the numbers of a run and the cases that did not pass, for programs. reports/README.md names its keys.
 //!
-//! A case that did not pass is in `cases` with all its properties. The cases that passed are in `passed`, each with only its
-//! arguments and its times, under the common properties of its probe.
+//! The cases that passed, and what was observed, are in the event log alone.
 
-mod check;
 mod document;
-mod error;
-mod passed;
-mod read;
-#[cfg(test)]
-mod schema_check;
-#[cfg(test)]
-mod schema_tests;
 
-pub use error::ResultsError;
-pub(crate) use read::read;
-
-use crate::groups::{GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
-use crate::spool::Spool;
 use crate::{ReportError, engine};
+#[cfg(test)]
+pub(crate) use document::ResultsDocument;
 use document::{CaseResult, ClaimResult, EngineResult};
-use passed::Passed;
 use serde::Serialize;
-use std::borrow::Cow;
 use std::io::{self, Write};
 use std::path::PathBuf;
 use stickler_run::{EngineHeader, Event, Footer, Header, Verdict};
@@ -33,17 +19,14 @@ use stickler_run::{EngineHeader, Event, Footer, Header, Verdict};
 pub(crate) const NAME: &str = "results.json";
 
 /// The version of the format of `results.json`.
-pub(crate) const FORMAT: u32 = 2;
+pub(crate) const FORMAT: u32 = 3;
 
-/// The JSON Schema of `results.json`, as it is published.
-pub(crate) const SCHEMA: &str = include_str!("../schemas/results.schema.json");
-
-/// The results of a run, gathered until the document is written: it begins with the totals and claims, which are known last.
+/// The results of a run. The cases are written while the run goes on, and what is known last comes after them.
 pub(crate) struct Results {
     file: PendingFile,
     engines: Vec<EngineHeader>,
-    cases: JsonList,
-    passed: Passed,
+    /// The number of cases that were written.
+    cases: u64,
 }
 
 impl Results {
@@ -55,59 +38,52 @@ impl Results {
         Ok(Results {
             file: PendingFile::create(path)?,
             engines: Vec::new(),
-            cases: JsonList::default(),
-            passed: Passed::default(),
+            cases: 0,
         })
     }
 
-    /// Adds one event, with the group of a case.
-    ///
-    /// # Errors
-    /// [`ReportError::Serialise`] where a case cannot be serialised.
-    pub(crate) fn take(&mut self, event: &Event, group: Option<GroupNumber>) -> Result<(), ReportError> {
-        match (event, group) {
-            (Event::Header(header), _) => self.engines.clone_from(&header.engines),
-            (Event::Case(case), Some(group)) => {
-                self.passed.take(case, group);
-                if case.verdict != Verdict::Pass {
-                    let engine = engine::of(&self.engines, case);
-                    self.cases.push(&CaseResult::of(case, engine))?;
-                }
-            }
-            // The footer is taken from the overview, when the document is written.
-            (Event::Case(_) | Event::Cause(_) | Event::Footer(_), _) => {}
-        }
-        Ok(())
-    }
-
-    /// Writes the document. A run without header or footer has no results.
+    /// Adds one event.
     ///
     /// # Errors
     /// [`ReportError::Write`] where the file cannot be written.
-    pub(crate) fn finish(mut self, overview: &Overview, groups: &Groups) -> Result<(), ReportError> {
+    pub(crate) fn take(&mut self, event: &Event) -> Result<(), ReportError> {
+        let written = match event {
+            Event::Header(header) => {
+                self.engines.clone_from(&header.engines);
+                self.write_start(header)
+            }
+            Event::Case(case) if case.verdict != Verdict::Pass => {
+                self.cases += 1;
+                let case = CaseResult::of(case, engine::named(&self.engines, &case.engine));
+                element(&mut self.file, self.cases == 1, &case)
+            }
+            // Causes and the footer are taken from the overview, when the document ends.
+            Event::Case(_) | Event::Cause(_) | Event::Footer(_) => Ok(()),
+        };
+        written.map_err(ReportError::writing(self.file.path()))
+    }
+
+    /// Ends the document. A run without header or footer has no results.
+    ///
+    /// # Errors
+    /// [`ReportError::Write`] where the file cannot be written.
+    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
         let (Some(header), Some(footer)) = (&overview.header, &overview.footer) else {
             return Ok(());
         };
         let path = self.file.path().to_owned();
-        self.write(header, footer, overview, groups)
+        self.write_end(header, footer, overview)
             .map_err(ReportError::writing(&path))?;
         self.file.commit()
     }
 
-    fn write(
-        &mut self,
-        header: &Header,
-        footer: &Footer,
-        overview: &Overview,
-        groups: &Groups,
-    ) -> io::Result<()> {
+    /// Writes what is known before the first case.
+    fn write_start(&mut self, header: &Header) -> io::Result<()> {
         let out = &mut self.file;
         write!(out, "{{\"format\":{FORMAT}")?;
         key(out, "stickler", &header.stickler)?;
         key(out, "suite", &header.suite)?;
         key(out, "started", &header.started)?;
-        key(out, "duration_ms", &footer.duration_ms)?;
-        key(out, "engines", &engines(header, footer))?;
         key(out, "filters", &header.filters)?;
         key(out, "dialects", &header.dialects)?;
         key(out, "shard", &header.shard)?;
@@ -115,24 +91,26 @@ impl Results {
         key(out, "baselines", &header.baselines)?;
         key(out, "defined", &header.defined)?;
         key(out, "sources", &header.sources)?;
-        let mut list = JsonList::default();
-        for claim in overview.claims.iter() {
-            list.push(&ClaimResult {
-                engine: claim.engine.into(),
-                source: claim.source.into(),
-                section: claim.section.into(),
+        write!(out, ",\n\"cases\":[")
+    }
+
+    /// Writes what is known after the last case.
+    fn write_end(&mut self, header: &Header, footer: &Footer, overview: &Overview) -> io::Result<()> {
+        let out = &mut self.file;
+        write!(out, "\n]")?;
+        key(out, "duration_ms", &footer.duration_ms)?;
+        key(out, "engines", &engines(header, footer))?;
+        list(
+            out,
+            "claims",
+            overview.claims.iter().map(|claim| ClaimResult {
+                engine: claim.engine,
+                source: claim.source,
+                section: claim.section,
                 standing: claim.standing,
-            })?;
-        }
-        list.write(out, "claims")?;
-        let mut causes = JsonList::default();
-        for cause in &overview.causes {
-            causes.push(cause)?;
-        }
-        causes.write(out, "causes")?;
-        self.cases.write(out, "cases")?;
-        self.passed.list(groups)?.write(out, "passed")?;
-        self.passed.observations(groups)?.write(out, "observations")?;
+            }),
+        )?;
+        list(out, "causes", &overview.causes)?;
         out.write_all(b"}\n")
     }
 }
@@ -143,27 +121,23 @@ fn key(out: &mut impl Write, name: &str, value: &impl Serialize) -> io::Result<(
     Ok(serde_json::to_writer(out, value)?)
 }
 
-/// A JSON array that grows, with one element per line.
-#[derive(Default)]
-struct JsonList {
-    spool: Spool,
+/// Writes a key whose value is an array, with one element per line.
+fn list<T: Serialize>(
+    out: &mut impl Write,
+    name: &str,
+    elements: impl IntoIterator<Item = T>,
+) -> io::Result<()> {
+    write!(out, ",\n\"{name}\":[")?;
+    for (at, value) in elements.into_iter().enumerate() {
+        element(out, at == 0, &value)?;
+    }
+    out.write_all(b"\n]")
 }
 
-impl JsonList {
-    fn push(&mut self, element: &impl Serialize) -> serde_json::Result<()> {
-        let json = serde_json::to_vec(element)?;
-        if !self.spool.is_empty() {
-            self.spool.add(b",\n");
-        }
-        self.spool.add(&json);
-        Ok(())
-    }
-
-    fn write(&self, out: &mut impl Write, name: &str) -> io::Result<()> {
-        write!(out, ",\n\"{name}\":[\n")?;
-        self.spool.write(out)?;
-        out.write_all(b"\n]")
-    }
+/// Writes an element of an array on a line of its own.
+fn element(out: &mut impl Write, is_first: bool, value: &impl Serialize) -> io::Result<()> {
+    out.write_all(if is_first { b"\n" } else { b",\n" })?;
+    Ok(serde_json::to_writer(out, value)?)
 }
 
 /// Returns each engine of the header with its totals from the footer.
@@ -173,11 +147,11 @@ fn engines<'a>(header: &'a Header, footer: &'a Footer) -> Vec<EngineResult<'a>> 
         .engines
         .iter()
         .map(|engine| EngineResult {
-            name: Cow::Borrowed(&engine.name),
-            version: Cow::Borrowed(&engine.version),
-            dialects: Cow::Borrowed(&engine.dialects),
+            name: &engine.name,
+            version: &engine.version,
+            dialects: &engine.dialects,
             strict: engine.strict,
-            rerun: Cow::Borrowed(&engine.rerun),
+            rerun: &engine.rerun,
             totals: totals(&engine.name).map(|found| found.totals).unwrap_or_default(),
         })
         .collect()

@@ -159,18 +159,16 @@ pub(crate) fn run_with_baseline() -> Vec<Event> {
         noted("mended", Verdict::Xpass),
         noted("known", Verdict::Xfail),
     ]);
-    if let Event::Header(header) = &mut events[0] {
-        header.baselines = vec![BaselineHeader {
-            engine: "reference".to_owned(),
-            file: "b/reference.toml".to_owned(),
-            entries: 2,
-            outdated: vec![OutdatedEntry {
-                at: "b/reference.toml:12".to_owned(),
-                case: "widening/gone*".to_owned(),
-                why: "fits no case".to_owned(),
-            }],
-        }];
-    }
+    header(&mut events).baselines = vec![BaselineHeader {
+        engine: "reference".to_owned(),
+        file: "b/reference.toml".to_owned(),
+        entries: 2,
+        outdated: vec![OutdatedEntry {
+            at: "b/reference.toml:12".to_owned(),
+            case: "widening/gone*".to_owned(),
+            why: "fits no case".to_owned(),
+        }],
+    }];
     events
 }
 
@@ -187,41 +185,51 @@ pub(crate) fn run_by_line() -> Vec<Event> {
         got: vec![reported(6, "", "no number")],
         ..case("half", Verdict::Fail)
     }]);
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].strict = Grade::Line;
+    header(&mut events).engines[0].strict = Grade::Line;
+    events
+}
+
+/// Returns the header of a run, to be changed.
+pub(crate) fn header(events: &mut [Event]) -> &mut Header {
+    match events.first_mut() {
+        Some(Event::Header(header)) => header,
+        _ => panic!("a run begins with a header"),
     }
+}
+
+/// Returns a run with causes behind its cases.
+pub(crate) fn with_causes(mut events: Vec<Event>, causes: impl IntoIterator<Item = Cause>) -> Vec<Event> {
+    let footer = events.len() - 1;
+    events.splice(footer..footer, causes.into_iter().map(Event::Cause));
     events
 }
 
 /// Returns a whole run of these cases on several engines.
 pub(crate) fn run_on(engines: &[&str], cases: Vec<CaseEvent>) -> Vec<Event> {
     let mut events = run_of(cases);
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.engines = engines
-            .iter()
-            .map(|name| EngineHeader {
-                name: (*name).to_owned(),
-                ..header.engines[0].clone()
-            })
-            .collect();
-    }
+    let header = header(&mut events);
+    header.engines = engines
+        .iter()
+        .map(|name| EngineHeader {
+            name: (*name).to_owned(),
+            ..header.engines[0].clone()
+        })
+        .collect();
     events
 }
 
 /// Returns a run whose header names the source of its cases.
 pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.sources = vec![SourceHeader {
-            key: "ironplc-type-conversions".to_owned(),
-            title: "Type Conversions".to_owned(),
-            publisher: "IronPLC".to_owned(),
-            kind: "document".to_owned(),
-            address: "https://example.org/{section}#{anchor}".to_owned(),
-            read: "0.239".to_owned(),
-            engines: vec!["reference".to_owned()],
-            limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
-        }];
-    }
+    header(&mut events).sources = vec![SourceHeader {
+        key: "ironplc-type-conversions".to_owned(),
+        title: "Type Conversions".to_owned(),
+        publisher: "IronPLC".to_owned(),
+        kind: "document".to_owned(),
+        address: "https://example.org/{section}#{anchor}".to_owned(),
+        read: "0.239".to_owned(),
+        engines: vec!["reference".to_owned()],
+        limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
+    }];
     events
 }
 
@@ -266,15 +274,18 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
     events
 }
 
+/// Returns the overview of a run.
+pub(crate) fn overview(events: &[Event]) -> Overview {
+    let mut overview = Overview::default();
+    events.iter().for_each(|event| overview.take(event));
+    overview
+}
+
 /// Writes every report of a run into a folder.
 pub(crate) fn report(folder: &Path, events: &[Event]) {
-    let mut reports = Reports::create(folder, Statements::default()).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        reports.take(event).expect("taken");
-        overview.take(event);
-    }
-    reports.finish(&overview).expect("finished");
+    let mut reports = Reports::create(Some(folder), Statements::default()).expect("a folder");
+    assert!(events.iter().all(|event| reports.take(event)));
+    reports.finish().expect("finished");
 }
 
 /// Returns the names of the entries of a folder, sorted.

@@ -5,10 +5,8 @@
 
 mod document;
 
-use crate::ReportError;
 use crate::basis::Basis;
 use crate::overview::Overview;
-use crate::pending::PendingFile;
 use crate::text::outdated;
 use crate::unexpected::Unexpected;
 use document::{
@@ -17,39 +15,16 @@ use document::{
 };
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use std::path::PathBuf;
 use stickler_run::Header;
 use stickler_types::counted;
 
-/// The file, written when the run is over.
-pub(crate) struct Sarif {
-    file: PendingFile,
-}
-
-impl Sarif {
-    /// Creates the file.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be created.
-    pub(crate) fn create(path: PathBuf) -> Result<Sarif, ReportError> {
-        Ok(Sarif {
-            file: PendingFile::create(path)?,
-        })
-    }
-
-    /// Writes the file; a run that was cut short gets none, since a service takes what is missing for mended.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be written.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
-        let (Some(header), Some(_)) = (&overview.header, &overview.footer) else {
-            return Ok(());
-        };
-        let path = self.file.path().to_owned();
-        serde_json::to_writer(&mut self.file, &document(header, overview))
-            .map_err(|error| ReportError::writing(&path)(error.into()))?;
-        self.file.commit()
-    }
+/// Returns the content of the file.
+///
+/// # Errors
+/// Returns the error of serde_json.
+pub(crate) fn json(overview: &Overview) -> serde_json::Result<Vec<u8>> {
+    let header = overview.header.as_ref();
+    serde_json::to_vec(&header.map(|header| document(header, overview)))
 }
 
 fn document(header: &Header, overview: &Overview) -> Document {

@@ -2,18 +2,17 @@
 //!
 //! Each run is read as a stream and only counted; two runs are compared by [`crate::comparison`], as `stickler compare` does.
 
+mod check;
 mod engine_page;
 mod feed;
 mod front_page;
-mod function_page;
 mod functions;
 mod history;
 mod html;
 mod run;
 mod versions;
 
-use crate::{ComparisonError, ReportError, RunFileError};
-use crate::{events, results};
+use crate::{ComparisonError, LogError, ReportError, events, results};
 use functions::Functions;
 use history::History;
 use run::SiteRun;
@@ -48,7 +47,7 @@ pub enum SiteError {
         /// The path of the run.
         path: PathBuf,
         /// The error of reading it.
-        source: Box<RunFileError>,
+        source: LogError,
     },
     /// The start of a run is no valid time.
     #[error("{}: the run began at `{started}`, which is no time such as 2026-09-01T12:00:00Z", path.display())]
@@ -81,16 +80,16 @@ pub enum SiteError {
 
 impl SiteError {
     /// Returns a closure for `map_err` that adds the path of a run to the error of reading it.
-    fn run(path: &Path) -> impl Fn(RunFileError) -> SiteError + use<> {
+    fn run(path: &Path) -> impl Fn(LogError) -> SiteError + use<> {
         let path = path.to_owned();
         move |source| SiteError::Run {
             path: path.clone(),
-            source: Box::new(source),
+            source,
         }
     }
 }
 
-/// Builds the site of these runs, each named by its folder of reports, its event log or its `results.json`. Equal runs give equal files; files
+/// Builds the site of these runs, each named by its folder of reports or its event log. Equal runs give equal files; files
 /// of the folder that the site does not write stay. `statements` are what documents state of conversions and recorded compilers answered; the pages
 /// of the functions show them beside what the engines do. With `skip_unreadable`, a run that cannot be read is left out and listed in the summary, as
 /// long as another can be read.
@@ -130,41 +129,45 @@ pub fn write(
     for history in &histories {
         write_page(
             &site.join("engines").join(&history.file),
-            &engine_page::page(history, &functions),
+            engine_page::page(history, &functions),
         )?;
     }
-    write_functions(&functions, &site.join("functions"))?;
     let feed_path = site.join(feed::NAME);
     let feed = feed::feed(&histories).map_err(ReportError::writing(&feed_path))?;
-    fs::write(&feed_path, feed).map_err(ReportError::writing(&feed_path))?;
-    write_page(&site.join("results.schema.json"), results::SCHEMA)?;
-    write_page(
-        &site.join("index.html"),
-        &front_page::page(&histories, &functions),
-    )?;
-    Ok(SiteSummary {
+    write_page(&feed_path, feed)?;
+    write_page(&site.join("events.schema.json"), events::SCHEMA)?;
+    write_page(&site.join("index.html"), front_page::page(&histories, &functions))?;
+    let summary = SiteSummary {
         runs: runs.len(),
         engines: histories.len(),
-        functions: functions.tables.len(),
+        functions: functions.names().len(),
         replaced: histories.iter().flat_map(History::replaced).collect(),
         skipped,
-    })
+    };
+    write_functions(functions, &site.join("functions"))?;
+    Ok(summary)
 }
 
-/// Writes a page for each function and their list, if there is any function.
-fn write_functions(functions: &Functions<'_>, folder: &Path) -> Result<(), ReportError> {
-    if functions.tables.is_empty() {
+/// Writes the page of all functions, if there is any, and for each function a page that leads to its part.
+fn write_functions(functions: Functions<'_>, folder: &Path) -> Result<(), ReportError> {
+    if functions.names().is_empty() {
         return Ok(());
     }
     fs::create_dir_all(folder).map_err(ReportError::writing(folder))?;
-    for (name, tables) in &functions.tables {
-        let page = function_page::page(name, tables, functions);
-        write_page(&folder.join(functions::file(name)), &page)?;
+    for name in functions.names() {
+        let address = functions::address(name);
+        let page = format!(
+            "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta http-equiv=\"refresh\" content=\"0; url={address}\">\n\
+             <title>{name}</title>\n</head>\n<body><a href=\"{address}\">{name}</a></body>\n</html>\n"
+        );
+        write_page(&folder.join(format!("{name}.html")), page)?;
     }
-    write_page(&folder.join("index.html"), &function_page::index(functions))
+    let path = folder.join("index.html");
+    let page = functions.into_page().map_err(ReportError::writing(&path))?;
+    write_page(&path, page)
 }
 
-fn write_page(path: &Path, page: &str) -> Result<(), ReportError> {
+fn write_page(path: &Path, page: impl AsRef<[u8]>) -> Result<(), ReportError> {
     fs::write(path, page).map_err(ReportError::writing(path))
 }
 

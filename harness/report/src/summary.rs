@@ -7,12 +7,9 @@ use crate::basis::Basis;
 use crate::discrepancies::NAME;
 use crate::markdown::{code, fence, inline, linked};
 use crate::overview::Overview;
-use crate::pending::PendingFile;
 use crate::text::{MAX_SHOWN_CHARACTERS, clip, duration, judged, noted, outdated, outdated_entries, visible};
-use crate::{ReportError, compared, diff, engine};
-use std::fmt::Write as _;
-use std::io::Write as _;
-use std::path::PathBuf;
+use crate::{compared, diff, engine};
+use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
 use stickler_types::{counted, grouped};
 
@@ -25,38 +22,6 @@ const MAX_SHOWN_CAUSES: usize = 100;
 const MAX_SHOWN_FAILURES: usize = 100;
 /// The maximum number of lines that are shown of each text.
 const MAX_SHOWN_LINES: usize = 60;
-
-/// The summary of a run, written when the run is over.
-pub(crate) struct Summary {
-    file: PendingFile,
-}
-
-impl Summary {
-    /// Creates the file.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be created.
-    pub(crate) fn create(path: PathBuf) -> Result<Summary, ReportError> {
-        Ok(Summary {
-            file: PendingFile::create(path)?,
-        })
-    }
-
-    /// Writes the document; a run that was cut short gets none.
-    ///
-    /// # Errors
-    /// [`ReportError::Write`] where the file cannot be written.
-    pub(crate) fn finish(mut self, overview: &Overview) -> Result<(), ReportError> {
-        if overview.footer.is_none() {
-            return Ok(());
-        }
-        let path = self.file.path().to_owned();
-        self.file
-            .write_all(markdown(overview).as_bytes())
-            .map_err(ReportError::writing(&path))?;
-        self.file.commit()
-    }
-}
 
 /// Returns the summary as Markdown, at most `MAX_BYTES` long.
 pub fn markdown(overview: &Overview) -> String {
@@ -235,7 +200,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
 }
 
 fn failure(case: &CaseEvent, overview: &Overview) -> String {
-    let engine = overview.engine(case);
+    let engine = overview.engine(&case.engine);
     let (expected, got) = compared::texts(case, engine::strictness(engine));
     let expected = clip(&visible(&expected), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);
     let got = clip(&visible(&got), MAX_SHOWN_LINES, MAX_SHOWN_CHARACTERS);

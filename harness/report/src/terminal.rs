@@ -77,7 +77,12 @@ fn write_failures(out: &mut dyn Write, overview: &Overview, around: Surroundings
         (None, _) => overview.unexplained_failures().take(SHOWN_FAILURES).collect(),
     };
     for case in &shown {
-        failure::write(out, case, overview.engine(case), overview.totals.len() > 1)?;
+        failure::write(
+            out,
+            case,
+            overview.engine(&case.engine),
+            overview.totals.len() > 1,
+        )?;
     }
     let rest = overview.failed.saturating_sub(shown.len() as u64);
     if rest > 0 && overview.causes.is_empty() {

@@ -45,9 +45,8 @@ impl Unexpected {
 fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
     let shown = &cause.shown;
     let cases = cause.unexpected();
-    let engines = &mut overview.header.iter().flat_map(|header| &header.engines);
-    let rerun = engines
-        .find(|engine| engine.name == cause.engine)
+    let rerun = overview
+        .engine(&cause.engine)
         .map(|engine| engine.rerun(&shown.case, &shown.dialect))
         .unwrap_or_default();
     Unexpected {
@@ -71,7 +70,7 @@ fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
 }
 
 fn of_case(case: &CaseEvent, overview: &Overview) -> Unexpected {
-    let engine = overview.engine(case);
+    let engine = overview.engine(&case.engine);
     let (expected, got) = compared::texts(case, engine::strictness(engine));
     let what = match case.verdict {
         Verdict::Xpass => "passes, but its baseline expects it not to",

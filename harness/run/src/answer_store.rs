@@ -8,7 +8,7 @@ use crate::answers::{Answers, Rendering, ask};
 use serde::{Deserialize, Serialize};
 use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
 use stickler_suite::Case;
-use stickler_types::definition::Definition;
+use stickler_types::Dialect;
 use stickler_types::{Fault, Value};
 
 /// A store of one engine's answers from earlier runs. The implementation keeps the answers of engines apart that differ in
@@ -53,7 +53,7 @@ pub fn question(case: &Case) -> String {
     // An engine that does not know a custom dialect is asked about its base, which the name does not contain.
     digest.text(&format!("{:?}", case.dialect.base()));
     // The definition decides the options of an engine that knows them.
-    let overrides = case.dialect.definition().map(Definition::overrides);
+    let overrides = case.dialect.definition().map(Dialect::overrides);
     digest.text(&overrides.unwrap_or_default().join("\n"));
     digest.number(case.scans.into());
     digest.number(case.observe.len() as u64);

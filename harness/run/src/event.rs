@@ -43,6 +43,7 @@ pub enum Event {
 
 /// The facts of a run that are known before its first case.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Header {
     /// The version of the event format, [`FORMAT`].
     pub format: u32,
@@ -101,6 +102,7 @@ pub struct DefinedHeader {
 
 /// An engine that takes part in a run.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EngineHeader {
     /// The name of the engine.
     pub name: String,
@@ -218,6 +220,7 @@ pub struct Observed {
 
 /// The facts of a run that are known after its last case.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Footer {
     /// The number of times that each verdict came in the whole run.
     pub totals: Totals,
@@ -229,6 +232,7 @@ pub struct Footer {
 
 /// The verdict counts of one engine.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct EngineTotals {
     /// The name of the engine.
     pub name: String,

@@ -55,7 +55,7 @@ pub fn dialect_headers(dialects: &[DialectName], left_out: &[Case]) -> Vec<Defin
     let header = |dialect: &DialectName| {
         let definition = dialect.definition().filter(|_| dialect.is_custom())?;
         Some(DefinedHeader {
-            name: definition.name.clone(),
+            name: definition.spelling.clone(),
             extends: definition.base.as_str().to_owned(),
             about: definition.about.clone(),
             overrides: definition.overrides(),

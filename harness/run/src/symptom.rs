@@ -140,19 +140,6 @@ impl Symptom {
             Symptom::Text => ("text", ""),
         }
     }
-
-    /// Returns whether the symptom concerns the lines and codes of a rejection.
-    #[must_use]
-    pub const fn is_of_a_rejection(&self) -> bool {
-        matches!(
-            self,
-            Symptom::OtherCode { .. }
-                | Symptom::NoPlace(_)
-                | Symptom::OtherLine(_)
-                | Symptom::Incomplete(_)
-                | Symptom::Surplus(_)
-        )
-    }
 }
 
 impl fmt::Display for Symptom {

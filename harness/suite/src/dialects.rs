@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::Deserialize;
 use stickler_types::dialect_file::read_documented;
-use stickler_types::{Definition, DialectName};
+use stickler_types::{Dialect, DialectName};
 use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake};
@@ -86,7 +86,7 @@ impl Dialects {
         if DialectName::ALL.iter().any(|carried| carried.as_str() == name) {
             return Ok(());
         }
-        let extended = |other: &str| Some(other.parse::<DialectName>().ok()?.statements().clone());
+        let extended = |other: &str| Some(other.parse::<DialectName>().ok()?.rules().clone());
         // A dialect that is not defined yet stands for itself in its own definition.
         let own = DialectName::IEC_ED3;
         let lines = Lines::new(text);
@@ -94,9 +94,9 @@ impl Dialects {
             .map_err(|mistake| Mistake::new(lines.line(mistake.span.start), mistake.message))?;
         let define =
             |definition| DialectName::define(definition).map_err(|taken| Mistake::new(1, taken.to_string()));
-        let base = define(file.definition)?;
+        let base = define(file.dialect)?;
         for variant in file.variants {
-            define(Definition { base, ..variant })?;
+            define(Dialect { base, ..variant })?;
         }
         self.added.push(base);
         Ok(())
@@ -169,8 +169,7 @@ pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::definition::Flag;
-    use stickler_types::{Dialect, Rounding};
+    use stickler_types::Rounding;
 
     const ED2: DialectName = DialectName::IRONPLC_ED2;
     const MATIEC: DialectName = DialectName::MATIEC;
@@ -195,8 +194,8 @@ mod tests {
         let dialects = read("[groups]\nwith = [\"matiec\", \"ironplc-ed2+partial-access\"]");
         let variant: DialectName = "ironplc-ed2+partial-access".parse().expect("its file has it");
         assert!(variant.is_variant() && !variant.is_custom());
-        let definition = variant.definition().expect("it is a variant");
-        assert_eq!(definition.flag(Flag::PartialAccessSyntax), Some(true));
+        let stated: Vec<_> = variant.rules().statements().collect();
+        assert_eq!(stated, [("flags.allow-partial-access-syntax", "true".to_owned())]);
         assert_eq!(dialects.resolve("with"), Ok(vec![MATIEC, variant]));
         assert_eq!(dialects.resolve("ironplc-ed2"), Ok(vec![ED2]));
     }
@@ -215,7 +214,7 @@ mod tests {
             (trial, false, None)
         );
         let rules = Dialect::of(trial);
-        assert!(rules.bit_access && !rules.line_comments && rules.only_standard_rounding);
+        assert!(rules.bit_access && !rules.line_comments && !rules.rounding_functions);
         assert_eq!(rules.conversions.rounding, Rounding::HalfToEven);
         let variant: DialectName = "trial+comments".parse().expect("it is defined");
         assert!(variant.is_variant() && variant.base() == trial && Dialect::of(variant).line_comments);

@@ -56,7 +56,7 @@ impl Case {
     /// Returns the keys of the features that the program of the case uses.
     #[must_use]
     pub fn features(&self) -> BTreeSet<FeatureKey> {
-        stickler_syntax::features::features(&self.source, &Dialect::of(self.dialect))
+        stickler_syntax::features::features(&self.source, Dialect::of(self.dialect))
     }
 }
 

@@ -50,7 +50,7 @@ pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
         third_edition_types: ThirdEditionTypes::All,
         lengths_in_parentheses: true,
         ampersand_and_power: true,
-        ..*dialect
+        ..dialect.clone()
     };
     let (unit, _) = crate::parse(text, &dialect);
     let mut finder = FeatureFinder::new(text, &unit);

@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn every_declared_name_is_found_with_its_kind() {
-        let (unit, diagnostics) = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3));
+        let (unit, diagnostics) = parse(TEXT, Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, []);
         let described = |one: &DeclaredName<'_, '_>| {
             let inside = one.inside.map_or("", |pou| pou.name.text);
@@ -268,7 +268,7 @@ mod tests {
 
     #[test]
     fn every_use_of_a_name_is_found_with_its_kind() {
-        let (unit, _) = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3));
+        let (unit, _) = parse(TEXT, Dialect::of(DialectName::IRONPLC_ED3));
         let found: Vec<String> = used(&unit)
             .iter()
             .map(|one| format!("{} {:?}", one.name.text, one.kind))

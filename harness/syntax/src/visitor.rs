@@ -441,7 +441,7 @@ mod tests {
     }
 
     fn leaves(text: &str) -> Vec<String> {
-        let (unit, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED3));
+        let (unit, diagnostics) = parse(text, Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, [], "{text}");
         let mut leaves = Leaves {
             text,

@@ -4,8 +4,10 @@
 //! This module names the options; the file of a dialect says which of them it chooses. What an option means is implemented twice,
 //! on purpose: by the reference implementation, and by `stickler-exact`, which the reference is tested against.
 
+use crate::choice::{Choice, choices, choices_of_words, take};
 use crate::words::words;
 use std::borrow::Cow;
+use toml::de::DeValue;
 
 words! {
     /// The answer of a matrix, a document or a definition for one pair of types: the type of the value, and that of the
@@ -162,41 +164,8 @@ words! {
     }
 }
 
-/// A choice that a dialect's file states by a word.
-pub(crate) trait Choice: Copy {
-    /// Returns the choice of a word; `None` where it is none.
-    fn read(word: &str) -> Option<Self>;
-
-    /// Returns the word of the choice.
-    fn written(self) -> Cow<'static, str>;
-
-    /// Returns the words that there are.
-    fn known() -> Vec<&'static str>;
-}
-
-/// Makes choices of enumerations of words; a list of variants limits those that a file may state.
-macro_rules! choices_of_words {
-    ($($name:ty $(: $all:expr)?,)*) => {
-        $(impl Choice for $name {
-            fn read(word: &str) -> Option<Self> {
-                choices_of_words!(@all $name $(, $all)?).iter().copied().find(|known| known.as_str() == word)
-            }
-
-            fn written(self) -> Cow<'static, str> {
-                self.as_str().into()
-            }
-
-            fn known() -> Vec<&'static str> {
-                choices_of_words!(@all $name $(, $all)?).iter().map(|known| known.as_str()).collect()
-            }
-        })*
-    };
-    (@all $name:ty) => { <$name>::ALL };
-    (@all $name:ty, $all:expr) => { $all };
-}
-
 choices_of_words! {
-    Rounding: Rounding::OF_CONVERSIONS,
+    Rounding: &Rounding::OF_CONVERSIONS,
     OutOfRange,
     TextReading,
     BitStringText,
@@ -204,35 +173,32 @@ choices_of_words! {
     BitsAsReal,
     BitStringAsBool,
     MomentUnits,
-    crate::ImplicitWarnings,
-    crate::OperandTypes,
-    crate::ComparedTypes,
-    crate::ResultSigns,
-    crate::ConstantTypes,
-    crate::ShiftCounts,
-    crate::dialect::Widening,
-    crate::dialect::PartialAccess,
-    crate::dialect::ThirdEditionTypes,
-    crate::documents::DocumentedImplicit,
-    crate::documents::DocumentedFunctions,
 }
 
 impl Choice for RealText {
-    fn read(word: &str) -> Option<RealText> {
+    fn state(&mut self, _: &str, value: &DeValue<'_>) -> Result<(), String> {
         /// The permitted numbers of significant digits; a real number of 64 bits never needs more than 17.
         const DIGITS: std::ops::RangeInclusive<u8> = 1..=40;
-        match word {
-            "shortest" => Some(RealText::Shortest),
-            "by-width" => Some(RealText::ByWidth),
-            digits => digits
-                .parse()
-                .ok()
-                .filter(|digits| DIGITS.contains(digits))
-                .map(RealText::SignificantDigits),
-        }
+        let digits = value
+            .as_integer()
+            .and_then(|number| u8::from_str_radix(number.as_str(), number.radix()).ok())
+            .filter(|digits| DIGITS.contains(digits));
+        *self = match (value.as_str(), digits) {
+            (Some("shortest"), _) => RealText::Shortest,
+            (Some("by-width"), _) => RealText::ByWidth,
+            (None, Some(digits)) => RealText::SignificantDigits(digits),
+            _ => {
+                return Err(format!(
+                    "is \"shortest\", \"by-width\", or a number of significant digits from {} to {}",
+                    DIGITS.start(),
+                    DIGITS.end()
+                ));
+            }
+        };
+        Ok(())
     }
 
-    fn written(self) -> Cow<'static, str> {
+    fn written(&self, _: &str) -> Cow<'static, str> {
         match self {
             RealText::Shortest => "shortest".into(),
             RealText::ByWidth => "by-width".into(),
@@ -240,37 +206,60 @@ impl Choice for RealText {
         }
     }
 
-    fn known() -> Vec<&'static str> {
-        vec!["shortest", "by-width"]
+    fn take(&mut self, number: usize) -> bool {
+        let digits = [1, 6, 17].map(RealText::SignificantDigits);
+        let all = [&[RealText::Shortest, RealText::ByWidth], &digits[..]].concat();
+        take(self, &all, number)
     }
 }
 
-/// The choices of a dialect on which a conversion depends besides its types and its operand.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct ConversionChoices {
-    /// The rounding of conversion functions from a real number to an integer, except TRUNC, ROUND and their variants.
-    pub rounding: Rounding,
-    /// The result of a conversion function for a real number whose integer the target cannot hold.
-    pub out_of_range: OutOfRange,
-    /// The result of TRUNC and its variants for a real number whose integer the target cannot hold.
-    pub truncation_out_of_range: OutOfRange,
-    /// The part of a text that must be a number.
-    pub text_reading: TextReading,
-    /// The digits in which REAL and LREAL are written as text.
-    pub real_text: RealText,
-    /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
-    pub bit_string_text: BitStringText,
-    /// The form in which durations, dates and times of day are written as text.
-    pub moment_text: MomentText,
-    /// The meaning of the bits of a bit string as a real of the same width.
-    pub bits_as_real: BitsAsReal,
-    /// The bits of a bit string that decide whether it converts to TRUE.
-    pub bit_string_as_bool: BitStringAsBool,
-    /// The unit in which a number counts a duration, date or time of day.
-    pub moment_units: MomentUnits,
+choices! {
+    /// The choices of a dialect on which a conversion depends besides its types and its operand. By default real numbers become the
+    /// nearest integer, numbers outside wrap, texts are read whole, and values are written as the wire protocol has them.
+    ///
+    /// Basis: iec-60559: Operations (rounding to nearest); forgeiec-conversion-functions: Range and precision, matiec conformance;
+    /// ironplc-type-conversions: Explicit Conversion Functions; rule: not-stated for what is open.
+    #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+    ConversionChoices {
+        /// The rounding of conversion functions from a real number to an integer, except TRUNC, ROUND and their variants.
+        rounding: Rounding = Rounding::HalfToEven, ["conversions.rounding"];
+        /// The result of a conversion function for a real number whose integer the target cannot hold.
+        out_of_range: OutOfRange = OutOfRange::Wrap, ["conversions.out-of-range"];
+        /// The result of TRUNC and its variants for a real number whose integer the target cannot hold.
+        truncation_out_of_range: OutOfRange = OutOfRange::Wrap, ["conversions.truncation-out-of-range"];
+        /// The part of a text that must be a number.
+        text_reading: TextReading = TextReading::WholeText, ["conversions.text-reading"];
+        /// The digits in which REAL and LREAL are written as text.
+        real_text: RealText = RealText::Shortest, ["conversions.real-text"];
+        /// The form in which BYTE, WORD, DWORD and LWORD are written as text.
+        bit_string_text: BitStringText = BitStringText::FullWidth, ["conversions.bit-string-text"];
+        /// The form in which durations, dates and times of day are written as text.
+        moment_text: MomentText = MomentText::Literal, ["conversions.moment-text"];
+        /// The meaning of the bits of a bit string as a real of the same width.
+        bits_as_real: BitsAsReal = BitsAsReal::Number, ["conversions.bits-as-real"];
+        /// The bits of a bit string that decide whether it converts to TRUE.
+        bit_string_as_bool: BitStringAsBool = BitStringAsBool::AnyBit, ["conversions.bit-string-as-bool"];
+        /// The unit in which a number counts a duration, date or time of day.
+        moment_units: MomentUnits = MomentUnits::Seconds, ["conversions.moment-units"];
+    }
 }
 
 impl ConversionChoices {
+    /// Returns the keys of the choices, such as `conversions.rounding`.
+    #[must_use]
+    pub const fn keys() -> &'static [&'static str] {
+        ConversionChoices::KEYS
+    }
+
+    /// Returns the choices with each other option for this key in turn.
+    pub fn others(self, key: &str) -> impl Iterator<Item = ConversionChoices> {
+        let with = move |number| {
+            let mut other = self;
+            other.own_choice_mut(key)?.take(number).then_some(other)
+        };
+        (0..).map_while(with).filter(move |other| *other != self)
+    }
+
     /// Returns a copy with another rounding.
     #[must_use]
     pub const fn with_rounding(self, rounding: Rounding) -> ConversionChoices {

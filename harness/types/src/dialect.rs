@@ -1,191 +1,193 @@
 //! The language rules of a dialect: what the sources leave to a system.
 //!
 //! The file of a dialect, `conformance-cases/dialects/NAME.toml` or a table of `stickler.toml`, states those in which it differs
-//! from the [defaults](DEFAULTS) or from the dialect that it extends.
+//! from the [defaults](Dialect::DEFAULT) or from the dialect that it extends. A new choice is one entry of a list below; its
+//! meaning is implemented twice, independently: by the reference and by exact arithmetic.
 
-use crate::definition::Flag;
+use crate::choice::{Choice, choices};
 pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
-use crate::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, Definition, DialectName, ElementaryType,
-    MatrixWord, MomentText, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading,
-};
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
+use crate::{ConversionChoices, DialectName, Documents, ElementaryType, MatrixWord, Rounding};
 use std::collections::BTreeMap;
+use toml::de::DeValue;
 
-/// The language rules of a dialect. Each field names a choice that the sources make differently (conformance-cases/sources.toml
-/// and rules.md name the basis of each).
+/// The kind of a dialect, which says whose cases it has.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Dialect {
-    /// The name.
-    pub name: DialectName,
-    /// The pairs of elementary types that convert implicitly.
-    pub widening: Widening,
-    /// The pairs of which a definition says something else.
-    pub cells: &'static Cells,
-    /// The implicit conversions that are accepted with a warning.
-    pub implicit_warnings: ImplicitWarnings,
-    /// The types in which two integers or bit strings meet.
-    pub operands: OperandTypes,
-    /// The pairs of numbers and bit strings that a comparison takes.
-    ///
-    /// Basis: omron-instructions: 135; rule: mixed-operands.
-    pub compared: ComparedTypes,
-    /// The types of operations on constants.
-    ///
-    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_fp_overflow_expr`, `cc_typed_fold_…`).
-    pub constant_types: ConstantTypes,
-    /// The signs of what operators on bits and prefix operators give.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`); twincat-builds:
-    /// recordings/twincat.build.json (`cc_bitwise_…`, `cc_not_…`, `cc_neg_…`).
-    pub result_signs: ResultSigns,
-    /// `<>` holds where an operand is not a number.
-    ///
-    /// Basis: iec-60559: Special Quantities; omron-instructions: 135, by which it does not.
-    pub nan_differs: bool,
-    /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
-    /// conversions are warned of, so is this.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`); twincat-builds: recordings/twincat.build.json (the
-    /// warnings).
-    pub literals_by_width: bool,
-    /// The bits of the count by which SHL and SHR shift.
-    pub shift_counts: ShiftCounts,
-    /// MIN, MAX, ABS, SHL and SHR compute integers and bit strings as operators on promoted operands do: in the type in which they meet, and with 32
-    /// bits at least. Shifts and rotations take integers, too, and SHR of one with a sign keeps the sign.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`max_signed_unsigned`, `meet_mixed_sign_wider_unsigned`, `abs_values`, `shift_basic`,
-    /// `shift_signed_operand`, `shift_64bit`).
-    pub functions_promote: bool,
-    /// A minus sign may stand before a duration.
-    ///
-    /// Basis: rule: mixed-operands; codesys-recording: recordings/codesys.run.json (`unary_minus_on_time`, `uop_neg_ltime`), by which it may not.
-    pub negates_durations: bool,
-    /// A value of an enumeration may stand where a number is expected, as an INT.
-    ///
-    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_enum_…`).
-    pub enumerations_as_integers: bool,
-    /// A user-defined name of an elementary type, and a subrange of one, convert implicitly as the type does.
-    ///
-    /// Basis: matiec: User-defined types; rule: not-stated; implicit-conversion-rules: ANY_DATE, STRING and user defined, by which they do not.
-    pub derived_types_convert: bool,
-    /// The length of a text may stand in parentheses: `STRING(80)`.
-    ///
-    /// Basis: twincat-builds: recordings/twincat.build.json (`cc_string_…`); ironplc-problem-codes: P4042.
-    pub lengths_in_parentheses: bool,
-    /// `&` and `**` are operators.
-    ///
-    /// Basis: iec-61131-3: Table 71; twincat-builds: recordings/twincat.build.json (`cc_power_operator`, `cc_fp_op_ampersand`); codesys-recording:
-    /// recordings/codesys.run.json (`ampersand_operator_rejected`).
-    pub ampersand_and_power: bool,
-    /// MOD of integers by zero gives 0, and is no fault.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
-    pub modulo_by_zero_is_zero: bool,
-    /// `/` stops the program where a real number is divided by zero, and where a quotient of integers does not fit its type: the least DINT
-    /// divided by -1.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`domain_divide_real_by_zero`, `arithedge_…_div_min_by_minus_one`).
-    pub division_stops: bool,
-    /// MUX with a selector outside its inputs takes the last one, and is no fault.
-    ///
-    /// Basis: codesys-recording: recordings/codesys.run.json (`mux_out_of_range`).
-    pub mux_outside_takes_last: bool,
-    /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
-    pub cross_family_widening: bool,
-    /// An untyped integer literal may stand for a REAL or LREAL.
-    pub integer_literal_as_real: bool,
-    /// An untyped real literal may stand where an integer is expected; it converts as a value does.
-    ///
-    /// Basis: strucpp-architecture: Type System ("assignable to any numeric type"); ironplc-type-conversions: Integer and Real Types, by which it
-    /// may not.
-    pub real_literal_as_integer: bool,
-    /// An untyped integer literal may be assigned or passed to a bit string (an initializer and an operand
-    /// always take one).
-    pub integer_literal_as_bit_string: bool,
-    /// `.n` selects a bit.
-    pub bit_access: bool,
-    /// The treatment of `.%Xn`, `.%Bn` …
-    pub partial_access: PartialAccess,
-    /// `//` begins a comment.
-    pub line_comments: bool,
-    /// Comments nest.
-    pub nested_comments: bool,
-    /// The types of the third edition that the dialect has.
-    pub third_edition_types: ThirdEditionTypes,
-    /// ROUND, CEIL, CEILING, FLOOR are not known.
-    pub only_standard_rounding: bool,
-    /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
-    /// Specific Features.
-    pub mixed_locations: bool,
-    /// A subrange may have a single value: `INT(0..0)`.
-    ///
-    /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.
-    pub single_value_subranges: bool,
-    /// The choices of conversion functions, and of implicit conversions, where systems differ.
-    pub conversions: ConversionChoices,
+pub enum DialectKind {
+    /// A documented system, which case files name.
+    Documented,
+    /// A documented system with compiler options on or off, which case files name; it takes over no cases.
+    Variant,
+    /// A dialect of `stickler.toml`, which takes over the cases of its base.
+    Custom,
 }
 
-/// The choices of every documented system unless it says otherwise: truncation, wrapping, whole texts, and values written as the wire
-/// protocol has them.
-///
-/// Basis: forgeiec-conversion-functions: Range and precision, matiec conformance; ironplc-type-conversions: Explicit Conversion
-/// Functions; rule: not-stated for what is open.
-pub const COMMON_CHOICES: ConversionChoices = ConversionChoices {
-    rounding: Rounding::Truncate,
-    out_of_range: OutOfRange::Wrap,
-    truncation_out_of_range: OutOfRange::Wrap,
-    text_reading: TextReading::WholeText,
-    real_text: RealText::Shortest,
-    bit_string_text: BitStringText::FullWidth,
-    moment_text: MomentText::Literal,
-    bits_as_real: BitsAsReal::Number,
-    bit_string_as_bool: BitStringAsBool::AnyBit,
-    moment_units: MomentUnits::Seconds,
-};
+/// A statement of a dialect's file about a pair of types.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Stated {
+    /// Whether the types convert.
+    pub value: MatrixWord,
+    /// The basis of an expectation that follows from the statement, in the form of a case file: `mine: implicit INT.BOOL
+    /// (stickler.toml:9)`. `None` in the file of a documented system, whose documents are the basis.
+    pub basis: Option<String>,
+}
 
-/// The statements of a definition about pairs of types: of the value, and of the target.
-pub type Cells = BTreeMap<(ElementaryType, ElementaryType), Stated<MatrixWord>>;
+/// A pair of types: that of a value, and that of its target.
+pub type Pair = (ElementaryType, ElementaryType);
 
-/// The rules of a dialect whose file states nothing: those of the third edition that most systems share, without implicit conversions.
-///
-/// Basis: iec-61131-3: third edition, Tables 3, 5, 10, 71; iec-60559: Operations (rounding to nearest); rule: not-stated for
-/// what is open.
-pub const DEFAULTS: Dialect = Dialect {
-    name: DialectName::IEC_ED3,
-    widening: Widening::None,
-    cells: &Cells::new(),
-    implicit_warnings: ImplicitWarnings::None,
-    operands: OperandTypes::OneOfTheirs,
-    compared: ComparedTypes::Any,
-    constant_types: ConstantTypes::OfOperands,
-    result_signs: ResultSigns::OfOperands,
-    nan_differs: true,
-    literals_by_width: false,
-    enumerations_as_integers: false,
-    derived_types_convert: true,
-    lengths_in_parentheses: false,
-    ampersand_and_power: true,
-    modulo_by_zero_is_zero: false,
-    division_stops: false,
-    mux_outside_takes_last: false,
-    shift_counts: ShiftCounts::All,
-    functions_promote: false,
-    negates_durations: true,
-    cross_family_widening: false,
-    integer_literal_as_real: true,
-    real_literal_as_integer: false,
-    integer_literal_as_bit_string: true,
-    bit_access: true,
-    partial_access: PartialAccess::BitsOnly,
-    line_comments: true,
-    nested_comments: true,
-    third_edition_types: ThirdEditionTypes::All,
-    only_standard_rounding: false,
-    mixed_locations: true,
-    single_value_subranges: true,
-    conversions: COMMON_CHOICES.with_rounding(Rounding::HalfToEven),
-};
+choices! {
+    /// A dialect: the content of its file over that of the files that it extends. Each choice names a point in which the sources
+    /// differ (conformance-cases/sources.toml and rules.md name the basis of each).
+    ///
+    /// The defaults are the rules of the third edition that most systems share, without implicit conversions. Basis: iec-61131-3: third
+    /// edition, Tables 3, 5, 10, 71; rule: not-stated for what is open.
+    #[derive(Clone, PartialEq, Eq, Debug)]
+    Dialect {
+        /// The sources say single things of the system, pairs of types and values, and not what its language is: only tables that
+        /// name it speak for it, and no programs are generated in it.
+        is_known_in_part: bool = false, ["known-in-part"];
+        /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
+        ///
+        /// Basis: ironplc-type-conversions: Cross-family widening.
+        cross_family_widening: bool = false, ["flags.allow-cross-family-widening"];
+        /// The treatment of `.%Xn`, `.%Bn` … As a flag: `.%Xn` selects a bit, or every form is P4033.
+        ///
+        /// Basis: ironplc-bit-access: Edition 3 Partial-Access Syntax.
+        partial_access: PartialAccess = PartialAccess::BitsOnly,
+            ["flags.allow-partial-access-syntax", "language.partial-access"];
+        /// `.n` selects a bit.
+        bit_access: bool = true, ["flags.bit-access"];
+        /// An untyped integer literal may stand for a REAL or LREAL.
+        integer_literal_as_real: bool = true, ["flags.integer-literal-as-real"];
+        /// An untyped integer literal may be assigned or passed to a bit string (an initializer and an operand
+        /// always take one).
+        integer_literal_as_bit_string: bool = true, ["flags.integer-literal-as-bit-string"];
+        /// `//` begins a comment.
+        line_comments: bool = true, ["flags.line-comments"];
+        /// Comments nest.
+        nested_comments: bool = true, ["flags.nested-comments"];
+        /// The types of the third edition that the dialect has: LTIME, LDATE, LTOD, LDT, CHAR and WCHAR. As a flag: all or none.
+        third_edition_types: ThirdEditionTypes = ThirdEditionTypes::All,
+            ["flags.third-edition-types", "language.third-edition-types"];
+        /// ROUND, CEIL, CEILING and FLOOR are known.
+        rounding_functions: bool = true, ["flags.rounding-functions"];
+        /// An untyped integer literal may stand for a value of the same bits: 200 for a SINT of -56, -1 for a WORD of 16#FFFF. Where implicit
+        /// conversions are warned of, so is this.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`bound_…`, `cc_…`); twincat-builds: recordings/twincat.build.json (the
+        /// warnings).
+        literals_by_width: bool = false, ["flags.literals-by-width"];
+        /// A value of an enumeration may stand where a number is expected, as an INT.
+        ///
+        /// Basis: twincat-builds: recordings/twincat.build.json (`cc_enum_…`).
+        enumerations_as_integers: bool = false, ["flags.enumerations-as-integers"];
+        /// The length of a text may stand in parentheses: `STRING(80)`.
+        ///
+        /// Basis: twincat-builds: recordings/twincat.build.json (`cc_string_…`); ironplc-problem-codes: P4042.
+        lengths_in_parentheses: bool = false, ["flags.lengths-in-parentheses"];
+        /// `&` and `**` are operators.
+        ///
+        /// Basis: iec-61131-3: Table 71; twincat-builds: recordings/twincat.build.json (`cc_power_operator`, `cc_fp_op_ampersand`); codesys-recording:
+        /// recordings/codesys.run.json (`ampersand_operator_rejected`).
+        ampersand_and_power: bool = true, ["flags.ampersand-and-power"];
+        /// MOD of integers by zero gives 0, and is no fault.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`arithedge_…_mod_by_zero`).
+        modulo_by_zero_is_zero: bool = false, ["flags.modulo-by-zero-is-zero"];
+        /// `/` stops the program where a real number is divided by zero, and where a quotient of integers does not fit its type: the least DINT
+        /// divided by -1.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`domain_divide_real_by_zero`, `arithedge_…_div_min_by_minus_one`).
+        division_stops: bool = false, ["flags.division-stops"];
+        /// MUX with a selector outside its inputs takes the last one, and is no fault.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`mux_out_of_range`).
+        mux_outside_takes_last: bool = false, ["flags.mux-outside-takes-last"];
+        /// MIN, MAX, ABS, SHL and SHR compute integers and bit strings as operators on promoted operands do: in the type in which they meet, and with 32
+        /// bits at least. Shifts and rotations take integers, too, and SHR of one with a sign keeps the sign.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`max_signed_unsigned`, `meet_mixed_sign_wider_unsigned`, `abs_values`, `shift_basic`,
+        /// `shift_signed_operand`, `shift_64bit`).
+        functions_promote: bool = false, ["flags.functions-promote"];
+        /// A minus sign may stand before a duration.
+        ///
+        /// Basis: rule: mixed-operands; codesys-recording: recordings/codesys.run.json (`unary_minus_on_time`, `uop_neg_ltime`), by which it may not.
+        negates_durations: bool = true, ["flags.negates-durations"];
+        /// `<>` holds where an operand is not a number.
+        ///
+        /// Basis: iec-60559: Special Quantities; omron-instructions: 135, by which it does not.
+        nan_differs: bool = true, ["flags.nan-differs"];
+        /// Variables with a location (`AT %MW5`) and others stand in one section. Basis: ironplc-problem-codes: P4036; ironplc-dialects: Enabling
+        /// Specific Features.
+        mixed_locations: bool = true, ["flags.mixed-locations"];
+        /// A subrange may have a single value: `INT(0..0)`.
+        ///
+        /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.
+        single_value_subranges: bool = true, ["flags.single-value-subranges"];
+        /// An untyped real literal may stand where an integer is expected; it converts as a value does.
+        ///
+        /// Basis: strucpp-architecture: Type System ("assignable to any numeric type"); ironplc-type-conversions: Integer and Real Types, by which it
+        /// may not.
+        real_literal_as_integer: bool = false, ["flags.real-literal-as-integer"];
+        /// A user-defined name of an elementary type, and a subrange of one, convert implicitly as the type does.
+        ///
+        /// Basis: matiec: User-defined types; rule: not-stated; implicit-conversion-rules: ANY_DATE, STRING and user defined, by which they do not.
+        derived_types_convert: bool = true, ["flags.derived-types-convert"];
+        /// The pairs of elementary types that convert implicitly.
+        widening: Widening = Widening::None, ["language.implicit"];
+        /// The implicit conversions that are accepted with a warning.
+        implicit_warnings: ImplicitWarnings = ImplicitWarnings::None, ["operators.implicit-warnings"];
+        /// The types in which two integers or bit strings meet.
+        operands: OperandTypes = OperandTypes::OneOfTheirs, ["operators.operands"];
+        /// The pairs of numbers and bit strings that a comparison takes.
+        ///
+        /// Basis: omron-instructions: 135; rule: mixed-operands.
+        compared: ComparedTypes = ComparedTypes::Any, ["operators.compared"];
+        /// The signs of what operators on bits and prefix operators give.
+        ///
+        /// Basis: codesys-recording: recordings/codesys.run.json (`uop_neg_…`, `not_result_width`); twincat-builds:
+        /// recordings/twincat.build.json (`cc_bitwise_…`, `cc_not_…`, `cc_neg_…`).
+        result_signs: ResultSigns = ResultSigns::OfOperands, ["operators.result-signs"];
+        /// The types of operations on constants.
+        ///
+        /// Basis: twincat-builds: recordings/twincat.build.json (`cc_fp_overflow_expr`, `cc_typed_fold_…`).
+        constant_types: ConstantTypes = ConstantTypes::OfOperands, ["operators.constant-types"];
+        /// The bits of the count by which SHL and SHR shift.
+        shift_counts: ShiftCounts = ShiftCounts::All, ["operators.shift-counts"];
+    } beside {
+        /// The handle of the dialect; that of its base while the dialect is not defined yet.
+        name: DialectName = DialectName::IEC_ED3;
+        /// The name as it is written.
+        spelling: String = String::new();
+        /// The name of the system, for people.
+        title: String = String::new();
+        /// The documented system that it is, or whose rules apply where the file states nothing.
+        base: DialectName = DialectName::IEC_ED3;
+        /// A description of the dialect, for people.
+        about: Option<String> = None;
+        /// The kind of the dialect.
+        kind: DialectKind = DialectKind::Documented;
+        /// The file and line of the definition, such as `stickler.toml:3`.
+        place: String = String::new();
+        /// What the documents of the system say, in the words by which exact arithmetic and the generator know them.
+        documents: Documents = Documents::DEFAULT;
+        /// The pairs of types for which the file states whether they convert implicitly, whatever `widening` says.
+        cells: BTreeMap<Pair, Stated> = BTreeMap::new();
+        /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
+        stated: BTreeMap<&'static str, String> = BTreeMap::new();
+        /// The choices of conversion functions, and of implicit conversions, where systems differ.
+        conversions: ConversionChoices = ConversionChoices::DEFAULT;
+    }
+}
+
+/// The conversion choices that most documented systems share: the defaults, and truncation.
+pub const COMMON_CHOICES: ConversionChoices = ConversionChoices::DEFAULT.with_rounding(Rounding::Truncate);
+
+/// The tables of choices, in the order in which reports list what a dialect overrides.
+pub(crate) const TABLES: [&str; 4] = ["flags", "language", "conversions", "operators"];
+
+/// The key of the flag that stands for cells of the matrix of implicit conversions.
+const CROSS_FAMILY: &str = "flags.allow-cross-family-widening";
 
 impl Dialect {
     /// Returns the rules of a dialect.
@@ -194,55 +196,164 @@ impl Dialect {
         name.rules()
     }
 
-    /// Returns the rules that a definition states under a name; the defaults where it states none.
-    pub(crate) fn stated(name: DialectName, definition: &'static Definition) -> Dialect {
-        let mut rules = Dialect {
-            name,
-            cells: &definition.implicit,
-            ..DEFAULTS
-        };
-        definition.language.apply(&mut rules);
-        definition.operators.apply(&mut rules);
-        let conversions = &definition.conversions;
-        conversions.apply(&mut rules.conversions);
-        if conversions.truncation_out_of_range.is_none() {
-            rules.conversions.truncation_out_of_range = rules.conversions.out_of_range;
-        }
-        for (flag, stated) in &definition.flags {
-            rules.switch(*flag, stated.value);
-        }
-        rules
+    /// Returns a custom dialect that overrides nothing of another one.
+    #[must_use]
+    pub fn custom(spelling: &str, base: DialectName, place: &str) -> Dialect {
+        Dialect::of(base).extended(spelling, place)
     }
 
-    /// Switches a feature of the language on or off.
-    fn switch(&mut self, flag: Flag, on: bool) {
-        match flag {
-            Flag::CrossFamilyWidening => self.cross_family_widening = on,
-            Flag::PartialAccessSyntax if on => self.partial_access = self.partial_access.enabled(),
-            Flag::PartialAccessSyntax => self.partial_access = PartialAccess::Disabled,
-            Flag::BitAccess => self.bit_access = on,
-            Flag::IntegerLiteralAsReal => self.integer_literal_as_real = on,
-            Flag::RealLiteralAsInteger => self.real_literal_as_integer = on,
-            Flag::IntegerLiteralAsBitString => self.integer_literal_as_bit_string = on,
-            Flag::LineComments => self.line_comments = on,
-            Flag::NestedComments => self.nested_comments = on,
-            Flag::ThirdEditionTypes if on => self.third_edition_types = ThirdEditionTypes::All,
-            Flag::ThirdEditionTypes => self.third_edition_types = ThirdEditionTypes::None,
-            Flag::RoundingFunctions => self.only_standard_rounding = !on,
-            Flag::LiteralsByWidth => self.literals_by_width = on,
-            Flag::EnumerationsAsIntegers => self.enumerations_as_integers = on,
-            Flag::DerivedTypesConvert => self.derived_types_convert = on,
-            Flag::LengthsInParentheses => self.lengths_in_parentheses = on,
-            Flag::AmpersandAndPower => self.ampersand_and_power = on,
-            Flag::ModuloByZeroIsZero => self.modulo_by_zero_is_zero = on,
-            Flag::DivisionStops => self.division_stops = on,
-            Flag::MuxOutsideTakesLast => self.mux_outside_takes_last = on,
-            Flag::FunctionsPromote => self.functions_promote = on,
-            Flag::NegatesDurations => self.negates_durations = on,
-            Flag::NanDiffers => self.nan_differs = on,
-            Flag::MixedLocations => self.mixed_locations = on,
-            Flag::SingleValueSubranges => self.single_value_subranges = on,
+    /// Returns a custom dialect of this name that extends this one; what this one states is stated by the other.
+    pub(crate) fn extended(&self, spelling: &str, place: &str) -> Dialect {
+        let renamed = |basis: &String| {
+            let rest = basis.split_once(':').map_or("", |(_, rest)| rest);
+            format!("{spelling}:{rest}")
+        };
+        let cell = |(pair, stated): (&Pair, &Stated)| {
+            let basis = stated.basis.as_ref().map(renamed);
+            (*pair, Stated { basis, ..*stated })
+        };
+        let stated = |(key, basis): (&&'static str, &String)| (*key, renamed(basis));
+        Dialect {
+            spelling: spelling.to_owned(),
+            about: None,
+            kind: DialectKind::Custom,
+            place: place.to_owned(),
+            cells: self.cells.iter().map(cell).collect(),
+            stated: self.stated.iter().map(stated).collect(),
+            ..self.clone()
         }
+    }
+
+    /// Returns the dialect with another choice, which the source `basis` states beside the documents; `value` is written as in the
+    /// file: `true`, `"truncate"`. `None` where there is no such key or value.
+    #[must_use]
+    pub fn stating(mut self, key: &str, value: &str, basis: &str) -> Option<Dialect> {
+        let value = DeValue::parse(value).ok()?;
+        self.state(key, value.get_ref(), Some(basis.to_owned()))?.ok()?;
+        Some(self)
+    }
+
+    /// Returns the dialect with a statement about a pair of types.
+    #[must_use]
+    pub fn stating_cell(mut self, pair: Pair, value: MatrixWord, basis: &str) -> Dialect {
+        let basis = Some(basis.to_owned());
+        self.cells.insert(pair, Stated { value, basis });
+        self
+    }
+
+    /// Makes the choice of a key such as `flags.bit-access`, and keeps its basis. The error is a message without the key. `None` where
+    /// there is no such key.
+    pub(crate) fn state(
+        &mut self,
+        key: &str,
+        value: &DeValue<'_>,
+        basis: Option<String>,
+    ) -> Option<Result<(), String>> {
+        let known = Dialect::keys().find(|known| *known == key)?;
+        if let Err(message) = self.choice_mut(key)?.state(key, value) {
+            return Some(Err(message));
+        }
+        if key == CROSS_FAMILY && self.kind == DialectKind::Custom {
+            self.state_cross_family(basis.as_ref());
+        }
+        if let Some(basis) = basis {
+            self.stated.insert(known, basis);
+        }
+        if key == "conversions.out-of-range"
+            && !self.stated.contains_key("conversions.truncation-out-of-range")
+        {
+            self.conversions.truncation_out_of_range = self.conversions.out_of_range;
+        }
+        let has = |ty: &ElementaryType| !ty.is_third_edition();
+        if self.third_edition_types == ThirdEditionTypes::None {
+            self.cells.retain(|(from, to), _| has(from) && has(to));
+        }
+        Some(Ok(()))
+    }
+
+    /// States the cells that cross-family widening decides: a custom dialect may extend one whose documents do not know it.
+    ///
+    /// Basis: ironplc-type-conversions: Cross-family widening ("an integer type of strictly greater bit width").
+    fn state_cross_family(&mut self, basis: Option<&String>) {
+        let value = if self.cross_family_widening {
+            MatrixWord::Yes
+        } else {
+            MatrixWord::No
+        };
+        for from in ElementaryType::ALL.into_iter().filter(|ty| ty.is_bit_string()) {
+            let wider = |to: &ElementaryType| to.is_integer() && from.bits() < to.bits();
+            for to in ElementaryType::ALL.into_iter().filter(wider) {
+                let basis = basis.cloned();
+                self.cells.insert((from, to), Stated { value, basis });
+            }
+        }
+    }
+
+    fn choice(&self, key: &str) -> Option<&dyn Choice> {
+        match key.split_once('.') {
+            Some(("conversions", _)) => self.conversions.own_choice(key),
+            Some(("documents", _)) => self.documents.own_choice(key),
+            _ => self.own_choice(key),
+        }
+    }
+
+    fn choice_mut(&mut self, key: &str) -> Option<&mut dyn Choice> {
+        match key.split_once('.') {
+            Some(("conversions", _)) => self.conversions.own_choice_mut(key),
+            Some(("documents", _)) => self.documents.own_choice_mut(key),
+            _ => self.own_choice_mut(key),
+        }
+    }
+
+    /// Returns the keys of all choices.
+    fn keys() -> impl Iterator<Item = &'static str> {
+        let all = [Dialect::KEYS, ConversionChoices::KEYS, Documents::KEYS];
+        all.into_iter().flatten().copied()
+    }
+
+    /// Returns the keys of a table, without its name.
+    pub(crate) fn keys_of(table: &str) -> impl Iterator<Item = &'static str> {
+        Dialect::keys().filter_map(move |key| key.strip_prefix(table)?.strip_prefix('.'))
+    }
+
+    /// Returns the statements that are made beside the documents of the base, each with its value: `flags.bit-access`, `true`.
+    pub fn statements(&self) -> impl Iterator<Item = (&'static str, String)> {
+        let keys = TABLES.into_iter().flat_map(|table| {
+            let is_of_table = move |key: &&str| key.split_once('.').is_some_and(|(own, _)| own == table);
+            Dialect::keys().filter(is_of_table)
+        });
+        keys.filter(|key| self.stated.contains_key(key))
+            .filter_map(|key| Some((key, self.choice(key)?.written(key).into_owned())))
+    }
+
+    /// Returns the overrides in the notation of `stickler.toml`: `implicit INT.BOOL = yes`.
+    #[must_use]
+    pub fn overrides(&self) -> Vec<String> {
+        // The flag stands for these.
+        let cross_family = self.stated.get(CROSS_FAMILY);
+        let cells = self
+            .cells
+            .iter()
+            .filter(|(_, stated)| stated.basis.as_ref() != cross_family);
+        let cells =
+            cells.map(|((from, to), stated)| format!("implicit {from}.{to} = {}", stated.value.as_str()));
+        let choices = self.statements().map(|(key, value)| {
+            let name = key.split_once('.').map_or(key, |(_, name)| name);
+            format!("{name} = {value}")
+        });
+        cells.chain(choices).collect()
+    }
+
+    /// Returns the basis of the statement under a key, if one is made beside the documents of the base.
+    #[must_use]
+    pub fn basis(&self, key: &str) -> Option<&str> {
+        self.stated.get(key).map(String::as_str)
+    }
+
+    /// Returns the statement about a pair of types; `None` if there is none.
+    #[must_use]
+    pub fn implicit(&self, from: ElementaryType, to: ElementaryType) -> Option<&Stated> {
+        self.cells.get(&(from, to))
     }
 
     /// Returns whether the dialect has this elementary type.
@@ -273,5 +384,37 @@ mod tests {
             ]
         );
         assert!(Dialect::of(DialectName::IRONPLC_ED2).has(ElementaryType::Time));
+    }
+
+    #[test]
+    fn a_dialect_that_overrides_nothing_says_nothing() {
+        let mine = Dialect::custom("mine", DialectName::PLCNEXT, "stickler.toml:1");
+        assert_eq!(mine.basis("flags.bit-access"), None);
+        assert_eq!(mine.implicit(ElementaryType::Int, ElementaryType::Bool), None);
+        assert_eq!(mine.overrides(), [""; 0]);
+        assert!(
+            mine.clone()
+                .stating("flags.bit-acces", "true", "mine: it")
+                .is_none()
+        );
+        assert!(mine.stating("flags.bit-access", "'yes'", "mine: it").is_none());
+    }
+
+    #[test]
+    fn every_key_makes_its_choice_and_is_written_as_it_was_read() {
+        let mine = Dialect::custom("mine", DialectName::CODESYS, "here");
+        for key in Dialect::keys() {
+            let written = mine.choice(key).expect(key).written(key);
+            let values = [format!("{written}"), format!("'{written}'")];
+            let found: Vec<Dialect> = values
+                .iter()
+                .filter_map(|value| mine.clone().stating(key, value, "mine: test"))
+                .collect();
+            let [stated] = &found[..] else {
+                panic!("{key} = {written}")
+            };
+            assert_eq!(stated.choice(key).expect(key).written(key), written, "{key}");
+            assert_eq!(stated.basis(key), Some("mine: test"));
+        }
     }
 }

@@ -4,12 +4,11 @@
 mod definitions;
 mod documented;
 mod draft;
-mod near;
 mod override_tables;
 mod table;
 
+pub use crate::near::{advice, list, nearest};
 pub use definitions::definitions;
 pub(crate) use documented::documented;
 pub use documented::{DialectFile, read_documented};
-pub use near::{advice, list, nearest};
 pub use table::{ConfigurationMistake, mistake, read, table, text};

@@ -1,7 +1,6 @@
 //! The names of the dialects, and the registry of what their files state.
 
-use crate::definition::{Definition, DialectKind, TakenName};
-use crate::{Dialect, dialect_file};
+use crate::{Dialect, DialectKind, dialect_file};
 use std::fmt;
 use std::str::FromStr;
 use std::sync::{LazyLock, PoisonError, RwLock};
@@ -14,26 +13,20 @@ pub struct DialectName(u16);
 // The files of the documented systems, as `EMBEDDED`, and a constant for each of their names.
 include!(concat!(env!("OUT_DIR"), "/dialects.rs"));
 
-/// A dialect with what its file states.
-#[derive(Clone, Copy)]
-struct Registered {
-    definition: &'static Definition,
-    rules: &'static Dialect,
-}
-
 /// Every dialect, by its number. They live as long as the process, because a name is copied into every case.
-static REGISTRY: LazyLock<RwLock<Vec<Registered>>> = LazyLock::new(|| {
-    let definitions = dialect_file::documented(&EMBEDDED).into_iter();
-    RwLock::new((0..).map(DialectName).zip(definitions).map(registered).collect())
+static REGISTRY: LazyLock<RwLock<Vec<&'static Dialect>>> = LazyLock::new(|| {
+    let dialects = dialect_file::documented(&EMBEDDED).into_iter();
+    RwLock::new((0..).map(DialectName).zip(dialects).map(registered).collect())
 });
 
-fn registered((name, definition): (DialectName, Definition)) -> Registered {
-    let definition = Box::leak(Box::new(definition));
-    Registered {
-        rules: Box::leak(Box::new(Dialect::stated(name, definition))),
-        definition,
-    }
+fn registered((name, dialect): (DialectName, Dialect)) -> &'static Dialect {
+    Box::leak(Box::new(Dialect { name, ..dialect }))
 }
+
+/// The error of a name under which no dialect can be defined, because another dialect has it.
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error("there is a dialect `{0}` already")]
+pub struct TakenName(pub String);
 
 impl DialectName {
     /// The dialects of documented systems that Stickler carries, in the order in which reports name them.
@@ -47,7 +40,8 @@ impl DialectName {
         all
     };
 
-    fn registered(self) -> Registered {
+    /// Returns the rules of the dialect.
+    pub fn rules(self) -> &'static Dialect {
         let registry = REGISTRY.read().unwrap_or_else(PoisonError::into_inner);
         registry[usize::from(self.0)]
     }
@@ -56,7 +50,7 @@ impl DialectName {
     pub fn as_str(self) -> &'static str {
         match EMBEDDED.get(usize::from(self.0)) {
             Some((name, _)) => name,
-            None => &self.registered().definition.name,
+            None => &self.rules().spelling,
         }
     }
 
@@ -65,65 +59,53 @@ impl DialectName {
         self.0 as usize
     }
 
-    /// Returns what the file of the dialect states.
-    pub fn statements(self) -> &'static Definition {
-        self.registered().definition
-    }
-
-    /// Returns the rules of the dialect.
-    pub(crate) fn rules(self) -> &'static Dialect {
-        self.registered().rules
-    }
-
     /// Returns the documented system that this one is, or that it finally extends.
     pub fn base(self) -> DialectName {
-        self.statements().base
+        self.rules().base
     }
 
-    /// Returns what the file of a variant or of a custom dialect states; `None` for a documented system.
-    pub fn definition(self) -> Option<&'static Definition> {
-        Some(self.statements()).filter(|definition| definition.kind != DialectKind::Documented)
+    /// Returns the rules of a variant or of a custom dialect; `None` for a documented system.
+    pub fn definition(self) -> Option<&'static Dialect> {
+        Some(self.rules()).filter(|dialect| dialect.kind != DialectKind::Documented)
     }
 
     /// Returns whether this is a [variant](DialectKind::Variant) of a documented system.
     pub fn is_variant(self) -> bool {
-        self.statements().kind == DialectKind::Variant
+        self.rules().kind == DialectKind::Variant
     }
 
     /// Returns whether this is a dialect of `stickler.toml`, which takes over the cases of its base.
     pub fn is_custom(self) -> bool {
-        self.statements().kind == DialectKind::Custom
+        self.rules().kind == DialectKind::Custom
     }
 
     /// Defines a dialect for the lifetime of the process. Defining the same dialect again changes nothing.
     ///
     /// # Errors
     /// [`TakenName`] if another dialect has the name; names that differ only in case count as the same.
-    pub fn define(definition: Definition) -> Result<DialectName, TakenName> {
+    pub fn define(dialect: Dialect) -> Result<DialectName, TakenName> {
         let mut registry = REGISTRY.write().unwrap_or_else(PoisonError::into_inner);
-        let mut named = (0..).map(DialectName).zip(registry.iter());
-        if let Some((name, other)) =
-            named.find(|(_, other)| other.definition.name.eq_ignore_ascii_case(&definition.name))
-        {
-            let base = match definition.kind {
-                DialectKind::Documented => name,
-                DialectKind::Variant | DialectKind::Custom => definition.base,
-            };
-            let is_same = *other.definition == Definition { base, ..definition };
-            return match is_same {
-                true => Ok(name),
-                false => Err(TakenName(other.definition.name.clone())),
-            };
-        }
+        let has_name = |other: &&Dialect| other.spelling.eq_ignore_ascii_case(&dialect.spelling);
+        let taken = registry.iter().position(has_name);
         // No file has so many dialects that 16 bits do not count them.
-        let name = DialectName(u16::try_from(registry.len()).unwrap_or(u16::MAX));
-        // A system that extends no other is its own base.
-        let base = match definition.kind {
+        let name = DialectName(u16::try_from(taken.unwrap_or(registry.len())).unwrap_or(u16::MAX));
+        let base = match dialect.kind {
             DialectKind::Documented => name,
-            DialectKind::Variant | DialectKind::Custom => definition.base,
+            DialectKind::Variant | DialectKind::Custom => dialect.base,
         };
-        registry.push(registered((name, Definition { base, ..definition })));
-        Ok(name)
+        let dialect = Dialect {
+            name,
+            base,
+            ..dialect
+        };
+        match taken.map(|at| registry[at]) {
+            Some(other) if *other == dialect => Ok(name),
+            Some(other) => Err(TakenName(other.spelling.clone())),
+            None => {
+                registry.push(registered((name, dialect)));
+                Ok(name)
+            }
+        }
     }
 
     /// Returns every dialect that was defined besides those of [`DialectName::ALL`], variants among them, in the order of the
@@ -155,10 +137,13 @@ impl fmt::Display for DialectName {
 #[error("unknown dialect `{0}`; the dialects are {known}", known = known())]
 pub struct UnknownDialect(pub String);
 
-/// Returns a list of the dialects' names for a message, including user-defined ones, but only the first few of them.
+/// Returns a list of the dialects' names for a message, including custom ones, but only the first few of them.
 fn known() -> String {
     const MAX_NAMES: usize = DialectName::ALL.len() + 5;
-    let all = DialectName::ALL.into_iter().chain(DialectName::defined());
+    let defined = DialectName::defined()
+        .into_iter()
+        .filter(|dialect| !dialect.is_variant());
+    let all = DialectName::ALL.into_iter().chain(defined);
     let mut names: Vec<String> = all.map(|dialect| format!("`{dialect}`")).collect();
     let last = match names.len().checked_sub(MAX_NAMES) {
         Some(more) if more > 0 => {
@@ -211,7 +196,7 @@ mod tests {
 
     #[test]
     fn a_dialect_that_was_defined_is_read_back_and_goes_by_its_base() {
-        let define = |name| DialectName::define(Definition::new(name, DialectName::MATIEC, "here"));
+        let define = |name| DialectName::define(Dialect::custom(name, DialectName::MATIEC, "here"));
         let (first, second) = (define("first-of-two").unwrap(), define("second-of-two").unwrap());
         assert_eq!("first-of-two".parse(), Ok(first));
         assert_eq!(second.to_string(), "second-of-two");
@@ -224,7 +209,7 @@ mod tests {
         for taken in ["First-Of-Two", "matiec", "MATIEC"] {
             assert!(define(taken).is_err(), "{taken}");
         }
-        let otherwise = Definition::new("first-of-two", DialectName::PLCNEXT, "there");
+        let otherwise = Dialect::custom("first-of-two", DialectName::PLCNEXT, "there");
         assert!(DialectName::define(otherwise).is_err());
     }
 }

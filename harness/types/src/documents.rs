@@ -3,6 +3,7 @@
 //! A word names a rule that a document states; `stickler-exact` implements each, independently of the reference. A new system whose
 //! documents state another rule needs one there; one whose tables say all needs none.
 
+use crate::choice::{choices, choices_of_words};
 use crate::words::words;
 use crate::{OutOfRange, Rounding};
 
@@ -56,25 +57,30 @@ words! {
     }
 }
 
-/// What the documents of a system say.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Documents {
-    /// The document by which pairs of types convert implicitly.
-    pub implicit: DocumentedImplicit,
-    /// The document that states what conversion functions give.
-    pub functions: DocumentedFunctions,
-    /// Whether they know access to single bits by `.n`.
-    pub bits: bool,
-    /// Whether they know access to single bits by `.%Xn`.
-    pub partial_access: bool,
-    /// Whether they say for which bit strings and reals an untyped integer literal stands.
-    pub untyped_literals: bool,
-    /// Whether they say what an input is that a call leaves out.
-    pub inputs_left_out: bool,
-    /// Whether the system has WSTRING.
-    pub wide_strings: bool,
-    /// The page of the vendor about real numbers, where recordings count for more.
-    pub page_on_reals: Option<PageOnReals>,
+choices_of_words! { DocumentedImplicit, DocumentedFunctions, }
+
+choices! {
+    /// What the documents of a system say; by default nothing.
+    #[derive(Clone, PartialEq, Eq, Debug)]
+    Documents {
+        /// The document by which pairs of types convert implicitly.
+        implicit: DocumentedImplicit = DocumentedImplicit::Open, ["documents.implicit"];
+        /// The document that states what conversion functions give.
+        functions: DocumentedFunctions = DocumentedFunctions::InTables, ["documents.functions"];
+        /// They know access to single bits by `.n`.
+        bits: bool = false, ["documents.bits"];
+        /// They know access to single bits by `.%Xn`.
+        partial_access: bool = false, ["documents.partial-access"];
+        /// They say for which bit strings and reals an untyped integer literal stands.
+        untyped_literals: bool = false, ["documents.untyped-literals"];
+        /// They say what an input is that a call leaves out.
+        inputs_left_out: bool = false, ["documents.inputs-left-out"];
+        /// The system has WSTRING.
+        wide_strings: bool = true, ["documents.wide-strings"];
+    } beside {
+        /// The page of the vendor about real numbers, where recordings count for more.
+        page_on_reals: Option<PageOnReals> = None;
+    }
 }
 
 /// What a vendor's page says of real numbers that become integers or bit strings.
@@ -86,20 +92,4 @@ pub struct PageOnReals {
     pub rounding: Rounding,
     /// The result for a number outside of the target.
     pub out_of_range: OutOfRange,
-}
-
-impl Default for Documents {
-    /// Returns documents that say nothing.
-    fn default() -> Documents {
-        Documents {
-            implicit: DocumentedImplicit::Open,
-            functions: DocumentedFunctions::InTables,
-            bits: false,
-            partial_access: false,
-            untyped_literals: false,
-            inputs_left_out: false,
-            wide_strings: true,
-            page_on_reals: None,
-        }
-    }
 }

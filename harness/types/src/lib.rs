@@ -9,7 +9,7 @@
 //! | a typed value and its one canonical spelling, which the wire protocol carries | [`Value`] |
 //! | a value with the literal that a program writes for it | [`WrittenValue`] |
 //! | the values at which conversions go wrong | [`boundaries`] |
-//! | a dialect's name, its rules, and what its file states | [`DialectName`], [`Dialect`], [`Definition`] |
+//! | a dialect's name, and its rules, which its file states | [`DialectName`], [`Dialect`] |
 //! | the files of dialects | [`dialect_file`] |
 //! | what dialects choose differently | [`ConversionChoices`], [`MatrixWord`] |
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
@@ -18,9 +18,9 @@
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
 pub mod boundaries;
+mod choice;
 pub mod choices;
 pub mod code;
-pub mod definition;
 pub mod diagnostic;
 pub mod dialect;
 pub mod dialect_file;
@@ -30,6 +30,7 @@ pub mod elementary;
 pub mod fault;
 mod hash;
 pub mod literal;
+mod near;
 mod numbers;
 mod observed_value;
 pub mod operators;
@@ -50,10 +51,10 @@ pub use choices::{
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
-pub use definition::{Definition, DialectKind, Stated};
 pub use diagnostic::{Diagnostic, Severity};
-pub use dialect::Dialect;
-pub use dialect_name::{DialectName, UnknownDialect};
+pub use dialect::{Dialect, DialectKind, Stated};
+pub use dialect_name::{DialectName, TakenName, UnknownDialect};
+pub use documents::Documents;
 pub use elementary::{ElementaryType, Family};
 pub use fault::{Fault, UnknownFault};
 pub use hash::Fnv1a;

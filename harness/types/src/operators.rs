@@ -2,6 +2,7 @@
 //!
 //! This module names the options; the reference implementation states which of them a dialect chooses.
 
+use crate::choice::choices_of_words;
 use crate::words::words;
 
 words! {
@@ -87,3 +88,5 @@ words! {
         LowBits = "low-bits",
     }
 }
+
+choices_of_words! { ImplicitWarnings, OperandTypes, ComparedTypes, ResultSigns, ConstantTypes, ShiftCounts, }

@@ -1,7 +1,10 @@
 //! The options of the choices in which dialects differ, apart from those of conversions and operators.
 
 use crate::ElementaryType;
+use crate::choice::{Choice, choices_of_words, one_of, truth};
 use crate::words::words;
+use std::borrow::Cow;
+use toml::de::DeValue;
 
 words! {
     /// The pairs of elementary types that convert implicitly.
@@ -39,13 +42,29 @@ words! {
     }
 }
 
-impl PartialAccess {
-    /// Returns the same where it enables a form, and otherwise access to bits.
-    pub(crate) const fn enabled(self) -> PartialAccess {
-        match self {
-            PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords => self,
-            PartialAccess::Disabled | PartialAccess::SyntaxError => PartialAccess::BitsOnly,
+impl Choice for PartialAccess {
+    fn state(&mut self, key: &str, value: &DeValue<'_>) -> Result<(), String> {
+        *self = match key.starts_with("flags.") {
+            false => one_of(value, PartialAccess::ALL, PartialAccess::as_str)?,
+            true if !truth(value)? => PartialAccess::Disabled,
+            // The forms that are enabled already stay.
+            true if self.is_enabled() => *self,
+            true => PartialAccess::BitsOnly,
+        };
+        Ok(())
+    }
+
+    fn written(&self, key: &str) -> Cow<'static, str> {
+        match key.starts_with("flags.") {
+            true => self.is_enabled().to_string().into(),
+            false => self.as_str().into(),
         }
+    }
+}
+
+impl PartialAccess {
+    const fn is_enabled(self) -> bool {
+        matches!(self, PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords)
     }
 }
 
@@ -63,6 +82,24 @@ words! {
     }
 }
 
+impl Choice for ThirdEditionTypes {
+    fn state(&mut self, key: &str, value: &DeValue<'_>) -> Result<(), String> {
+        *self = match key.starts_with("flags.") {
+            false => one_of(value, ThirdEditionTypes::ALL, ThirdEditionTypes::as_str)?,
+            true if truth(value)? => ThirdEditionTypes::All,
+            true => ThirdEditionTypes::None,
+        };
+        Ok(())
+    }
+
+    fn written(&self, key: &str) -> Cow<'static, str> {
+        match key.starts_with("flags.") {
+            true => (*self != ThirdEditionTypes::None).to_string().into(),
+            false => self.as_str().into(),
+        }
+    }
+}
+
 impl ThirdEditionTypes {
     /// Returns whether a type of the third edition is among them.
     pub(crate) const fn includes(self, ty: ElementaryType) -> bool {
@@ -73,3 +110,5 @@ impl ThirdEditionTypes {
         }
     }
 }
+
+choices_of_words! { Widening, }

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 /// `stickler site`.
 #[derive(Args, Debug)]
 pub struct SiteArguments {
-    /// The reports of a run: their folder, its events.jsonl, or a results.json that somebody handed in
+    /// The reports of a run: their folder, or an events.jsonl that somebody handed in
     #[arg(value_name = "DIR")]
     pub runs: Vec<PathBuf>,
     /// Read the cases, of whose conversion functions the site tells, from DIR [default: conformance-cases here or above, or those
@@ -28,7 +28,7 @@ Examples:
   stickler run --engine ironplc --report runs/after     with the compiler's new version
   stickler site runs/before runs/after -o site
 
-  stickler site runs/* handed-in/vendor.json -o site    results.json alone, of any name
+  stickler site runs/* handed-in/vendor.jsonl -o site    an events.jsonl alone, of any name
 
 Open site/index.html. Of several runs of one version of an engine the latest counts that has nearly as many cases
 as the largest; the site and stderr say which do not count.";

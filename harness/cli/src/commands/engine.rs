@@ -2,17 +2,14 @@
 
 use crate::arguments::EngineArguments;
 use crate::exit::Exit;
+use crate::output::{BAD, BOLD};
 use crate::{engines, interrupt, shell};
-use anstyle::{AnsiColor, Style};
 use anyhow::Context;
 use std::borrow::Cow;
 use std::env;
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Check, CheckVerdict, ProcessLimits, Validation, protocol};
-
-const BOLD: Style = Style::new().bold();
-const BAD: Style = AnsiColor::Red.on_default().bold();
 
 /// Answers requests on stdin until `bye` or its end, or validates an adapter by the requests of the smoke set.
 ///

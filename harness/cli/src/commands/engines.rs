@@ -2,16 +2,14 @@
 
 use crate::arguments::EnginesArguments;
 use crate::exit::Exit;
+use crate::output::BOLD;
 use crate::{engines, interrupt};
-use anstyle::Style;
 use serde::Serialize;
 use std::io::{self, Write};
 use stickler_configuration::{ConfigurationFile, EngineKind};
 use stickler_engines::{Compiler, CompilerSearch, EngineError, FoundDependency};
 use stickler_types::wrap;
 use stickler_workers::WorkerPool;
-
-const BOLD: Style = Style::new().bold();
 
 /// Lists the engines that need no command line, or the named ones. A compiler that is not on this machine is a failure only
 /// where it was named.

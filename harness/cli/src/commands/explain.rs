@@ -2,12 +2,10 @@
 
 use crate::arguments::ExplainArguments;
 use crate::exit::Exit;
-use anstyle::Style;
+use crate::output::BOLD;
 use anyhow::bail;
 use std::io::{self, Write};
 use stickler_types::{Code, wrap};
-
-const BOLD: Style = Style::new().bold();
 
 /// Explains one code, or lists all.
 ///

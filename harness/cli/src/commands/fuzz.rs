@@ -224,7 +224,7 @@ fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Re
         [] => &DIALECTS[..],
         named => named,
     };
-    if let Some(in_part) = asked.iter().find(|dialect| dialect.statements().is_known_in_part) {
+    if let Some(in_part) = asked.iter().find(|dialect| dialect.rules().is_known_in_part) {
         bail!(
             "no programs are generated in {in_part}: its sources speak of single conversions and values, not of the whole language; name another \
              --dialect"

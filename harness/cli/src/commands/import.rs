@@ -185,24 +185,12 @@ fn judged(
     answered: &mut dyn FnMut(&Case, &Outcome),
 ) -> Result<(Imported, Overview), ReportError> {
     // One program asks many cases at once, so no table of conversions belongs to it.
-    let reports = report.map(|folder| Reports::create(folder, Statements::default()));
-    let mut reports = reports.transpose()?;
-    let mut overview = Overview::default();
-    let mut broken = None;
+    let mut reports = Reports::create(report, Statements::default())?;
     let sink = &mut |event| {
-        overview.take(&event);
-        if broken.is_none() {
-            broken = reports.as_mut().and_then(|reports| reports.take(&event).err());
-        }
+        reports.take(&event);
     };
     let imported = export.import_with(texts, judge, sink, answered);
-    if let Some(error) = broken {
-        return Err(error);
-    }
-    if let Some(reports) = reports {
-        reports.finish(&overview)?;
-    }
-    Ok((imported, overview))
+    Ok((imported, reports.finish()?))
 }
 
 fn tell(imported: &Imported, export: &Export, engine: &Identity) {

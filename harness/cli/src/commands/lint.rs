@@ -3,12 +3,12 @@
 use crate::arguments::LintArguments;
 use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
+use crate::output::BAD;
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use stickler_engines::Compiler;
 use stickler_suite::{LintFinding, LintSeverity};
 
-const ERROR: Style = AnsiColor::Red.on_default().bold();
 const WARNING: Style = AnsiColor::Yellow.on_default().bold();
 
 /// Shows every finding. The exit code is 2 where a file is broken, 1 where all cases can be run but a finding is doubtful.
@@ -23,7 +23,7 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
     let recordings = folder.recordings()?;
     let refused: Vec<_> = recordings.iter().filter_map(|read| read.as_ref().err()).collect();
     for error in &refused {
-        writeln!(out, "{ERROR}error:{ERROR:#} {error}")?;
+        writeln!(out, "{BAD}error:{BAD:#} {error}")?;
     }
     match findings.len() + refused.len() {
         0 => writeln!(out, "{}: nothing to complain about", folder.path.display())?,
@@ -39,7 +39,7 @@ pub fn execute(arguments: &LintArguments, out: &mut dyn Write) -> anyhow::Result
 
 fn write(finding: &LintFinding, out: &mut dyn Write) -> io::Result<()> {
     match finding.severity {
-        LintSeverity::Error => writeln!(out, "{ERROR}error:{ERROR:#} {}", finding.what),
+        LintSeverity::Error => writeln!(out, "{BAD}error:{BAD:#} {}", finding.what),
         LintSeverity::Warning => writeln!(out, "{WARNING}warning:{WARNING:#} {}", finding.what),
     }
 }

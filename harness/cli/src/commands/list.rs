@@ -8,16 +8,13 @@ mod sources;
 use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
-use anstyle::Style;
+use crate::output::{BOLD, DIM};
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_report::basis::Basis;
 use stickler_run::select;
 use stickler_suite::Case;
-
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
 
 /// Lists the selected cases, their claims, the sources of these, or the places and features in their programs.
 ///

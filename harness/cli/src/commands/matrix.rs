@@ -5,14 +5,14 @@ use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::documented::IMPLICIT_PROBE as PROBE;
 use crate::engines::NamedEngine;
 use crate::exit::Exit;
-use crate::matrix_table::{CellBases, DialectMatrix, Documents, EngineAnswers};
+use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
 use crate::progress::Progress;
 use crate::{engines, interrupt, shell};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit::{self, TypePair};
 use stickler_conversions::recording::Recording;
-use stickler_suite::{Case, MatrixCell};
+use stickler_suite::Case;
 use stickler_types::{DialectName, ElementaryType};
 
 /// The types that are always shown. Basis: implicit-conversion-table, its rows and columns.
@@ -82,7 +82,6 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
         }
         let mut matrix = gather(*dialect, documents(&suite.cases, *dialect), &speaking)?;
         matrix.add_recorded(&recorded);
-        matrix.bases = bases(&suite.cases, *dialect);
         matrix.write(out)?;
         // The next table may take a compiler a minute.
         out.flush()?;
@@ -95,32 +94,15 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
 }
 
 fn documents(cases: &[Case], dialect: DialectName) -> Documents {
-    cases
-        .iter()
-        .filter(|case| case.dialect == dialect)
-        .filter_map(|case| case.cell.as_deref())
-        .filter(|cell| &*cell.probe == PROBE)
-        .filter_map(|cell: &MatrixCell| {
-            let pair = (
-                ElementaryType::from_name(&cell.row)?,
-                ElementaryType::from_name(&cell.column)?,
-            );
-            Some((pair, cell.word))
-        })
-        .collect()
-}
-
-/// Returns the source and section from which the documents' word for each pair comes.
-fn bases(cases: &[Case], dialect: DialectName) -> CellBases {
-    let cases = cases.iter().filter(|case| case.dialect == dialect);
     let of_case = |case: &Case| {
         let cell = case.cell.as_deref().filter(|cell| &*cell.probe == PROBE)?;
         let pair = (
             ElementaryType::from_name(&cell.row)?,
             ElementaryType::from_name(&cell.column)?,
         );
-        Some((pair, Arc::clone(&case.basis)))
+        Some((pair, (cell.word, Arc::clone(&case.basis))))
     };
+    let cases = cases.iter().filter(|case| case.dialect == dialect);
     cases.filter_map(of_case).collect()
 }
 
@@ -155,7 +137,6 @@ fn gather(
         dialect,
         types,
         documents,
-        bases: CellBases::new(),
         engines: columns,
     })
 }

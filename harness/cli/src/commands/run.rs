@@ -19,6 +19,7 @@ use std::env;
 use std::io::Write;
 use std::path::PathBuf;
 use stickler_causes::Search;
+use stickler_conversions::overview::Statements;
 use stickler_engines::Engine;
 use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
@@ -96,10 +97,16 @@ fn run(
     understood(&selected, engines)?;
     let report_folder = report_folder(arguments, folder);
     let cancel = interrupt::cancellation_ending_engines()?;
-    let reports = report_folder
-        .as_deref()
-        .map(|to| Reports::create(to, statements(&selected, folder)));
-    let mut sink = EventSink::new(reports.transpose()?, !arguments.quiet, cancel);
+    let stated = match &report_folder {
+        Some(_) => statements(&selected, folder),
+        None => Statements::default(),
+    };
+    let mut sink = EventSink {
+        reports: Reports::create(report_folder.as_deref(), stated)?,
+        shows_progress: !arguments.quiet,
+        progress: None,
+        cancel,
+    };
     let mut causes = CauseStage::new(arguments, plan, engines);
     let take = &mut |event| causes.pass(event, &mut |event| sink.take(&event));
     let summary = stickler_run::run_with(plan, &suite, engines, stores, take, cancel);
@@ -242,29 +249,15 @@ fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBu
 
 /// The receiver of the events of a run, which passes them to every report.
 struct EventSink<'c> {
-    overview: Overview,
-    reports: Option<Reports>,
+    reports: Reports,
     shows_progress: bool,
     progress: Option<Progress>,
-    /// The error after which the reports are no longer written.
-    broken: Option<ReportError>,
     cancel: &'c Cancellation,
 }
 
-impl<'c> EventSink<'c> {
-    fn new(reports: Option<Reports>, shows_progress: bool, cancel: &'c Cancellation) -> EventSink<'c> {
-        EventSink {
-            overview: Overview::default(),
-            reports,
-            shows_progress,
-            progress: None,
-            broken: None,
-            cancel,
-        }
-    }
-
+impl EventSink<'_> {
     fn take(&mut self, event: &Event) {
-        self.overview.take(event);
+        let is_reported = self.reports.take(event);
         match event {
             Event::Header(header) => {
                 self.progress = self.shows_progress.then(|| Progress::new(header.cases));
@@ -272,29 +265,20 @@ impl<'c> EventSink<'c> {
             Event::Case(_) => self
                 .progress
                 .iter()
-                .for_each(|bar| bar.advance(self.overview.failed)),
+                .for_each(|bar| bar.advance(self.reports.overview().failed)),
             Event::Cause(_) | Event::Footer(_) => {}
         }
-        if self.broken.is_none()
-            && let Some(Err(error)) = self.reports.as_mut().map(|reports| reports.take(event))
-        {
+        if !is_reported && !self.cancel.is_requested() {
             // Further results could not be reported.
             self.cancel.request();
             stickler_engines::stop_all_processes();
-            self.broken = Some(error);
         }
     }
 
     /// Completes the reports.
     fn finish(self) -> Result<Overview, ReportError> {
         self.progress.iter().for_each(Progress::finish);
-        if let Some(error) = self.broken {
-            return Err(error);
-        }
-        if let Some(reports) = self.reports {
-            reports.finish(&self.overview)?;
-        }
-        Ok(self.overview)
+        self.reports.finish()
     }
 }
 

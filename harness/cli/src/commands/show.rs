@@ -4,14 +4,11 @@ use crate::arguments::ShowArguments;
 use crate::case_folder;
 use crate::exit::Exit;
 use crate::named_case::NamedCase;
-use anstyle::Style;
+use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
 use stickler_run::{Fact, Plan, expected_facts};
 use stickler_suite::{Case, Sources};
 use stickler_types::wrap;
-
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
 ///

@@ -347,9 +347,9 @@ fn the_script_of_the_site_keeps_the_newest_runs_of_each_version_and_what_was_han
             .output()
             .expect("the command runs");
         assert_eq!(run.status.code(), Some(1), "{}", text(&run.stderr));
-        let path = job.path(&format!("{name}/results.json"));
-        let results = fs::read_to_string(&path).expect("results");
-        let (before, started) = results.split_once("\"started\":\"").expect("a date");
+        let path = job.path(&format!("{name}/events.jsonl"));
+        let log = fs::read_to_string(&path).expect("a log");
+        let (before, started) = log.split_once("\"started\":\"").expect("a date");
         let (_, after) = started.split_once('"').expect("its end");
         let dated = format!("{before}\"started\":\"2026-11-{day:02}T12:00:00Z\"{after}");
         let versioned = dated.replacen("\"version\":\"0.1.0\"", &format!("\"version\":\"{version}\""), 1);
@@ -360,11 +360,11 @@ fn the_script_of_the_site_keeps_the_newest_runs_of_each_version_and_what_was_han
     reports("third", "1.1", 3);
     fs::create_dir_all(job.path("kept/handed-in")).expect("a folder");
     fs::copy(
-        job.path("first/results.json"),
-        job.path("kept/handed-in/mine.json"),
+        job.path("first/events.jsonl"),
+        job.path("kept/handed-in/mine.jsonl"),
     )
     .expect("copied");
-    fs::write(job.path("kept/handed-in/broken.json"), "{}").expect("written");
+    fs::write(job.path("kept/handed-in/broken.jsonl"), "{}").expect("written");
     let site = |reports: &[&str]| {
         let built = Command::new("bash")
             .arg(format!("{ROOT}/.ci/site"))
@@ -382,7 +382,7 @@ fn the_script_of_the_site_keeps_the_newest_runs_of_each_version_and_what_was_han
     site(&["first", "third"]);
     let (told, notes) = site(&["second", "third"]);
     assert!(told.starts_with("3 runs of 1 engine"), "{told}");
-    assert!(notes.contains("left out: kept/handed-in/broken.json"), "{notes}");
+    assert!(notes.contains("left out: kept/handed-in/broken.jsonl"), "{notes}");
     for (engines, newest) in [
         ("reference-1.0-beta", "2026-11-02T12-00-00Z-"),
         ("reference-1.1", "2026-11-03T12-00-00Z-"),

@@ -10,7 +10,8 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
         let (path, name) = (entry.path(), entry.file_name());
         let name = name.to_string_lossy();
-        if path.is_dir() && !name.starts_with('.') && !SKIPPED.contains(&&*name) {
+        let is_hidden = name.starts_with('.') && name != ".github";
+        if path.is_dir() && !is_hidden && !SKIPPED.contains(&&*name) {
             pages(&path, found);
         } else if path.extension().is_some_and(|extension| extension == "md") {
             found.push(path);

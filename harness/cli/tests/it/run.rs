@@ -135,14 +135,6 @@ fn a_run_writes_every_report_about_the_same_cases() {
     let results: serde_json::Value =
         serde_json::from_slice(&fs::read(latest.join("results.json")).expect("results")).expect("JSON");
     assert_eq!(results["cases"].as_array().map(Vec::len), Some(1));
-    let passed = results["passed"].as_array().expect("what passed").iter();
-    let in_every_dialect = |probe: &serde_json::Value| {
-        let of_case = probe["duration_us"].as_object().expect("cases").values();
-        of_case
-            .map(|times| times.as_array().map_or(0, Vec::len))
-            .sum::<usize>()
-    };
-    assert_eq!(passed.map(in_every_dialect).sum::<usize>(), cases - 1);
     assert_eq!(results["engines"][0]["totals"]["pass"], cases - 1);
     let junit = fs::read_to_string(latest.join("junit.xml")).expect("JUnit");
     let claims = results["claims"].as_array().map_or(0, Vec::len);

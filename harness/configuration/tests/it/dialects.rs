@@ -1,15 +1,14 @@
 //! Tests of the dialects that a file defines, and of the messages about mistakes in them.
 
-use stickler_types::definition::Flag;
 use stickler_types::{
-    BitStringText, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
+    BitStringText, Dialect, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding,
     TextReading,
 };
 
 use super::{mistake, read};
 
 /// Returns the definition of the only dialect of a file.
-fn defined(text: &str) -> &'static Definition {
+fn defined(text: &str) -> &'static Dialect {
     let configuration = read(text).unwrap();
     assert_eq!(configuration.dialects().len(), 1);
     configuration.dialects()[0].definition().unwrap()
@@ -54,7 +53,7 @@ shift-counts = "low-bits"
     assert_eq!(definition.about.as_deref(), Some("MyPLC 2.1"));
     assert_eq!(definition.place, "stickler.toml:2");
     let cells: Vec<_> = definition
-        .implicit
+        .cells
         .iter()
         .map(|(pair, stated)| (*pair, stated.value))
         .collect();
@@ -73,30 +72,23 @@ shift-counts = "low-bits"
             .map(|stated| stated.basis.as_deref().unwrap()),
         Some(basis)
     );
-    assert_eq!(definition.flag(Flag::NestedComments), Some(false));
-    assert_eq!(definition.flag(Flag::LineComments), None);
-    let stated = definition.conversions.rounding.as_ref().unwrap();
-    assert_eq!(stated.value, Rounding::HalfAwayFromZero);
     assert_eq!(
-        stated.basis.as_deref().unwrap(),
-        "all-kinds: rounding (stickler.toml:13; https://example.org/manual)"
+        (
+            definition.nested_comments,
+            definition.basis("flags.line-comments")
+        ),
+        (false, None)
     );
     assert_eq!(
-        definition.conversions.out_of_range.as_ref().unwrap().value,
-        OutOfRange::Saturate
+        definition.basis("conversions.rounding"),
+        Some("all-kinds: rounding (stickler.toml:13; https://example.org/manual)")
     );
-    assert_eq!(
-        definition.conversions.text_reading.as_ref().unwrap().value,
-        TextReading::LeadingNumber
-    );
-    assert_eq!(
-        definition.conversions.real_text.as_ref().unwrap().value,
-        RealText::SignificantDigits(6)
-    );
-    assert_eq!(
-        definition.conversions.bit_string_text.as_ref().unwrap().value,
-        BitStringText::Shortest
-    );
+    let choices = &definition.conversions;
+    assert_eq!(choices.rounding, Rounding::HalfAwayFromZero);
+    assert_eq!(choices.out_of_range, OutOfRange::Saturate);
+    assert_eq!(choices.text_reading, TextReading::LeadingNumber);
+    assert_eq!(choices.real_text, RealText::SignificantDigits(6));
+    assert_eq!(choices.bit_string_text, BitStringText::Shortest);
     // Each of them is there, and is written as the file has it.
     let overrides = definition.overrides();
     for line in [
@@ -151,10 +143,10 @@ fn cross_family_widening_is_another_word_for_its_cells() {
     let definition =
         defined("[dialects.wide]\nextends = \"matiec\"\nflags.allow-cross-family-widening = true\n");
     // BYTE into six integer types, WORD into four, DWORD into two.
-    assert_eq!(definition.implicit.len(), 12);
+    assert_eq!(definition.cells.len(), 12);
     assert!(
         definition
-            .implicit
+            .cells
             .values()
             .all(|stated| stated.value == MatrixWord::Yes)
     );
@@ -183,14 +175,10 @@ fn a_dialect_extends_another_of_the_file_wherever_that_stands() {
     assert!(second.as_str() == "b-second" && first.as_str() == "a-first");
     let second = second.definition().unwrap();
     assert_eq!(second.base, DialectName::PLCNEXT);
+    assert_eq!(second.conversions.rounding, Rounding::Truncate);
     assert_eq!(
-        second.conversions.rounding.as_ref().unwrap().value,
-        Rounding::Truncate
-    );
-    let taken_over = second.conversions.out_of_range.as_ref().unwrap();
-    assert_eq!(
-        taken_over.basis.as_deref().unwrap(),
-        "b-second: out-of-range (stickler.toml:8)"
+        second.basis("conversions.out-of-range"),
+        Some("b-second: out-of-range (stickler.toml:8)")
     );
 }
 
@@ -202,7 +190,7 @@ fn what_is_taken_over_says_nothing_of_types_that_are_taken_away() {
     )
     .unwrap();
     let definition = configuration.dialects()[1].definition().unwrap();
-    let cells: Vec<_> = definition.implicit.keys().copied().collect();
+    let cells: Vec<_> = definition.cells.keys().copied().collect();
     assert_eq!(cells, [(ElementaryType::Int, ElementaryType::Sint)]);
 }
 
@@ -402,5 +390,5 @@ fn a_mistake_in_a_dialect_is_told_with_its_place_and_the_word_that_was_meant() {
 fn a_dialect_may_be_given_the_types_of_the_third_edition() {
     let text = "[dialects.longer]\nextends = \"ironplc-ed2\"\nflags.third-edition-types = true\n\
                 implicit.\"TIME.LTIME\" = \"yes\"\n";
-    assert_eq!(defined(text).implicit.len(), 1);
+    assert_eq!(defined(text).cells.len(), 1);
 }

@@ -1,6 +1,6 @@
 //! The list, below a table of results, of the rules that dialects choose where systems differ; one line for each choice.
 
-use super::table::WIDTH;
+use super::page::WIDTH;
 use crate::functions::dialect_list;
 use anstyle::Style;
 use std::io::{self, Write};

@@ -1,17 +1,23 @@
 //! The overview as a page of text: tables of results, contradictions to documents, choices of the dialects, and a legend.
 
 use super::results::{ComparedResult, DialectResults, ExpectedResult, SignatureResults};
-use super::table::{self, Align, NotedCell};
 use super::values::{CallOperands, MAX_VALUE_LEN};
 use super::{choices, inputs};
 use crate::functions::{dialect_list, short_names};
 use crate::literals;
 use crate::session::RefusalKind;
+use crate::table::{Alignment, Cell, Table};
 use anstyle::{AnsiColor, Style};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_engines::Identity;
 use stickler_types::{DialectName, ElementaryType, Family, Value, shortened, wrap, wrap_within};
+
+/// The maximum width of a table and of the lines below it, in characters.
+pub(super) const WIDTH: usize = 100;
+
+/// The number of spaces between two columns.
+const GAP: usize = 2;
 
 const BOLD: Style = Style::new().bold();
 const DIM: Style = Style::new().dimmed();
@@ -92,16 +98,15 @@ impl OverviewPage<'_> {
             signature.result
         );
         let on = format!("on {}", engines.join(", "));
-        match name.len() + on.len() + 2 > table::WIDTH {
-            true => writeln!(out, "{BOLD}{name}{BOLD:#}\n{}\n", wrap_within(&on, table::WIDTH))?,
+        match name.len() + on.len() + 2 > WIDTH {
+            true => writeln!(out, "{BOLD}{name}{BOLD:#}\n{}\n", wrap_within(&on, WIDTH))?,
             false => writeln!(out, "{BOLD}{name}{BOLD:#}  {on}\n")?,
         }
-        let left = operands(&results.calls, &signature.operands);
-        let columns: Vec<table::Column> = groups(&results.columns)
-            .iter()
-            .map(|group| self.column(group, signature.result, notes))
-            .collect();
-        table::write(&left, &columns, out)?;
+        let mut columns = operands(&results.calls, &signature.operands);
+        for group in groups(&results.columns) {
+            columns.push(self.column(&group, signature.result, notes));
+        }
+        table(&columns, signature.operands.len()).write(out, Some(WIDTH))?;
         self.write_troubles(results, out)?;
         if choices::any(signature) {
             let mut dialects: Vec<DialectName> =
@@ -118,12 +123,7 @@ impl OverviewPage<'_> {
     }
 
     /// Returns the table column of a group of dialects whose results are equal.
-    fn column(
-        &self,
-        group: &[&DialectResults],
-        result: ElementaryType,
-        notes: &mut Footnotes,
-    ) -> table::Column {
+    fn column(&self, group: &[&DialectResults], result: ElementaryType, notes: &mut Footnotes) -> Column {
         let first = group.first();
         let engine = first.and_then(|column| match self.engines {
             [_] => None,
@@ -147,7 +147,7 @@ impl OverviewPage<'_> {
                 (false, Some(_)) => Style::new(),
             },
         };
-        table::Column {
+        Column {
             head: engine.into_iter().chain(short_names(&dialects)).collect(),
             cells: first.map_or(Vec::new(), |column| column.results.iter().map(shown).collect()),
             align: align(result),
@@ -194,6 +194,63 @@ impl OverviewPage<'_> {
     }
 }
 
+/// The content of one cell of a table.
+struct NotedCell {
+    value: String,
+    /// The note behind the value: a letter, and a mark; may be empty.
+    note: String,
+    style: Style,
+}
+
+/// A column of a table: its head in one or more lines, and a cell for each row.
+struct Column {
+    head: Vec<String>,
+    cells: Vec<NotedCell>,
+    align: Alignment,
+}
+
+impl Column {
+    /// Returns the cells, in which values stand below values and notes below notes.
+    fn aligned(&self) -> impl Iterator<Item = Cell> {
+        let width = |text: fn(&NotedCell) -> &str| {
+            let cells = self.cells.iter().map(text);
+            cells.map(|text| text.chars().count()).max().unwrap_or(0)
+        };
+        let (values, notes) = (width(|cell| &cell.value), width(|cell| &cell.note));
+        self.cells.iter().map(move |NotedCell { value, note, style }| {
+            let value = match self.align {
+                Alignment::Left => format!("{value:values$}"),
+                Alignment::Right => format!("{value:>values$}"),
+            };
+            let note = if notes == 0 {
+                String::new()
+            } else {
+                format!(" {note:notes$}")
+            };
+            Cell::new(vec![(value + &note, *style)], self.align)
+        })
+    }
+}
+
+/// Returns the table of columns, of which the first `left` are operands.
+fn table(columns: &[Column], left: usize) -> Table {
+    let lines = columns.iter().map(|column| column.head.len()).max().unwrap_or(0);
+    let head = |line: usize| {
+        let text = |column: &Column| column.head.get(line).cloned().unwrap_or_default();
+        let cells = columns
+            .iter()
+            .map(|column| Cell::new(vec![(text(column), Style::new())], column.align));
+        cells.collect()
+    };
+    let mut table = Table::of_values((0..lines).map(head).collect(), left, GAP);
+    let mut cells: Vec<_> = columns.iter().map(Column::aligned).collect();
+    let rows = columns.first().map_or(0, |column| column.cells.len());
+    for _ in 0..rows {
+        table.row(cells.iter_mut().filter_map(Iterator::next).collect());
+    }
+    table
+}
+
 /// The footnotes of the page: the letters that stand for the bases of results.
 #[derive(Default)]
 struct Footnotes {
@@ -237,7 +294,7 @@ impl Footnotes {
 
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         for (letter, basis) in (b'a'..=b'z').zip(&self.bases) {
-            let lines = wrap_within(basis, table::WIDTH - 3).replace('\n', "\n   ");
+            let lines = wrap_within(basis, WIDTH - 3).replace('\n', "\n   ");
             writeln!(out, "{}  {lines}", char::from(letter))?;
         }
         if self.open {
@@ -280,8 +337,8 @@ fn groups(columns: &[DialectResults]) -> Vec<Vec<&DialectResults>> {
 }
 
 /// Returns the table columns of the operands.
-fn operands(calls: &[CallOperands], types: &[ElementaryType]) -> Vec<table::Column> {
-    let column = |(index, ty): (usize, &ElementaryType)| table::Column {
+fn operands(calls: &[CallOperands], types: &[ElementaryType]) -> Vec<Column> {
+    let column = |(index, ty): (usize, &ElementaryType)| Column {
         head: vec![ty.name().to_owned()],
         cells: calls
             .iter()
@@ -310,10 +367,10 @@ fn plain(value: String) -> NotedCell {
 }
 
 /// Returns the alignment of values of a type: texts at their beginning, numbers at their end.
-fn align(ty: ElementaryType) -> Align {
+fn align(ty: ElementaryType) -> Alignment {
     match ty.family() {
-        Family::Text | Family::Character => Align::Left,
-        _ => Align::Right,
+        Family::Text | Family::Character => Alignment::Left,
+        _ => Alignment::Right,
     }
 }
 

@@ -5,13 +5,11 @@
 //! everything else is a number.
 
 mod builder;
-mod functions;
 
 use super::recorded::{QuestionNumber, RecordedAnswers};
 pub use builder::StatementsBuilder;
-pub use functions::{FunctionCall, FunctionTable, StatedResult};
 use serde::{Serialize, Serializer};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use stickler_types::{DialectName, MatrixWord, Value};
 
@@ -128,6 +126,31 @@ impl Statements {
         &self.recorded
     }
 
+    /// Returns the names of the functions, such as `REAL_TO_INT`.
+    #[must_use]
+    pub fn function_names(&self) -> BTreeSet<&str> {
+        self.functions
+            .iter()
+            .map(|function| self.word(function.name))
+            .collect()
+    }
+
+    /// Returns the name of the function of whose call a question is; `None` where it is of another thing.
+    #[must_use]
+    pub fn function_of(&self, question: QuestionNumber) -> Option<&str> {
+        let mut call = (question as usize).checked_sub(self.pairs.len() + self.parts.len())?;
+        let function = self.functions.iter().find(|function| {
+            let is_here = call < function.calls;
+            call = if is_here { call } else { call - function.calls };
+            is_here
+        })?;
+        Some(self.word(function.name))
+    }
+
+    fn word(&self, number: u32) -> &str {
+        &self.words[number as usize]
+    }
+
     /// Returns whether there is no question.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -210,30 +233,16 @@ mod tests {
     }
 
     #[test]
-    fn a_function_is_told_as_texts_with_the_same_questions() {
+    fn a_question_about_a_call_names_its_function() {
         let statements = statements();
-        let functions = statements.functions();
-        let [function] = &functions[..] else {
-            panic!("{functions:?}");
-        };
-        assert_eq!((function.name, function.result), ("REAL_TO_INT", "INT"));
-        assert_eq!(function.dialects, ["ironplc-ed3", "matiec", "plcnext", "codesys"]);
         let question = statements.question("c::p(REAL,INT,2.25)").unwrap();
-        let call = function
-            .calls
-            .iter()
-            .find(|call| call.question == question)
-            .unwrap();
+        assert_eq!(statements.function_of(question), Some("REAL_TO_INT"));
+        assert_eq!(statements.function_of(0), None, "a pair of types");
+        assert_eq!(statements.function_of(u32::MAX), None);
         assert_eq!(
-            (&call.operands[..], call.is_boundary),
-            (&["REAL#2.25"][..], false)
+            statements.function_names().into_iter().collect::<Vec<_>>(),
+            ["REAL_TO_INT"]
         );
-        let values = call
-            .stated
-            .iter()
-            .map(|stated| stated.as_ref().map(|one| one.value));
-        let values: Vec<Option<&str>> = values.collect();
-        assert_eq!(values, [Some("INT#2"), Some("INT#2"), None, Some("INT#77")]);
     }
 
     #[test]

@@ -1,14 +1,14 @@
 //! Asks an engine for the answers of a recording.
 
-use super::questions::{self, is_true, pairs, pairs_compared, parts, signatures};
-use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, key};
-use crate::implicit::{self, TypePair};
+use super::questions::{self, Question, is_true, pairs_compared, signatures};
+use super::{ComparisonAnswer, FunctionAnswers, RecordedSection, Recording, comparison_word, key};
+use crate::implicit::{self, MatrixAnswer, TypePair};
 use crate::overview;
 use crate::session::FunctionSession;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::Engine;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, ElementaryType, RecordingOrigin};
+use stickler_types::{DialectName, RecordingOrigin};
 use stickler_workers::WorkerPool;
 
 /// The number of pairs that one program compares, where an engine accepts them together.
@@ -47,25 +47,16 @@ impl Recording {
         answered: &(dyn Fn() + Sync),
     ) -> Result<(), ForeignError> {
         match section {
-            RecordedSection::Implicit => {
-                let asked = pairs(&ElementaryType::ALL);
-                let answers = implicit::answers(engine, dialect, &asked, jobs, answered)?;
-                let keys = asked.into_iter().map(|pair| (dialect, pair));
-                self.implicit.extend(keys.zip(answers));
-            }
-            RecordedSection::Bits => {
-                let asked = parts();
-                let sources = asked.iter().map(|(ty, part)| questions::part_source(*ty, part));
-                let sources: Vec<String> = sources.collect();
+            RecordedSection::Implicit | RecordedSection::Bits => {
+                let asked = Question::of(section);
+                let sources: Vec<String> = asked.iter().map(|question| question.program().source).collect();
                 let answers = implicit::accepted(engine, dialect, &sources, jobs, answered)?;
-                let keys = asked.into_iter().map(|(ty, part)| (dialect, ty, part));
-                self.parts.extend(keys.zip(answers));
+                self.add_words(dialect, &asked, answers.into_iter().map(MatrixAnswer::as_str));
             }
             RecordedSection::Comparisons => {
-                let asked = pairs_compared();
-                let answers = compared(engine, dialect, &asked, jobs, answered)?;
-                let keys = asked.into_iter().map(|pair| (dialect, pair));
-                self.comparisons.extend(keys.zip(answers));
+                let answers = compared(engine, dialect, &pairs_compared(), jobs, answered)?;
+                let words = answers.into_iter().map(comparison_word);
+                self.add_words(dialect, &Question::of(section), words);
             }
             RecordedSection::Functions => {
                 let signatures = signatures(dialect);
@@ -85,14 +76,23 @@ impl Recording {
         Ok(())
     }
 
+    /// Adds the words of the answers to questions.
+    fn add_words(
+        &mut self,
+        dialect: DialectName,
+        asked: &[Question],
+        words: impl Iterator<Item = &'static str>,
+    ) {
+        let keys = asked.iter().filter_map(Question::word_key);
+        self.words.extend(keys.map(|key| (dialect, key)).zip(words));
+    }
+
     /// Returns how often [`Recording::ask`] calls `answered`.
     #[must_use]
     pub fn questions(dialects: &[DialectName], sections: &[RecordedSection]) -> usize {
         let of = |dialect: DialectName, section: RecordedSection| match section {
-            RecordedSection::Implicit => pairs(&ElementaryType::ALL).len(),
-            RecordedSection::Bits => parts().len(),
-            RecordedSection::Comparisons => pairs_compared().len(),
             RecordedSection::Functions => signatures(dialect).len(),
+            section => Question::of(section).len(),
         };
         let of_dialect = |dialect: &DialectName| {
             sections

@@ -1,7 +1,7 @@
 //! Makes a recording of programs whose outcomes were told, such as those that a person copied out of an editor.
 
 use super::questions::{self, Question, is_true};
-use super::{AnsweredCalls, FunctionAnswers, Recording, key};
+use super::{AnsweredCalls, FunctionAnswers, Recording, comparison_word, key};
 use crate::implicit::MatrixAnswer;
 use crate::session::{RefusalKind, refusal_kind};
 use std::collections::HashMap;
@@ -51,14 +51,7 @@ impl RecordingBuilder {
     /// Returns the number of questions that have an answer.
     #[must_use]
     pub fn number(&self) -> usize {
-        let Recording {
-            implicit,
-            parts,
-            comparisons,
-            ..
-        } = &self.recording;
-        let calls: usize = self.calls.values().map(Vec::len).sum();
-        implicit.len() + parts.len() + comparisons.len() + calls
+        self.recording.words.len() + self.calls.values().map(Vec::len).sum::<usize>()
     }
 
     /// Returns the recording.
@@ -84,23 +77,11 @@ impl RecordingBuilder {
 
     /// Adds an answer; `None` where the outcome has none.
     fn add(&mut self, question: Question, outcome: &Outcome, observed: &str) -> Option<()> {
-        let Recording {
-            implicit,
-            parts,
-            comparisons,
-            ..
-        } = &mut self.recording;
-        match question {
-            Question::Implicit(pair) => {
-                implicit.entry((self.dialect, pair)).or_insert(accepted(outcome)?);
-            }
-            Question::Part(ty, part) => {
-                let key = (self.dialect, ty, part);
-                parts.entry(key).or_insert(accepted(outcome)?);
-            }
-            Question::Comparison(pair) => {
-                let answer = result(outcome, observed)?.map(|value| is_true(&value));
-                comparisons.entry((self.dialect, pair)).or_insert(answer);
+        let place = question.word_key();
+        let word = match question {
+            Question::Implicit(_) | Question::Part(..) => accepted(outcome)?.as_str(),
+            Question::Comparison(_) => {
+                comparison_word(result(outcome, observed)?.map(|value| is_true(&value)))
             }
             Question::Call(signature, operands) => {
                 let answer = result(outcome, observed)?;
@@ -108,8 +89,10 @@ impl RecordingBuilder {
                 if calls.iter().all(|(known, _)| *known != operands) {
                     calls.push((operands, answer));
                 }
+                return Some(());
             }
-        }
+        };
+        self.recording.words.entry((self.dialect, place?)).or_insert(word);
         Some(())
     }
 }

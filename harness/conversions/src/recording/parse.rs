@@ -1,10 +1,10 @@
 //! Reads the file of a recording.
 
-use super::{ComparisonAnswer, FunctionAnswers, Recording};
-use crate::implicit::{MatrixAnswer, TypePair};
+use super::{FunctionAnswers, RecordedSection, Recording, WordKey};
+use crate::implicit::MatrixAnswer;
 use crate::session::RefusalKind;
 use serde::Deserialize;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::path::Path;
 use stickler_types::{DialectName, ElementaryType, RecordingOrigin, Value, WrittenValue};
 use toml::Spanned;
@@ -112,20 +112,17 @@ fn add(recording: &mut Recording, answers: Spanned<AnswerSection>) -> Result<(),
             recording.dialects.push(*dialect);
         }
     }
-    for (row, columns) in implicit {
-        let answers = word_row(&row, &columns, matrix_answer, type_of)?;
-        let pairs = answers.map(|(from, into, answer)| ((from, into), answer));
-        extend(&mut recording.implicit, &dialects, pairs);
-    }
-    for (row, columns) in comparisons {
-        let answers = word_row(&row, &columns, comparison_answer, type_of)?;
-        let pairs = answers.map(|(from, into, answer)| ((from, into), answer));
-        extend(&mut recording.comparisons, &dialects, pairs);
-    }
-    for (row, columns) in bits {
-        for (ty, part, answer) in word_row(&row, &columns, matrix_answer, part_of)? {
-            let keys = dialects.iter().map(|dialect| (*dialect, ty, part.clone()));
-            recording.parts.extend(keys.map(|key| (key, answer)));
+    for (section, rows) in [
+        (RecordedSection::Implicit, implicit),
+        (RecordedSection::Bits, bits),
+        (RecordedSection::Comparisons, comparisons),
+    ] {
+        for (row, columns) in rows {
+            let words = word_row(section, row.get_ref(), &columns);
+            for (key, word) in words.map_err(|message| (row.span().start, message))? {
+                let keys = dialects.iter().map(|dialect| (*dialect, key.clone()));
+                recording.words.extend(keys.map(|key| (key, word)));
+            }
         }
     }
     for (key, row) in functions {
@@ -139,52 +136,45 @@ fn add(recording: &mut Recording, answers: Spanned<AnswerSection>) -> Result<(),
     Ok(())
 }
 
-/// Adds answers about pairs of types in each of the dialects.
-fn extend<A: Copy>(
-    known: &mut HashMap<(DialectName, TypePair), A>,
-    dialects: &[DialectName],
-    pairs: impl Iterator<Item = (TypePair, A)>,
-) {
-    for (pair, answer) in pairs {
-        known.extend(dialects.iter().map(|dialect| ((*dialect, pair), answer)));
-    }
-}
-
-/// Reads a row: its type, and for each listed text the answer by whose word it stands.
-fn word_row<C, A: Copy>(
-    row: &Spanned<String>,
+/// Reads a row: its type, and the word of the answer for each listed type or part.
+fn word_row(
+    section: RecordedSection,
+    row: &str,
     columns: &BTreeMap<String, String>,
-    answer_of: fn(&str) -> Result<A, String>,
-    column_of: fn(&str) -> Result<C, String>,
-) -> Result<impl Iterator<Item = (ElementaryType, C, A)> + use<C, A>, LocatedMistake> {
-    let at = |message| (row.span().start, message);
-    let from = type_of(row.get_ref()).map_err(at)?;
+) -> Result<Vec<(WordKey, &'static str)>, String> {
+    let from = type_of(row)?;
     let mut read = Vec::new();
     for (word, listed) in columns {
-        let answer = answer_of(word).map_err(at)?;
+        let word = match section {
+            RecordedSection::Comparisons => comparison(word)?,
+            _ => matrix_answer(word)?,
+        };
         for text in listed.split_whitespace() {
-            read.push((from, column_of(text).map_err(at)?, answer));
+            let column = match section {
+                RecordedSection::Bits => part_of(text)?,
+                _ => type_of(text)?.name().to_owned(),
+            };
+            read.push(((section, from, column), word));
         }
     }
-    Ok(read.into_iter())
+    Ok(read)
 }
 
-fn matrix_answer(word: &str) -> Result<MatrixAnswer, String> {
-    MatrixAnswer::from_word(word).ok_or_else(|| {
+fn matrix_answer(word: &str) -> Result<&'static str, String> {
+    let answer = MatrixAnswer::from_word(word).map(MatrixAnswer::as_str);
+    answer.ok_or_else(|| {
         let known = MatrixAnswer::ALL.map(MatrixAnswer::as_str).join(", ");
         format!("`{word}` is no answer of a compiler; one of {known} is")
     })
 }
 
-fn comparison_answer(word: &str) -> Result<ComparisonAnswer, String> {
-    match word {
-        "true" => Ok(Ok(true)),
-        "false" => Ok(Ok(false)),
-        _ => RefusalKind::from_word(word).map(Err).ok_or_else(|| {
-            let known = RefusalKind::STORED.map(RefusalKind::word).join(", ");
-            format!("`{word}` is neither `true` nor `false` nor one of {known}")
-        }),
-    }
+fn comparison(word: &str) -> Result<&'static str, String> {
+    let refusals = RefusalKind::STORED.map(RefusalKind::word);
+    let mut known = ["true", "false"].into_iter().chain(refusals);
+    known.find(|known| *known == word).ok_or_else(|| {
+        let known = refusals.join(", ");
+        format!("`{word}` is neither `true` nor `false` nor one of {known}")
+    })
 }
 
 /// Reads a bit or a part of a variable.

@@ -1,5 +1,6 @@
 //! The questions that a recording answers, each with the program that asks it.
 
+use super::{RecordedSection, WordKey};
 use crate::implicit::{self, TypePair};
 use crate::literals::{literal, untyped_literal};
 use crate::overview;
@@ -27,15 +28,29 @@ impl Question {
     /// Returns the questions of a dialect: pairs of types, then parts, then comparisons, then calls.
     #[must_use]
     pub fn all(dialect: DialectName) -> Vec<Question> {
-        let pairs = pairs(&ElementaryType::ALL).into_iter().map(Question::Implicit);
-        let parts = parts().into_iter().map(|(ty, part)| Question::Part(ty, part));
-        let compared = pairs_compared().into_iter().map(Question::Comparison);
         let calls = signatures(dialect).into_iter().flat_map(|signature| {
             let calls = overview::boundary_calls(&signature);
             let question = move |call| Question::Call(signature.clone(), call);
             calls.into_iter().map(question)
         });
-        pairs.chain(parts).chain(compared).chain(calls).collect()
+        let words = RecordedSection::ALL.into_iter().flat_map(Question::of);
+        words.chain(calls).collect()
+    }
+
+    /// Returns the questions of a section, which are the same in every dialect; none of the functions.
+    pub(super) fn of(section: RecordedSection) -> Vec<Question> {
+        let of_pairs = |pairs: Vec<TypePair>, question| pairs.into_iter().map(question).collect();
+        match section {
+            RecordedSection::Implicit => {
+                of_pairs(pairs(&ElementaryType::ALL), Question::Implicit as fn(_) -> _)
+            }
+            RecordedSection::Bits => parts()
+                .into_iter()
+                .map(|(ty, part)| Question::Part(ty, part))
+                .collect(),
+            RecordedSection::Comparisons => of_pairs(pairs_compared(), Question::Comparison),
+            RecordedSection::Functions => Vec::new(),
+        }
     }
 
     /// Returns the text that names the question among those of its dialect: `implicit(INT,DINT)`, `REAL_TO_INT(REAL#2.5) : INT` …
@@ -50,6 +65,17 @@ impl Question {
                 let Signature { function, result, .. } = signature;
                 format!("{function}({}) : {result}", operands.join(", "))
             }
+        }
+    }
+
+    /// Returns where a recording has the word of the answer; `None` where the answer is a value.
+    pub(super) fn word_key(&self) -> Option<WordKey> {
+        let of_pair = |section, (row, column): TypePair| (section, row, column.name().to_owned());
+        match self {
+            Question::Implicit(pair) => Some(of_pair(RecordedSection::Implicit, *pair)),
+            Question::Part(ty, part) => Some((RecordedSection::Bits, *ty, part.clone())),
+            Question::Comparison(pair) => Some(of_pair(RecordedSection::Comparisons, *pair)),
+            Question::Call(..) => None,
         }
     }
 
@@ -73,7 +99,7 @@ impl Question {
 }
 
 /// Returns every ordered pair of types.
-pub(super) fn pairs(types: &[ElementaryType]) -> Vec<TypePair> {
+fn pairs(types: &[ElementaryType]) -> Vec<TypePair> {
     let of_row = |row: &ElementaryType| {
         let row = *row;
         types.iter().map(move |column| (row, *column))
@@ -90,7 +116,7 @@ pub(super) fn signatures(dialect: DialectName) -> Vec<Signature> {
 
 /// Returns the bits and parts that are asked for: of a type with bits the first one, the last one and the one behind it, in each form;
 /// of all others the first bit.
-pub(super) fn parts() -> Vec<(ElementaryType, String)> {
+fn parts() -> Vec<(ElementaryType, String)> {
     let mut parts = Vec::new();
     for ty in ElementaryType::ALL {
         let has_bits = ty.is_integer() || ty.is_bit_string();
@@ -109,7 +135,7 @@ pub(super) fn parts() -> Vec<(ElementaryType, String)> {
 }
 
 /// Returns the program that reads a part of a variable.
-pub(super) fn part_source(ty: ElementaryType, part: &str) -> String {
+fn part_source(ty: ElementaryType, part: &str) -> String {
     let taken = match part.get(..2) {
         Some("%B") => ElementaryType::Byte,
         Some("%W") => ElementaryType::Word,

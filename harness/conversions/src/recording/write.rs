@@ -1,7 +1,6 @@
 //! Writes a recording as a file: the origin, and a section of answers for each group of dialects in which they are equal.
 
-use super::{FunctionAnswers, RecordedSection, Recording};
-use crate::implicit::MatrixAnswer;
+use super::{FunctionAnswers, RecordedSection, Recording, WordKey};
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use stickler_types::{DialectName, ElementaryType};
@@ -50,11 +49,7 @@ impl Recording {
         // The dialects of each row with the same text.
         let mut equal: BTreeMap<(&str, String, String), Vec<&str>> = BTreeMap::new();
         for dialect in &self.dialects {
-            let rows = self
-                .implicit_rows(*dialect)
-                .chain(self.part_rows(*dialect))
-                .chain(self.comparison_rows(*dialect))
-                .chain(self.function_rows(*dialect));
+            let rows = self.word_rows(*dialect).chain(self.function_rows(*dialect));
             for row in rows {
                 equal.entry(row).or_default().push(dialect.as_str());
             }
@@ -66,44 +61,25 @@ impl Recording {
         sections
     }
 
-    fn implicit_rows(&self, dialect: DialectName) -> impl Iterator<Item = WrittenRow> {
-        let answers = move |from| {
-            let answer = move |into: ElementaryType| {
-                let answer = self.implicit(dialect, (from, into))?;
-                Some((answer.as_str(), into.name().to_owned()))
-            };
-            ElementaryType::ALL.into_iter().filter_map(answer).collect()
-        };
-        word_rows(RecordedSection::Implicit, answers)
-    }
-
-    fn part_rows(&self, dialect: DialectName) -> impl Iterator<Item = WrittenRow> {
-        let mut all: Vec<(ElementaryType, &str, MatrixAnswer)> = self
-            .parts
-            .iter()
-            .filter(|((of, ..), _)| *of == dialect)
-            .map(|((_, ty, part), answer)| (*ty, part.as_str(), *answer))
-            .collect();
-        all.sort_by_key(|(_, part, _)| {
-            let (form, index) = part.split_at(part.find(|c: char| c.is_ascii_digit()).unwrap_or(0));
-            (form.to_owned(), index.parse::<u32>().unwrap_or(u32::MAX))
-        });
-        let answers = move |of| {
-            let rows = all.iter().filter(|(ty, ..)| *ty == of);
-            rows.map(|(_, part, answer)| (answer.as_str(), (*part).to_owned()))
-                .collect()
-        };
-        word_rows(RecordedSection::Bits, answers)
-    }
-
-    fn comparison_rows(&self, dialect: DialectName) -> impl Iterator<Item = WrittenRow> {
-        let all = self.all_comparisons(dialect);
-        let answers = move |of| {
-            let rows = all.iter().filter(|((left, _), _)| *left == of);
-            rows.map(|((_, right), word)| (*word, right.name().to_owned()))
-                .collect()
-        };
-        word_rows(RecordedSection::Comparisons, answers)
+    /// Returns a row for each section and type that has answers in words: the words with what each is the answer to.
+    fn word_rows(&self, dialect: DialectName) -> impl Iterator<Item = WrittenRow> {
+        let words = self.words.iter().filter(|((of, _), _)| *of == dialect);
+        let mut words: Vec<(&WordKey, &str)> = words.map(|((_, key), word)| (key, *word)).collect();
+        words.sort_by_key(|((.., column), _)| place(column));
+        let mut rows: BTreeMap<(RecordedSection, ElementaryType), BTreeMap<&str, Vec<&str>>> =
+            BTreeMap::new();
+        for ((section, ty, column), word) in words {
+            let row = rows.entry((*section, *ty)).or_default();
+            row.entry(word).or_default().push(column);
+        }
+        rows.into_iter().map(|((section, ty), columns)| {
+            let columns = columns.iter().map(|(word, listed)| match word.contains(' ') {
+                true => format!("{} = {}", quoted(word), quoted(&listed.join(" "))),
+                false => format!("{word} = {}", quoted(&listed.join(" "))),
+            });
+            let row = format!("{{ {} }}", columns.collect::<Vec<_>>().join(", "));
+            (section.as_str(), ty.name().to_owned(), row)
+        })
     }
 
     fn function_rows(&self, dialect: DialectName) -> impl Iterator<Item = WrittenRow> {
@@ -117,26 +93,12 @@ impl Recording {
     }
 }
 
-/// Returns the rows of a kind: for each type that has answers, the words with what each is the answer to.
-fn word_rows(
-    section: RecordedSection,
-    answers: impl Fn(ElementaryType) -> Vec<(&'static str, String)>,
-) -> impl Iterator<Item = WrittenRow> {
-    ElementaryType::ALL.into_iter().filter_map(move |ty| {
-        let mut columns: BTreeMap<&str, Vec<String>> = BTreeMap::new();
-        for (word, listed) in answers(ty) {
-            columns.entry(word).or_default().push(listed);
-        }
-        let columns: Vec<String> = columns
-            .iter()
-            .map(|(word, listed)| match word.contains(' ') {
-                true => format!("{} = {}", quoted(word), quoted(&listed.join(" "))),
-                false => format!("{word} = {}", quoted(&listed.join(" "))),
-            })
-            .collect();
-        let row = format!("{{ {} }}", columns.join(", "));
-        (!columns.is_empty()).then(|| (section.as_str(), ty.name().to_owned(), row))
-    })
+/// Returns the place of a column in its row: types in their order, parts by form and number.
+fn place(column: &str) -> (usize, &str, u32) {
+    let types = ElementaryType::ALL.into_iter();
+    let number = types.take_while(|ty| ty.name() != column).count();
+    let (form, index) = column.split_at(column.find(|c: char| c.is_ascii_digit()).unwrap_or(0));
+    (number, form, index.parse().unwrap_or(u32::MAX))
 }
 
 /// Returns a list with a list for each call: the operands and the result, or the word for why there is none.

@@ -1,13 +1,13 @@
 //! Tests that the JSON Schemas published in `harness/engines/schemas/`, one for requests and one for replies, are those of the
 //! code.
 //!
-//! To write them again after a change of the protocol: `STICKLER_BLESS=1 cargo test -p stickler-engines schema`.
+//! To write them again after a change of the protocol: `cargo xtask bless`.
 
 use super::{Reply, Request};
 use std::path::Path;
 
 #[test]
-fn published_schemas_are_those_of_the_code() {
+fn golden_schemas_are_those_of_the_code() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("schemas");
     for (file, schema) in [
         ("request.schema.json", schemars::schema_for!(Request)),
@@ -24,7 +24,7 @@ fn published_schemas_are_those_of_the_code() {
             .replace("\r\n", "\n");
         assert!(
             published == text,
-            "{file} is out of date; run STICKLER_BLESS=1 cargo test -p stickler-engines schema"
+            "{file} is out of date; `cargo xtask bless` writes it"
         );
     }
 }

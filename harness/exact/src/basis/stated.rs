@@ -8,121 +8,85 @@
 use super::{Rules, UnaryCall};
 use crate::signature::Operation;
 use crate::value::value;
-use stickler_types::{
-    BitStringAsBool, BitStringText, BitsAsReal, ConversionChoices, Definition, ElementaryType, Family,
-    MomentText, MomentUnits, OutOfRange, RealText, Rounding, Stated, TextReading, Value,
-};
+use stickler_types::{ConversionChoices, Dialect, ElementaryType, Family, Value};
 
-/// A choice that a definition may make.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum StatedKey {
-    Rounding,
-    OutOfRange,
-    TruncationOutOfRange,
-    TextReading,
-    RealText,
-    BitStringText,
-    MomentText,
-    BitsAsReal,
-    BitStringAsBool,
-    MomentUnits,
-}
-
-const KEYS: [StatedKey; 10] = [
-    StatedKey::Rounding,
-    StatedKey::OutOfRange,
-    StatedKey::TruncationOutOfRange,
-    StatedKey::TextReading,
-    StatedKey::RealText,
-    StatedKey::BitStringText,
-    StatedKey::MomentText,
-    StatedKey::BitsAsReal,
-    StatedKey::BitStringAsBool,
-    StatedKey::MomentUnits,
-];
+const TRUNCATION_OUT_OF_RANGE: &str = "conversions.truncation-out-of-range";
 
 impl UnaryCall<'_> {
     /// Returns the basis of the call in a dialect with this definition; `choices` are those of the dialect.
     pub(super) fn stated(
         self,
         operand: &Value,
-        definition: &'static Definition,
+        dialect: &'static Dialect,
         choices: &ConversionChoices,
     ) -> Option<&'static str> {
-        let decides = |key: &StatedKey| self.is_decided_by(*key, operand, choices);
-        let (stated, left): (Vec<StatedKey>, Vec<StatedKey>) = KEYS
-            .into_iter()
-            .filter(decides)
-            .partition(|key| key.stated_by(definition).is_some());
+        let (stated, left): (Vec<&str>, Vec<&str>) = ConversionChoices::keys()
+            .iter()
+            .filter(|key| self.is_decided_by(key, operand, choices))
+            .partition(|key| stated_by(key, dialect).is_some());
         let Some(first) = stated.first() else {
             return self.basis(operand);
         };
-        let is_said =
-            stated.iter().all(|key| self.speaks(*key)) && left.iter().all(|key| self.documents(*key));
-        first.stated_by(definition).filter(|_| is_said)
+        let is_said = stated.iter().all(|key| self.speaks(key)) && left.iter().all(|key| self.documents(key));
+        stated_by(first, dialect).filter(|_| is_said)
     }
 
     /// Returns whether a choice of the definition decides the result of the call.
     pub(super) fn is_overridden(
         self,
         operand: &Value,
-        definition: &'static Definition,
+        dialect: &'static Dialect,
         choices: &ConversionChoices,
     ) -> bool {
-        KEYS.into_iter()
-            .any(|key| key.stated_by(definition).is_some() && self.is_decided_by(key, operand, choices))
+        let mut keys = ConversionChoices::keys().iter();
+        keys.any(|key| stated_by(key, dialect).is_some() && self.is_decided_by(key, operand, choices))
     }
 
     /// Returns whether another choice would change the result.
-    fn is_decided_by(self, key: StatedKey, operand: &Value, choices: &ConversionChoices) -> bool {
+    fn is_decided_by(self, key: &str, operand: &Value, choices: &ConversionChoices) -> bool {
         let operands = std::slice::from_ref(operand);
         let own = value(self.signature, operands, choices);
-        key.others(*choices)
-            .iter()
-            .any(|other| value(self.signature, operands, other) != own)
+        let mut others = choices.others(key);
+        others.any(|other| value(self.signature, operands, &other) != own)
     }
 
     /// Returns whether a definition that makes this choice applies to the function: it applies to `<SRC>_TO_<DST>` and to
     /// the functions that the documents of its base have. It does not decide whether a bit string gets the bits of a real
     /// or its number.
-    fn speaks(self, key: StatedKey) -> bool {
+    fn speaks(self, key: &str) -> bool {
         let is_pair =
             self.signature.operation == Operation::Convert && !self.signature.function.starts_with("TO_");
         let (from, to) = (self.from, self.to);
         match key {
-            StatedKey::Rounding => is_pair && from.is_real() && to.is_integer(),
-            StatedKey::OutOfRange => is_pair && from.is_real() && to.is_integer(),
-            StatedKey::TruncationOutOfRange => {
-                from.is_real() && to.is_integer() && self.basis(&one(from)).is_some()
+            "conversions.rounding" | "conversions.out-of-range" => {
+                is_pair && from.is_real() && to.is_integer()
             }
-            StatedKey::TextReading => {
+            TRUNCATION_OUT_OF_RANGE => from.is_real() && to.is_integer() && self.basis(&one(from)).is_some(),
+            "conversions.text-reading" => {
                 is_pair
                     && from.family() == Family::Text
                     && (to.is_integer() || to.is_bit_string() || to.is_real())
             }
-            StatedKey::RealText => is_pair && from.is_real() && to.family() == Family::Text,
-            StatedKey::BitStringText => is_pair && from.is_bit_string() && to.family() == Family::Text,
-            StatedKey::MomentText => is_pair && is_moment(from) && to.family() == Family::Text,
-            StatedKey::BitsAsReal => {
+            "conversions.real-text" => is_pair && from.is_real() && to.family() == Family::Text,
+            "conversions.bit-string-text" => is_pair && from.is_bit_string() && to.family() == Family::Text,
+            "conversions.moment-text" => is_pair && is_moment(from) && to.family() == Family::Text,
+            "conversions.bits-as-real" => {
                 is_pair && (from.is_bit_string() && to.is_real() || from.is_real() && to.is_bit_string())
             }
-            StatedKey::BitStringAsBool => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
-            StatedKey::MomentUnits => is_pair && (is_moment(from) || is_moment(to)),
+            "conversions.bit-string-as-bool" => is_pair && from.is_bit_string() && to == ElementaryType::Bool,
+            "conversions.moment-units" => is_pair && (is_moment(from) || is_moment(to)),
+            _ => false,
         }
     }
 
     /// Returns whether the documents of the base make this choice.
-    fn documents(self, key: StatedKey) -> bool {
+    fn documents(self, key: &str) -> bool {
         match key {
-            StatedKey::Rounding => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
-            StatedKey::OutOfRange | StatedKey::TruncationOutOfRange => self.rules == Rules::Matiec,
-            StatedKey::BitsAsReal => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),
-            StatedKey::BitStringAsBool => self.rules == Rules::Rusty,
-            StatedKey::TextReading
-            | StatedKey::RealText
-            | StatedKey::BitStringText
-            | StatedKey::MomentText
-            | StatedKey::MomentUnits => false,
+            "conversions.rounding" => matches!(self.rules, Rules::Ironplc | Rules::Matiec),
+            "conversions.out-of-range" | TRUNCATION_OUT_OF_RANGE => self.rules == Rules::Matiec,
+            "conversions.bits-as-real" => matches!(self.rules, Rules::Rusty | Rules::ThirdEdition),
+            "conversions.bit-string-as-bool" => self.rules == Rules::Rusty,
+            _ => false,
         }
     }
 }
@@ -141,82 +105,30 @@ fn one(ty: ElementaryType) -> Value {
     Value::plain(ty, bits)
 }
 
-impl StatedKey {
-    /// Returns the basis of the definition's statement, if the definition makes this choice.
-    fn stated_by(self, definition: &'static Definition) -> Option<&'static str> {
-        fn basis<T>(stated: &'static Option<Stated<T>>) -> Option<&'static str> {
-            stated.as_ref()?.basis.as_deref()
-        }
-        match self {
-            StatedKey::Rounding => basis(&definition.conversions.rounding),
-            StatedKey::OutOfRange => basis(&definition.conversions.out_of_range),
-            StatedKey::TruncationOutOfRange => basis(&definition.conversions.truncation_out_of_range)
-                .or_else(|| basis(&definition.conversions.out_of_range)),
-            StatedKey::TextReading => basis(&definition.conversions.text_reading),
-            StatedKey::RealText => basis(&definition.conversions.real_text),
-            StatedKey::BitStringText => basis(&definition.conversions.bit_string_text),
-            StatedKey::MomentText => basis(&definition.conversions.moment_text),
-            StatedKey::BitsAsReal => basis(&definition.conversions.bits_as_real),
-            StatedKey::BitStringAsBool => basis(&definition.conversions.bit_string_as_bool),
-            StatedKey::MomentUnits => basis(&definition.conversions.moment_units),
-        }
-    }
-
-    /// Returns the choices with every alternative for this key; a few numbers of digits represent all.
-    fn others(self, choices: ConversionChoices) -> Vec<ConversionChoices> {
-        /// Returns the choices with each option in turn.
-        fn each<T: Copy>(
-            options: &[T],
-            choices: ConversionChoices,
-            set: impl Fn(&mut ConversionChoices, T),
-        ) -> Vec<ConversionChoices> {
-            let with = |option: &T| {
-                let mut other = choices;
-                set(&mut other, *option);
-                other
-            };
-            options.iter().map(with).collect()
-        }
-        let texts = [
-            RealText::Shortest,
-            RealText::ByWidth,
-            RealText::SignificantDigits(1),
-            RealText::SignificantDigits(6),
-            RealText::SignificantDigits(17),
-        ];
-        let all = match self {
-            StatedKey::Rounding => each(&Rounding::OF_CONVERSIONS, choices, |all, one| all.rounding = one),
-            StatedKey::OutOfRange => each(OutOfRange::ALL, choices, |all, one| all.out_of_range = one),
-            StatedKey::TruncationOutOfRange => each(OutOfRange::ALL, choices, |all, one| {
-                all.truncation_out_of_range = one;
-            }),
-            StatedKey::TextReading => each(TextReading::ALL, choices, |all, one| all.text_reading = one),
-            StatedKey::RealText => each(&texts, choices, |all, one| all.real_text = one),
-            StatedKey::BitStringText => {
-                each(BitStringText::ALL, choices, |all, one| all.bit_string_text = one)
-            }
-            StatedKey::MomentText => each(MomentText::ALL, choices, |all, one| all.moment_text = one),
-            StatedKey::BitsAsReal => each(BitsAsReal::ALL, choices, |all, one| all.bits_as_real = one),
-            StatedKey::BitStringAsBool => each(BitStringAsBool::ALL, choices, |all, one| {
-                all.bit_string_as_bool = one;
-            }),
-            StatedKey::MomentUnits => each(MomentUnits::ALL, choices, |all, one| all.moment_units = one),
-        };
-        all.into_iter().filter(|other| *other != choices).collect()
+/// Returns the basis of the statement of a choice, if the dialect makes it beside its documents.
+fn stated_by(key: &str, dialect: &'static Dialect) -> Option<&'static str> {
+    match key {
+        TRUNCATION_OUT_OF_RANGE => dialect
+            .basis(key)
+            .or_else(|| dialect.basis("conversions.out-of-range")),
+        _ => dialect.basis(key),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use crate::{expected, signatures};
-    use stickler_types::definition::ConversionOverrides;
-    use stickler_types::{Definition, DialectName, OutOfRange, Rounding, Stated, TextReading, Value};
+    use stickler_types::{Dialect, DialectName, Value};
 
-    fn stated<T>(value: T, basis: &str) -> Option<Stated<T>> {
-        Some(Stated {
-            value,
-            basis: Some(basis.to_owned()),
-        })
+    /// Defines a dialect that extends the third edition of IronPLC and makes choices.
+    fn define(name: &str, choices: &[(&str, &str)]) -> DialectName {
+        let start = Dialect::custom(name, DialectName::IRONPLC_ED3, "here");
+        let dialect = choices.iter().fold(start, |dialect, (key, value)| {
+            let basis = format!("{name}: {key}");
+            let stated = dialect.stating(&format!("conversions.{key}"), &format!("'{value}'"), &basis);
+            stated.expect("a choice")
+        });
+        DialectName::define(dialect).expect("a name of its own")
     }
 
     fn gives(function: &str, operand: &str, dialect: DialectName) -> (String, Option<&'static str>) {
@@ -232,14 +144,7 @@ mod tests {
 
     #[test]
     fn what_is_stated_is_expected_where_it_decides() {
-        let dialect = DialectName::define(Definition {
-            conversions: ConversionOverrides {
-                rounding: stated(Rounding::HalfToEven, "rounds: rounding"),
-                ..ConversionOverrides::default()
-            },
-            ..Definition::new("rounds", DialectName::IRONPLC_ED3, "here")
-        })
-        .unwrap();
+        let dialect = define("rounds", &[("rounding", "half-to-even")]);
         let rounding = Some("rounds: rounding");
         let documented = Some("ironplc-conversion-functions: Real to Integer");
         for (function, operand, value, basis) in [
@@ -267,15 +172,8 @@ mod tests {
 
     #[test]
     fn what_is_stated_settles_what_documents_leave_open() {
-        let dialect = DialectName::define(Definition {
-            conversions: ConversionOverrides {
-                out_of_range: stated(OutOfRange::Saturate, "saturates: out-of-range"),
-                text_reading: stated(TextReading::LeadingNumber, "saturates: text-reading"),
-                ..ConversionOverrides::default()
-            },
-            ..Definition::new("saturates", DialectName::IRONPLC_ED3, "here")
-        })
-        .unwrap();
+        let choices = [("out-of-range", "saturate"), ("text-reading", "leading-number")];
+        let dialect = define("saturates", &choices);
         let (outside, text) = (Some("saturates: out-of-range"), Some("saturates: text-reading"));
         for (function, operand, value, basis) in [
             ("REAL_TO_SINT", "REAL#300.0", "SINT#127", outside),

@@ -309,7 +309,7 @@ fn what_is_asserted_does_not_hang_on_open_choices() {
     ];
     for dialect in DialectName::ALL
         .into_iter()
-        .filter(|dialect| !dialect.statements().is_known_in_part)
+        .filter(|dialect| !dialect.rules().is_known_in_part)
     {
         let own = choices_of(dialect);
         // matiec documents what lies outside.

@@ -3,8 +3,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 use stickler_exact::implicit;
-use stickler_types::definition::{Definition, Flag, Stated};
-use stickler_types::{DialectName, ElementaryType, MatrixWord};
+use stickler_types::{Dialect, DialectName, ElementaryType, MatrixWord};
 
 /// The tables of elementary types, each in an assignment.
 const FILES: [&str; 17] = [
@@ -111,15 +110,9 @@ fn dialects(names: &toml::Value) -> Vec<DialectName> {
 
 /// Returns a dialect with cross-family widening on or off.
 fn variant(base: DialectName, on: bool) -> DialectName {
-    let mut definition = Definition::new(&format!("{base:?}-widens-{on}"), base, "here");
-    let basis = "a page".to_owned();
-    definition.flags.insert(
-        Flag::CrossFamilyWidening,
-        Stated {
-            value: on,
-            basis: Some(basis),
-        },
-    );
+    let definition = Dialect::custom(&format!("{base:?}-widens-{on}"), base, "here")
+        .stating("flags.allow-cross-family-widening", &on.to_string(), "a page")
+        .expect("a flag");
     DialectName::define(definition).expect("a name of its own")
 }
 

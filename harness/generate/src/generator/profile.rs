@@ -46,8 +46,7 @@ pub(super) struct DialectProfile {
 /// a system that is known in part computes is not evaluated.
 pub static DIALECTS: LazyLock<Vec<DialectName>> = LazyLock::new(|| {
     let all = DialectName::ALL.into_iter();
-    all.filter(|dialect| !dialect.statements().is_known_in_part)
-        .collect()
+    all.filter(|dialect| !dialect.rules().is_known_in_part).collect()
 });
 
 /// The profiles of the dialects that were asked for. They live as long as the process.
@@ -98,7 +97,7 @@ impl DialectProfile {
     /// Basis: iec-61131-3: 6.6.1 (formal calls); ironplc-problem-codes: P4018 speaks of the number of arguments and makes no
     /// difference for calls by names, and its compiler refuses them, so that it is open there.
     pub fn leaves_inputs_out(&self, open: bool) -> bool {
-        open || self.dialect.statements().documents.inputs_left_out
+        open || self.dialect.rules().documents.inputs_left_out
     }
 
     /// Returns whether a literal without its prefix stands for a value of a type in a context. Literals whose form
@@ -115,7 +114,7 @@ impl DialectProfile {
             Family::Character => false,
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match context {
-                _ if !self.dialect.statements().documents.untyped_literals => false,
+                _ if !self.dialect.rules().documents.untyped_literals => false,
                 TypeContext::Exact => false,
                 TypeContext::Initial | TypeContext::Operand => true,
                 _ => Dialect::of(self.dialect).integer_literal_as_bit_string,
@@ -174,8 +173,7 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 /// Basis: see [`has_type`]; that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
     let has = |ty: &ElementaryType| {
-        has_type(dialect, *ty)
-            && (*ty != ElementaryType::Wstring || dialect.statements().documents.wide_strings)
+        has_type(dialect, *ty) && (*ty != ElementaryType::Wstring || dialect.rules().documents.wide_strings)
     };
     ElementaryType::ALL.into_iter().filter(has).collect()
 }

@@ -50,7 +50,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
         _ => (DIALECT, data),
     };
     let (text, broken) = decode(bytes);
-    check_text(&text, &broken, &Dialect::of(name)).map_err(|failure| {
+    check_text(&text, &broken, Dialect::of(name)).map_err(|failure| {
         let message = format!("in the dialect {name}: {}", failure.message);
         OracleFailure { message, ..failure }.of_program(text.as_ref())
     })?;

@@ -179,7 +179,7 @@ mod tests {
 
     /// Returns the violation in the tree of [`TEXT`] after a change.
     fn wrong(change: impl FnOnce(&mut SourceUnit<'_>)) -> Option<String> {
-        let (mut unit, diagnostics) = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3));
+        let (mut unit, diagnostics) = parse(TEXT, Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, []);
         change(&mut unit);
         check_spans(&unit, TEXT, true).err()
@@ -188,7 +188,7 @@ mod tests {
     #[test]
     fn every_place_is_held_against_the_text_and_the_node_around_it() {
         assert_eq!(wrong(|_| {}), None);
-        let expressions = parse(TEXT, &Dialect::of(DialectName::IRONPLC_ED3))
+        let expressions = parse(TEXT, Dialect::of(DialectName::IRONPLC_ED3))
             .0
             .expressions
             .len();

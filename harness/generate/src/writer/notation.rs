@@ -53,7 +53,7 @@ impl SourceWriter<'_> {
     /// Basis: ironplc-type-conversions: Integer and Real Types ("bare integer literals"); no in matiec, open in PLCnext.
     fn takes_whole_reals(&self) -> bool {
         let dialect = self.program.dialect;
-        dialect.statements().documents.untyped_literals && Dialect::of(dialect).integer_literal_as_real
+        dialect.rules().documents.untyped_literals && Dialect::of(dialect).integer_literal_as_real
     }
 }
 

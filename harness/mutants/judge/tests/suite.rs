@@ -23,9 +23,8 @@ fn main() -> ExitCode {
 
 fn judge_all() -> Result<(), String> {
     let path = std::env::var_os("STICKLER_PREPARED").map(PathBuf::from);
-    let path = path.ok_or(
-        "this judge needs prepared cases: `cargo run -p stickler-mutants` prepares them and runs it",
-    )?;
+    let path =
+        path.ok_or("this judge needs prepared cases: `cargo xtask mutants` prepares them and runs it")?;
     let bytes = std::fs::read(&path).map_err(|error| format!("{}: {error}", path.display()))?;
     let cases = prepared::read(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
     if cases.is_empty() {

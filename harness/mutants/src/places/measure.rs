@@ -72,7 +72,7 @@ fn try_case(
     wanted: &impl Fn(&Saboteur) -> bool,
     tallies: &mut FxHashMap<Saboteur, Tally>,
 ) -> anyhow::Result<()> {
-    let analysis = Analysis::new(&case.source, &Dialect::of(case.dialect));
+    let analysis = Analysis::new(&case.source, Dialect::of(case.dialect));
     let sites = sites(&analysis, case.expectation.rendered.is_some());
     let saboteurs: BTreeSet<Saboteur> = sites.iter().flat_map(Saboteur::of).filter(wanted).collect();
     if saboteurs.is_empty() {

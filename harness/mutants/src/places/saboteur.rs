@@ -155,7 +155,7 @@ impl Session for SabotagedSession {
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let rendered = match self.sabotaged(source, &Dialect::of(dialect), true) {
+        let rendered = match self.sabotaged(source, Dialect::of(dialect), true) {
             Some(analysis) if !analysis.is_rejected() => Ok(stickler_syntax::render(&analysis.unit, source)),
             Some(analysis) if self.0.rule.refuses_rendering() => Err(located(analysis)),
             _ => reference::render(source, dialect),

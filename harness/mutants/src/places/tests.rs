@@ -132,7 +132,7 @@ fn the_places_of_a_program_that_is_put_together_are_those_of_its_case() {
         if passed.contains(&&*placement.target) || !seen.insert((**placement).clone()) {
             continue;
         }
-        let analysis = Analysis::new(&case.source, &Dialect::of(case.dialect));
+        let analysis = Analysis::new(&case.source, Dialect::of(case.dialect));
         let found = sites(&analysis, false).iter().any(|site| {
             let standing = site.standing;
             standing.source == Some(&placement.source)

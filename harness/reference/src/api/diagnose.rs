@@ -41,7 +41,7 @@ impl Checked {
 /// it. A text without a PROGRAM is acceptable.
 #[must_use]
 pub fn check(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
-    let checked = Checked::new(source, &Dialect::of(dialect));
+    let checked = Checked::new(source, Dialect::of(dialect));
     locate(checked.diagnostics, source, &checked.lines)
 }
 
@@ -58,7 +58,7 @@ pub fn errors(source: &str, dialect: DialectName) -> Vec<Diagnostic> {
 #[must_use]
 pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnostic>) {
     let (text, mut diagnostics) = decode(bytes);
-    let checked = Checked::new(&text, &Dialect::of(dialect));
+    let checked = Checked::new(&text, Dialect::of(dialect));
     diagnostics.extend(checked.diagnostics);
     let located = locate(diagnostics, &text, &checked.lines);
     (text.into_owned(), located)
@@ -68,7 +68,7 @@ pub fn check_bytes(bytes: &[u8], dialect: DialectName) -> (String, Vec<Diagnosti
 /// their declarations, at most `most` of them; none where the text is not acceptable or has nothing to run.
 #[must_use]
 pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String> {
-    let checked = Checked::new(source, &Dialect::of(dialect));
+    let checked = Checked::new(source, Dialect::of(dialect));
     let rejected = checked.is_rejected();
     checked
         .program

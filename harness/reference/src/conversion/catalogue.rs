@@ -262,7 +262,7 @@ fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction
         "FLOOR" => Rounding::Down,
         _ => return None,
     };
-    (!dialect.only_standard_rounding).then_some(ConversionFunction {
+    dialect.rounding_functions.then_some(ConversionFunction {
         parameter: any_real,
         result: ResultType::OfArgument,
         meaning: RuleLookup::Pair(dialect.conversions.with_rounding(rounding)),

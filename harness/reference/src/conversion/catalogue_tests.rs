@@ -12,7 +12,7 @@ use stickler_types::{
 };
 
 fn named(name: &str) -> Option<ConversionFunction> {
-    function(name, &Dialect::of(DialectName::IRONPLC_ED3))
+    function(name, Dialect::of(DialectName::IRONPLC_ED3))
 }
 
 fn exactly(name: &str) -> Option<(ElementaryType, ElementaryType)> {
@@ -114,7 +114,7 @@ fn bcd_functions_take_the_type_of_their_target() {
 #[test]
 fn rounding_functions_are_unknown_where_only_trunc_is_standard() {
     for name in ["ROUND", "CEIL", "CEILING", "FLOOR"] {
-        assert_eq!(function(name, &Dialect::of(DialectName::MATIEC)), None, "{name}");
+        assert_eq!(function(name, Dialect::of(DialectName::MATIEC)), None, "{name}");
         let found = named(name).expect(name);
         assert_eq!(
             (found.result_type(Real, None), found.result_type(Lreal, Some(Int))),
@@ -142,7 +142,7 @@ fn the_third_edition_s_types_bring_their_functions() {
 #[test]
 fn a_real_becomes_an_integer_as_the_dialect_has_it() {
     let convert = |dialect| {
-        let found = function("REAL_TO_INT", &Dialect::of(dialect)).expect("REAL_TO_INT");
+        let found = function("REAL_TO_INT", Dialect::of(dialect)).expect("REAL_TO_INT");
         found.conversion(Real, Int).apply(2.7_f32.to_bits().into())
     };
     assert_eq!(
@@ -178,7 +178,7 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
 fn chosen(conversions: ConversionChoices) -> Dialect {
     Dialect {
         conversions,
-        ..*Dialect::of(DialectName::MATIEC)
+        ..Dialect::of(DialectName::MATIEC).clone()
     }
 }
 

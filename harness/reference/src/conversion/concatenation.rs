@@ -69,7 +69,7 @@ mod tests {
     use stickler_types::{DialectName, Value};
 
     fn joined(name: &str, date: &str, time: &str) -> String {
-        let function = concatenation(name, &Dialect::of(DialectName::IRONPLC_ED3)).expect(name);
+        let function = concatenation(name, Dialect::of(DialectName::IRONPLC_ED3)).expect(name);
         let raw = |literal: &str| match Value::parse(literal) {
             Ok(Value::Plain { raw, .. }) => raw,
             other => panic!("{literal}: {other:?}"),
@@ -116,7 +116,7 @@ mod tests {
             }
         }
         assert_eq!(
-            concatenation("CONCAT", &Dialect::of(DialectName::IRONPLC_ED3)),
+            concatenation("CONCAT", Dialect::of(DialectName::IRONPLC_ED3)),
             None
         );
     }

@@ -4,7 +4,7 @@
 use super::concatenation::{CONCATENATIONS, concatenation};
 use super::{ConversionRule, function};
 use std::sync::LazyLock;
-use stickler_types::dialect::{DEFAULTS, Dialect};
+use stickler_types::Dialect;
 use stickler_types::{ConversionChoices, ElementaryType, MomentUnits};
 
 static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
@@ -36,7 +36,7 @@ fn of_pairs() -> Vec<String> {
     let mut names = Vec::new();
     let choices = ConversionChoices {
         moment_units: MomentUnits::Counts,
-        ..DEFAULTS.conversions
+        ..ConversionChoices::DEFAULT
     };
     for to in ElementaryType::ALL {
         names.push(format!("TO_{}", to.name()));
@@ -87,10 +87,10 @@ mod tests {
 
     #[test]
     fn every_name_is_a_function_and_stands_there_once() {
-        let all = functions(&Dialect::of(DialectName::CODESYS));
+        let all = functions(Dialect::of(DialectName::CODESYS));
         assert_eq!(all.len(), catalogue_names().len(), "this dialect has them all");
         assert_eq!(all.iter().collect::<HashSet<_>>().len(), all.len());
-        let matiec = functions(&Dialect::of(DialectName::MATIEC));
+        let matiec = functions(Dialect::of(DialectName::MATIEC));
         assert!(matiec.contains(&"TRUNC_INT") && !matiec.contains(&"ROUND"));
         assert!(
             !matiec

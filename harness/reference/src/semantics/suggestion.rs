@@ -100,7 +100,7 @@ impl<'m> Lowering<'m> {
 /// functions of the text whose names are near. `guesses` is how many more messages may look for some.
 fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String {
     let dialect = model.source.dialect;
-    if dialect.only_standard_rounding
+    if !dialect.rounding_functions
         && let Some(idiom) = rounding_idiom(name)
     {
         return idiom.to_owned();

@@ -1,42 +1,40 @@
 //! Dialects that override rules of another one.
 
-use std::collections::BTreeMap;
-use stickler_types::definition::ConversionOverrides;
-use stickler_types::definition::Flag;
 use stickler_types::dialect::{PartialAccess, ThirdEditionTypes};
-use stickler_types::{
-    Definition, Dialect, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding, Stated,
-};
+use stickler_types::{Dialect, DialectName, ElementaryType, MatrixWord, OutOfRange, RealText, Rounding};
 
 #[test]
 fn a_definition_overrides_its_base_and_nothing_else() {
-    fn stated<T>(value: T) -> Stated<T> {
-        Stated {
-            value,
-            basis: Some("mine: test".to_owned()),
-        }
-    }
-    let flags = Flag::ALL
-        .iter()
-        .map(|flag| (*flag, stated(*flag == Flag::LineComments)));
-    let pair = |from, to, cell| ((from, to), stated(cell));
-    let name = DialectName::define(Definition {
-        implicit: BTreeMap::from([
-            pair(ElementaryType::Int, ElementaryType::Bool, MatrixWord::Yes),
-            pair(ElementaryType::Sint, ElementaryType::Int, MatrixWord::No),
-            pair(ElementaryType::Bool, ElementaryType::Int, MatrixWord::Open),
-        ]),
-        flags: flags.collect(),
-        conversions: ConversionOverrides {
-            rounding: Some(stated(Rounding::HalfAwayFromZero)),
-            out_of_range: Some(stated(OutOfRange::Saturate)),
-            ..ConversionOverrides::default()
-        },
-        ..Definition::new("reference-overrides", DialectName::IRONPLC_ED3, "here")
-    })
-    .expect("the name is free");
+    let stated =
+        |dialect: Dialect, (key, value): (&str, &str)| dialect.stating(key, value, "mine: test").expect(key);
+    let mine = [
+        ("flags.line-comments", "true"),
+        ("flags.nested-comments", "false"),
+        ("flags.bit-access", "false"),
+        ("flags.rounding-functions", "false"),
+        ("flags.integer-literal-as-real", "false"),
+        ("flags.third-edition-types", "false"),
+        ("flags.allow-partial-access-syntax", "false"),
+        ("conversions.rounding", "'half-away-from-zero'"),
+        ("conversions.out-of-range", "'saturate'"),
+    ]
+    .into_iter()
+    .fold(
+        Dialect::custom("reference-overrides", DialectName::IRONPLC_ED3, "here"),
+        stated,
+    );
+    let mine = [
+        ((ElementaryType::Int, ElementaryType::Bool), MatrixWord::Yes),
+        ((ElementaryType::Sint, ElementaryType::Int), MatrixWord::No),
+        ((ElementaryType::Bool, ElementaryType::Int), MatrixWord::Open),
+    ]
+    .into_iter()
+    .fold(mine, |mine, (pair, word)| {
+        mine.stating_cell(pair, word, "mine: test")
+    });
+    let name = DialectName::define(mine).expect("the name is free");
     let mine = Dialect::of(name);
-    assert!(mine.line_comments && !mine.nested_comments && !mine.bit_access && mine.only_standard_rounding);
+    assert!(mine.line_comments && !mine.nested_comments && !mine.bit_access && !mine.rounding_functions);
     assert!(!mine.integer_literal_as_real && mine.third_edition_types == ThirdEditionTypes::None);
     assert_eq!(mine.partial_access, PartialAccess::Disabled);
     assert_eq!(mine.conversions.rounding, Rounding::HalfAwayFromZero);

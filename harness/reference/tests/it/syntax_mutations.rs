@@ -202,9 +202,9 @@ fn without_places(tree: &str) -> String {
 fn the_samples_are_accepted_and_keep_their_trees() {
     for sample in SAMPLES {
         for dialect in [DialectName::IRONPLC_RUSTY, DialectName::PLCNEXT] {
-            let (_, diagnostics) = parse(sample, &Dialect::of(dialect));
+            let (_, diagnostics) = parse(sample, Dialect::of(dialect));
             assert_eq!(diagnostics, [], "{sample}");
-            assert!(hold(sample, &Dialect::of(dialect)));
+            assert!(hold(sample, Dialect::of(dialect)));
         }
     }
 }
@@ -220,7 +220,7 @@ fn damaged_tokens_are_diagnosed() {
         }
         accepted += usize::from(hold(
             &text,
-            &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
+            Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
         ));
     }
     assert!(
@@ -238,7 +238,7 @@ fn damaged_bytes_are_diagnosed() {
         assert_eq!(diagnostics.is_empty(), std::str::from_utf8(&bytes).is_ok());
         hold(
             &text,
-            &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
+            Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
         );
     }
 }
@@ -254,7 +254,7 @@ fn shuffled_pieces_are_diagnosed() {
         }
         hold(
             &text,
-            &Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
+            Dialect::of(DialectName::ALL[round % DialectName::ALL.len()]),
         );
     }
 }
@@ -301,7 +301,7 @@ fn hostile_texts_need_little_stack() {
     .collect();
     let work = move || {
         for text in &deep {
-            hold(text, &Dialect::of(DialectName::PLCNEXT));
+            hold(text, Dialect::of(DialectName::PLCNEXT));
         }
     };
     let thread = std::thread::Builder::new()

@@ -1,6 +1,7 @@
 //! Writes a comparison on the terminal: what is worse, case by case; all else in numbers; and one line with the result.
 
 use super::{Change, ComparedTexts, Comparison, Kind, UnmatchedCase};
+use crate::engine;
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
@@ -66,8 +67,7 @@ fn write_runs(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {
 }
 
 fn version(header: &Header, name: &str) -> String {
-    let engine = header.engines.iter().find(|engine| engine.name == name);
-    let version = engine.map_or("", |engine| engine.version.as_str());
+    let version = engine::named(&header.engines, name).map_or("", |engine| engine.version.as_str());
     visible(format!("{name} {version}").trim_end())
 }
 

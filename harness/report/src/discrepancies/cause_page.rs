@@ -1,15 +1,16 @@
 //! Writes the page of a cause, and its line in the list of an engine's pages.
 
+use super::Discrepancy;
 use super::page::{block, called, expected_and_got, not_compared, without_agreeing};
 use crate::basis::Basis;
 use crate::markdown::{code, inline, linked};
 use crate::overview::Overview;
-use crate::text::visible;
+use crate::text::{noted, visible};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
-    Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats, Reproducer,
-    SourceHeader,
+    CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
+    Reproducer, SourceHeader,
 };
 use stickler_types::{counted, grouped};
 
@@ -56,9 +57,9 @@ impl ApartWords {
     }
 
     /// Returns the sentence that leads from the list of an engine's causes to the list in the folder.
-    pub(super) fn link(&self, folder: &str, causes: &[&Cause]) -> String {
+    pub(super) fn link(&self, folder: &str, causes: &[&Discrepancy]) -> String {
         let pages = counted(causes.len() as u64, "more page is", "more pages are");
-        let cases: u64 = causes.iter().map(|cause| cause.number()).sum();
+        let cases: u64 = causes.iter().map(|(cause, _)| cause.number()).sum();
         let cases = counted(cases, "case", "cases");
         format!(
             "\n{pages} in [`{folder}`]({folder}/README.md), for {cases}: {}\n",
@@ -67,19 +68,28 @@ impl ApartWords {
     }
 }
 
-/// Returns the beginning of the list of an engine's causes. `unexplained` is the number of failing cases that belong to none.
-pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: usize, unexplained: u64) -> String {
+/// The words about pages of causes, behind their number.
+pub(super) const OF_CAUSES: &str = "one for each cause: what one mend would probably put right. The smallest program of each was found by asking the compiler. A \
+                                    page is ready to be sent to those who write the compiler, once somebody has read it.";
+
+/// The words about pages of clusters, behind their number.
+pub(super) const OF_CLUSTERS: &str = "each about the cases of one file and claim with one symptom, so most probably with one cause. Each is ready to be sent to \
+                                      those who write the compiler, once somebody has read it.";
+
+/// Returns the beginning of the list of an engine's pages. `unexplained` is the number of failing cases that belong to none.
+pub(super) fn index(
+    name: &str,
+    about: Option<&EngineHeader>,
+    (causes, words): (usize, &str),
+    unexplained: u64,
+) -> String {
     let mut text = format!(
         "# What {} does otherwise than documents say\n\n",
         called(name, about)
     );
     let pages = counted(causes as u64, "page", "pages");
     // Writing to a String cannot fail.
-    let _ = write!(
-        text,
-        "{pages}, one for each cause: what one mend would probably put right. The smallest program of each was found by asking \
-         the compiler. A page is ready to be sent to those who write the compiler, once somebody has read it.\n\n"
-    );
+    let _ = write!(text, "{pages}, {words}\n\n");
     if unexplained > 0 {
         let cases = counted(unexplained, "case", "cases");
         let _ = write!(
@@ -91,12 +101,12 @@ pub(super) fn index(name: &str, about: Option<&EngineHeader>, causes: usize, une
 }
 
 /// Returns the table of pages.
-pub(super) fn list(causes: &[&Cause]) -> String {
+pub(super) fn list(causes: &[&Discrepancy]) -> String {
     if causes.is_empty() {
         return String::new();
     }
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
-    for (cause, number) in causes.iter().zip(1..) {
+    for ((cause, _), number) in causes.iter().zip(1..) {
         let (cases, title) = (cause.number(), titled(cause));
         let _ = writeln!(
             text,
@@ -129,10 +139,18 @@ pub(super) fn file(number: usize, cause: &Cause) -> String {
     format!("{number:02}-{}.md", name.trim_end_matches('-'))
 }
 
-/// Returns the page of a cause.
-pub(crate) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, overview: &Overview) -> String {
+/// Returns the page of a cause. Of a cluster, `case` is the case with the smallest program, which was not changed.
+pub(crate) fn page(
+    name: &str,
+    about: Option<&EngineHeader>,
+    (cause, case): (&Cause, Option<&CaseEvent>),
+    overview: &Overview,
+) -> String {
     let shown = &cause.shown;
     let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
+    if let Some(case) = case {
+        let _ = write!(text, "{}.\n\n", inline(&case.title));
+    }
     reproduction(&mut text, about, shown);
     let by = match shown.is_derived {
         // The claim says nothing of a program that does something else.
@@ -151,6 +169,9 @@ pub(crate) fn page(name: &str, about: Option<&EngineHeader>, cause: &Cause, over
     }
     second(&mut text, cause);
     cases(&mut text, cause);
+    if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
+        let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
+    }
     let rerun = about.map(|about| about.rerun(&shown.case, &shown.dialect));
     let _ = write!(text, "Found by Stickler, in its dialect `{}`", shown.dialect);
     let _ = match rerun.filter(|rerun| !rerun.is_empty()) {

@@ -1,88 +1,11 @@
-//! Writes the page of a cluster, and the list of an engine's pages.
+//! The parts of a page about an engine: its name, blocks of code, and what was expected beside what came.
 
-use super::{Cluster, ClusterKey};
 use crate::basis::Basis;
-use crate::engine;
-use crate::markdown::{code, fence, inline};
-use crate::text::{noted, visible};
+use crate::markdown::{fence, inline};
+use crate::text::visible;
 use std::fmt::Write;
-use stickler_run::{EngineHeader, Fact, Grade, PROGRAM};
-use stickler_types::{counted, grouped};
-
-/// Returns the beginning of the list of an engine's pages.
-pub(super) fn index(name: &str, about: Option<&EngineHeader>, pages: usize, left_out: u64) -> String {
-    let mut text = format!(
-        "# What {} does otherwise than documents say\n\n",
-        called(name, about)
-    );
-    let pages = counted(pages as u64, "page", "pages");
-    // Writing to a String cannot fail.
-    let _ = write!(
-        text,
-        "{pages}, each about the cases of one file and claim with one symptom, so most probably with one cause. Each is ready \
-         to be sent to those who write the compiler, once somebody has read it.\n\n"
-    );
-    if left_out > 0 {
-        let cases = counted(left_out, "case", "cases");
-        let _ = write!(
-            text,
-            "No page has room for {cases} of other kinds; `events.jsonl` has them.\n\n"
-        );
-    }
-    text.push_str("| cases | page | claim |\n|--:|---|---|\n");
-    text
-}
-
-/// Returns the line for one page in the list of pages.
-pub(super) fn entry(file: &str, key: &ClusterKey, cluster: &Cluster) -> String {
-    format!(
-        "| {} | [{}: {}]({file}) | {} |\n",
-        cluster.number(),
-        inline(&key.file),
-        inline(&key.symptom.to_string()),
-        inline(&key.basis)
-    )
-}
-
-/// Returns the page of a cluster.
-pub(super) fn page(name: &str, about: Option<&EngineHeader>, key: &ClusterKey, cluster: &Cluster) -> String {
-    let case = &cluster.smallest;
-    let mut text = format!(
-        "# {}: {}\n\n{}.\n\n",
-        called(name, about),
-        inline(&key.symptom.to_string()),
-        inline(&case.title)
-    );
-    let program = case.program.as_deref().map(visible).unwrap_or_default();
-    block(
-        &mut text,
-        &format!("Save this as `{PROGRAM}`:"),
-        "iecst",
-        &program,
-    );
-    let command = about.and_then(|about| about.commands.get(&case.dialect));
-    match command {
-        Some(command) => block(&mut text, "and run", "sh", command),
-        None => text.push_str("and give it to the compiler.\n\n"),
-    }
-    let by = format!("Expected, by *{}*:", inline(&case.basis));
-    expected_and_got(&mut text, &by, (&case.basis, &case.expected, &case.got));
-    let _ = write!(text, "Lines are those of `{PROGRAM}`. ");
-    if key.symptom.is_of_a_rejection() {
-        text.push_str(not_compared(about.map_or(Grade::Code, |about| about.strict)));
-    }
-    others(&mut text, cluster);
-    if let Some(note) = &case.baseline {
-        let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
-    }
-    let _ = writeln!(
-        text,
-        "Found by Stickler, in its dialect `{}`: {}",
-        case.dialect,
-        code(&engine::rerun(about, case))
-    );
-    text
-}
+use stickler_run::{EngineHeader, Fact, Grade};
+use stickler_types::counted;
 
 /// Adds the expected and the actual facts; `by` stands before the expected ones. Of a compiler that crashes, a rule of Stickler demands
 /// no more than an answer.
@@ -133,20 +56,6 @@ pub(super) const fn not_compared(strict: Grade) -> &'static str {
         Grade::Line => "Codes are Stickler's own and were not compared, only lines. ",
         Grade::Rejected => "Codes are Stickler's own; neither they nor lines were compared. ",
     }
-}
-
-/// Adds the number of cases in the cluster, and their probes and dialects.
-fn others(text: &mut String, cluster: &Cluster) {
-    let number = cluster.number();
-    if number == 1 {
-        text.push_str("One case shows this.\n\n");
-        return;
-    }
-    let _ = write!(text, "{} cases show this:\n\n", grouped(number));
-    for ((probe, dialect), cases) in &cluster.cases {
-        let _ = writeln!(text, "- {cases} of {} in {}", code(probe), inline(dialect));
-    }
-    text.push('\n');
 }
 
 pub(super) fn called(name: &str, about: Option<&EngineHeader>) -> String {

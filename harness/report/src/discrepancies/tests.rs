@@ -1,7 +1,6 @@
 //! Tests of the pages of a small run.
 
 use super::Discrepancies;
-use crate::overview::Overview;
 use crate::sample::{self, error, names, reported, value};
 use std::fs;
 use std::path::Path;
@@ -20,12 +19,8 @@ fn failing(id: &str, program: &str, got: Fact) -> CaseEvent {
 
 fn write(folder: &Path, events: &[Event]) {
     let mut pages = Discrepancies::create(folder).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        pages.take(event);
-        overview.take(event);
-    }
-    pages.finish(&overview).expect("pages");
+    events.iter().for_each(|event| pages.take(event));
+    pages.finish(&sample::overview(events)).expect("pages");
 }
 
 #[test]
@@ -49,8 +44,8 @@ fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
     write(folder.path(), &sample::run_of(cases));
     let engine = folder.path().join("discrepancies/reference");
     let expected = [
-        "01-widening-t-value.md",
-        "02-widening-t-rejected-P4035.md",
+        "01-widening-t-it-computes-another-value.md",
+        "02-widening-t-it-rejects-what-must-be-accepted-P4035.md",
         "README.md",
     ];
     assert_eq!(names(&engine), expected);
@@ -58,7 +53,7 @@ fn cases_of_one_file_and_symptom_share_a_page_with_their_smallest_program() {
     assert_eq!(
         page,
         "\
-# reference 0.1.0: it computes another value
+# reference 0.1.0: widening/t: it computes another value
 
 SINT widens to INT.
 
@@ -86,17 +81,21 @@ Got:
 into = INT#2
 ```
 
-Lines are those of `program.st`. 3 cases show this:
+3 cases show this:
 
-- 2 of `` widening/t::a `` in ironplc-ed2
-- 1 of `` widening/t::b `` in ironplc-ed2
+| cases | probe | dialect |
+|--:|---|---|
+| 2 | `` widening/t::a `` | ironplc-ed2 |
+| 1 | `` widening/t::b `` | ironplc-ed2 |
 
-Found by Stickler, in its dialect `ironplc-ed2`: `` stickler run --filter 'widening/t::a(2)@ironplc-ed2' ``
+Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickler run --filter 'widening/t::a(2)@ironplc-ed2' ``
 "
     );
     let index = fs::read_to_string(engine.join("README.md")).expect("the list");
     assert!(
-        index.contains("\n| 3 | [widening/t: it computes another value](01-widening-t-value.md) |"),
+        index.contains(
+            "\n| 3 | [widening/t: it computes another value](01-widening-t-it-computes-another-value.md) |"
+        ),
         "{index}"
     );
 }
@@ -113,7 +112,7 @@ fn of_many_values_only_those_that_differ_are_shown() {
     write(folder.path(), &sample::run_of(vec![case]));
     let page = folder
         .path()
-        .join("discrepancies/reference/01-widening-t-value.md");
+        .join("discrepancies/reference/01-widening-t-it-computes-another-value.md");
     let page = fs::read_to_string(page).expect("a page");
     let end = "```\nc = INT#3\n```\n\nGot:\n\n```\nc = INT#4\n```\n\n2 other values are as expected.\n";
     assert!(page.contains(end), "{page}");
@@ -170,17 +169,15 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
         ..failing("t::a", "PROGRAM m\nEND_PROGRAM\n", reported(1, "", "no sum"))
     };
     let mut run = sample::run_of(vec![case]);
-    if let Event::Header(header) = &mut run[0] {
-        header.engines[0].strict = Grade::Line;
-    }
+    sample::header(&mut run).engines[0].strict = Grade::Line;
     write(folder.path(), &run);
     let page = folder
         .path()
-        .join("discrepancies/reference/01-widening-t-incomplete-P4049.md");
+        .join("discrepancies/reference/01-widening-t-it-does-not-report-every-mistake-P4049-is-missing.md");
     let page = fs::read_to_string(page).expect("a page");
     for part in [
-        "# reference 0.1.0: it does not report every mistake (P4049 is missing)\n",
-        "Codes are Stickler's own and were not compared, only lines. One case shows this.",
+        "# reference 0.1.0: widening/t: it does not report every mistake (P4049 is missing)\n",
+        "Codes are Stickler's own and were not compared, only lines.\n\n1 case shows this:",
     ] {
         assert!(page.contains(part), "{part}\n{page}");
     }
@@ -190,8 +187,7 @@ fn a_rejection_is_held_to_as_much_as_was_compared_and_the_page_says_to_what() {
 fn a_cause_has_a_page_that_stands_for_itself() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let failing = |id| failing(id, "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
-    let mut run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
-    let footer = run.pop().expect("a footer");
+    let run = sample::run_of(vec![failing("t::a(1)"), failing("t::a(2)"), failing("u::a(1)")]);
     let mut cause = sample::cause("`into := from` gives 128", 2, Verdict::Fail);
     let outcome = |got, runs| RepeatedOutcome { got: vec![got], runs };
     cause.flaky = Some(Repeats {
@@ -213,8 +209,8 @@ fn a_cause_has_a_page_that_stands_for_itself() {
         verdict: Verdict::Fail,
         cases: 1,
     });
-    run.extend([Event::Cause(cause), footer]);
-    write(folder.path(), &sample::with_sources(run));
+    let run = sample::with_causes(sample::with_sources(run), [cause]);
+    write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
     assert_eq!(names(&engine), ["01-into-from-gives-128.md", "README.md"]);
     let page = fs::read_to_string(engine.join("01-into-from-gives-128.md")).expect("a page");
@@ -282,13 +278,14 @@ Found by Stickler, in its dialect `ironplc-ed2`; a case that shows it: `` stickl
 fn causes_that_contradict_nothing_that_binds_the_engine_or_are_not_small_have_folders_of_their_own() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", value("into", "INT#1"));
-    let mut run = sample::run_of(vec![case.clone(), case]);
-    let footer = run.pop().expect("a footer");
-    let causes = [("fails", Verdict::Fail), ("differs", Verdict::Differs)];
-    run.extend(causes.map(|(title, verdict)| Event::Cause(sample::cause(title, 1, verdict))));
     let mut unreduced = sample::cause("large", 3, Verdict::Fail);
     unreduced.reduction = Reduced::Partly;
-    run.extend([Event::Cause(unreduced), footer]);
+    let causes = [
+        sample::cause("fails", 1, Verdict::Fail),
+        sample::cause("differs", 1, Verdict::Differs),
+        unreduced,
+    ];
+    let run = sample::with_causes(sample::run_of(vec![case.clone(), case]), causes);
     write(folder.path(), &run);
     let engine = folder.path().join("discrepancies/reference");
     assert_eq!(
@@ -332,8 +329,7 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
         basis: "rule: not-stated".to_owned(),
         ..failing("t::a(1)", "PROGRAM m END_PROGRAM\n", Fact::Crashed { reason })
     };
-    let mut run = sample::run_of(vec![crashing.clone()]);
-    let footer = run.pop().expect("a footer");
+    let run = sample::run_of(vec![crashing.clone()]);
     let mut cause = sample::cause("it crashes", 1, Verdict::Crash);
     let lines: Vec<String> = (1..=43).map(|line| format!("line {line}")).collect();
     cause.shown = Reproducer {
@@ -351,8 +347,7 @@ fn of_a_crash_a_rule_demands_an_answer_and_what_the_commands_print_is_shown() {
         printed: lines.join("\n"),
         ..cause.shown
     };
-    run.extend([Event::Cause(cause), footer]);
-    write(folder.path(), &run);
+    write(folder.path(), &sample::with_causes(run, [cause]));
     let page = folder.path().join("discrepancies/reference/01-it-crashes.md");
     let page = fs::read_to_string(page).expect("a page");
     for part in [
@@ -374,12 +369,10 @@ fn of_what_is_not_implemented_the_page_that_lists_it_is_named() {
             promised_by: None,
         };
         let case = failing("t::a(1)", "PROGRAM m END_PROGRAM\n", lacking);
-        let mut run = sample::with_sources(sample::run_of(vec![case.clone()]));
-        let footer = run.pop().expect("a footer");
+        let run = sample::with_sources(sample::run_of(vec![case.clone()]));
         let mut cause = sample::cause("lacks", 1, Verdict::Fail);
         cause.shown.got = case.got;
-        run.extend([Event::Cause(cause), footer]);
-        write(folder.path(), &run);
+        write(folder.path(), &sample::with_causes(run, [cause]));
         fs::read_to_string(folder.path().join("discrepancies/reference/01-lacks.md")).expect("a page")
     };
     let text = page("P9999: not yet");

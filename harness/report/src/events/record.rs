@@ -6,10 +6,25 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, Observed, Verdict};
 
+/// A line of an event log. Readers ignore keys that they do not know.
+#[cfg(test)]
+#[derive(schemars::JsonSchema)]
+#[schemars(untagged)]
+#[expect(
+    dead_code,
+    reason = "each kind of line is written by itself; only the schema is made of this type"
+)]
+pub(crate) enum LogLine<'r> {
+    Run(RunLine<'r>),
+    Passed(PassedLine<'r>),
+    Case(CaseObject<'r>),
+}
+
 /// A line that is not about a case, to be written.
 #[derive(Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(tag = "type", rename_all = "lowercase")]
-pub(super) enum RunLine<'r> {
+pub(crate) enum RunLine<'r> {
     /// The first line.
     Header(&'r Header),
     /// The common properties of the cases of a group, before the first of them.
@@ -22,32 +37,46 @@ pub(super) enum RunLine<'r> {
 
 /// A group and the number by which the lines of its cases name it.
 #[derive(Serialize, Deserialize)]
-pub(super) struct GroupLine<'r> {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub(crate) struct GroupLine<'r> {
+    /// The number of the group, from 0.
     number: GroupNumber,
+    /// The common properties.
     group: Cow<'r, Group>,
 }
 
 /// An object about a case. Properties that it leaves out are empty or unknown.
 #[derive(Serialize, Deserialize)]
-pub(super) struct CaseObject<'r> {
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub(crate) struct CaseObject<'r> {
+    /// The verdict.
     #[serde(rename = "type")]
     verdict: Verdict,
+    /// The number of the group.
     group: GroupNumber,
     /// The arguments of the probe in the id of the case.
     #[serde(default, skip_serializing_if = "str::is_empty")]
     case: Cow<'r, str>,
+    /// The time that the engine took, in microseconds.
     duration_us: u64,
+    /// The fingerprint of the expectation.
     expects: u32,
+    /// The line of the case in the case file, from 1.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     line: Option<u32>,
+    /// The expected facts.
     #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
     expected: Cow<'r, [Fact]>,
+    /// The actual facts, side by side with the expected ones.
     #[serde(default, skip_serializing_if = "<[Fact]>::is_empty")]
     got: Cow<'r, [Fact]>,
+    /// The observations of the case.
     #[serde(default, skip_serializing_if = "<[Observed]>::is_empty")]
     observations: Cow<'r, [Observed]>,
+    /// The whole program, where the engine did not meet the expectation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     program: Option<Cow<'r, str>>,
+    /// The note of the engine's baseline on the case.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     baseline: Option<Cow<'r, BaselineNote>>,
 }
@@ -55,7 +84,8 @@ pub(super) struct CaseObject<'r> {
 /// An array about a case that passed and has nothing more to tell: its group, the arguments of the probe in its id, its
 /// duration in microseconds, and the fingerprint of its expectation. Nearly all lines of a log are such arrays.
 #[derive(Serialize, Deserialize)]
-pub(super) struct PassedLine<'r>(GroupNumber, Cow<'r, str>, u64, u32);
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub(crate) struct PassedLine<'r>(GroupNumber, Cow<'r, str>, u64, u32);
 
 impl<'r> PassedLine<'r> {
     /// Returns the line of a case; `None` where an array does not hold all that is known of it.

@@ -172,9 +172,7 @@ fn the_claims_come_first_and_a_suite_is_an_engine_a_dialect_and_an_area() {
 #[test]
 fn a_broken_case_file_is_an_error() {
     let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
-    if let Event::Header(header) = &mut events[0] {
-        header.broken_files = vec!["a.st:1: `colour`: unknown key".to_owned()];
-    }
+    sample::header(&mut events).broken_files = vec!["a.st:1: `colour`: unknown key".to_owned()];
     let report = document_of(&events);
     assert_eq!((report.tests, report.errors), (3, 1));
     assert_eq!(

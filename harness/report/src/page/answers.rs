@@ -4,14 +4,14 @@ use crate::answers::{answer_of, shortened};
 use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::implicit::TypePair;
-use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers};
+use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers, Statements};
 use stickler_conversions::recording::extreme;
 use stickler_run::CaseEvent;
 use stickler_types::{RecordingOrigin, WordTable};
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]
-pub(super) struct PageAnswers {
+pub(crate) struct PageAnswers {
     words: WordTable,
     columns: Vec<AnswerColumn>,
     /// The index of the column of an engine and a dialect, by the numbers of their words.
@@ -79,7 +79,7 @@ impl EngineAnswer {
 
 impl PageAnswers {
     /// Adds the answer of a case to a question. `number` is that of the case among those that did not pass.
-    pub(super) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
+    pub(crate) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
         let Some(answer) = answer_of(case) else {
             return;
         };
@@ -100,8 +100,16 @@ impl PageAnswers {
         *known = answer.max(*known);
     }
 
+    /// Adds the answers of the recorded compilers that are none of these engines: what an engine answers now is worth more than what
+    /// it answered once.
+    pub(crate) fn add_recordings(&mut self, statements: &Statements, engines: &[&str]) {
+        let ran = |recorded: &&RecordedAnswers| engines.iter().any(|engine| recorded.is_of(engine));
+        let others = statements.recorded().iter().filter(|recorded| !ran(recorded));
+        others.for_each(|recorded| self.add_recorded(recorded));
+    }
+
     /// Adds the answers of a recorded compiler in a dialect.
-    pub(super) fn add_recorded(&mut self, recorded: &RecordedAnswers) {
+    fn add_recorded(&mut self, recorded: &RecordedAnswers) {
         let RecordingOrigin { product, version, .. } = &recorded.origin;
         let words = &mut self.words;
         let answers = recorded.answers.iter();

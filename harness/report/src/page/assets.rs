@@ -4,7 +4,7 @@
 pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// The scripts. Each file declares functions; the last one runs them.
-pub(super) const SCRIPTS: [&str; 14] = [
+pub(super) const SCRIPTS: [&str; 15] = [
     include_str!("dom.js"),
     include_str!("address.js"),
     include_str!("data.js"),
@@ -18,6 +18,7 @@ pub(super) const SCRIPTS: [&str; 14] = [
     include_str!("causes.js"),
     include_str!("cases.js"),
     include_str!("observations.js"),
+    include_str!("site.js"),
     include_str!("main.js"),
 ];
 

@@ -40,7 +40,7 @@ function strip(data, type, title, bits, shown) {
       el("thead", {}, el("tr", {}, el("td", {}), shown.map((one) => el(`th${isOutside(one) ? ".outside" : ""}`, { scope: "col" }, el("span", {}, String(one.index)))))),
       el("tbody", {}, names.map(({ name, index }) => el("tr", {}, el("th", { scope: "row" }, name), shown.map((one) => {
         const cell = statedCell(data, data.columns.filter((column) => column.dialect === name), one.stated[index], one.number,
-          `${type}: ${title.replace("n", one.index)} in ${name}`, addressOf("cases", { dialect: name, area: "bit-access", q: `(${type},${one.index}` }));
+          `${type}: ${title.replace("n", one.index)} in ${name}`, hasCases() ? addressOf("cases", { dialect: name, area: "bit-access", q: `(${type},${one.index}` }) : null);
         if (isOutside(one)) cell.classList.add("outside");
         return cell;
       })))))));

@@ -41,7 +41,7 @@ pub(super) const OPTIONS: [&str; 10] = [
 const ENDING: [&str; 2] = ["--timeout=60000", "--virtual-time-budget=5000"];
 
 /// Returns a browser; prints why the tests are skipped where there is none.
-pub(super) fn browser() -> Option<PathBuf> {
+pub(crate) fn browser() -> Option<PathBuf> {
     let named = env::var_os(VARIABLE).map(PathBuf::from);
     let paths = env::var_os("PATH").unwrap_or_default();
     let installed = || {
@@ -60,7 +60,7 @@ pub(super) fn browser() -> Option<PathBuf> {
 }
 
 /// Runs the browser on an address of the page; returns what it prints. Fails where a script complains.
-fn open(browser: &Path, page: &Path, address: &str, option: &str) -> String {
+pub(crate) fn open(browser: &Path, page: &Path, address: &str, option: &str) -> String {
     let profile = tempfile::tempdir().expect("a temporary folder");
     let output = Command::new(browser)
         .args(OPTIONS)
@@ -195,16 +195,15 @@ pub(super) fn write(folder: &Path) -> PathBuf {
         ),
         sample::case("b::write(BYTE,8)", Verdict::Pass),
     ]));
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
-            .map(String::from)
-            .to_vec();
-        header.sources.push(SourceHeader {
-            key: "builds".to_owned(),
-            kind: "recording".to_owned(),
-            ..header.sources[0].clone()
-        });
-    }
+    let header = sample::header(&mut events);
+    header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
+        .map(String::from)
+        .to_vec();
+    header.sources.push(SourceHeader {
+        key: "builds".to_owned(),
+        kind: "recording".to_owned(),
+        ..header.sources[0].clone()
+    });
     let footer = events.pop().expect("a footer");
     events.push(Event::Cause(sample::cause(
         "`into := data` gives 3",

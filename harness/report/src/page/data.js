@@ -16,6 +16,11 @@ function run() {
   return dataOf("run");
 }
 
+/** Returns whether the page has the cases of a run; that of a site has the conversions of several runs alone. */
+function hasCases() {
+  return document.getElementById("data-cases") !== null;
+}
+
 /** Returns the names of the engines, in the order of the run. */
 function engineNames() {
   return run().header.engines.map((engine) => engine.name);

@@ -143,7 +143,7 @@ function implicitTable(data, from, to) {
   const heads = ["dialect", "documents", ...engineNames(), ...(recorded.length === 0 ? [] : ["recorded compilers"])];
   return el("div", {}, table(`Implicit conversion of ${from} to ${to}`, heads, rows),
     unasked.length > 0 ? el("p.dim", {}, `No case asks in ${unasked.join(", ")}.`) : null,
-    el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")));
+    hasCases() ? el("p", {}, link(addressOf("cases", { q: `(${from},${to}` }), "Cases of this pair that did not pass")) : null);
 }
 
 /** Returns what recorded compilers answer to a comparison of the two types, or null where none was asked. */
@@ -273,7 +273,7 @@ function valueTable(title, one, rows, columns, wanted) {
     if (known.state === "recorded") return el("td.number", { title: "recorded: no document says what must come" }, bare(known.text));
     return el("td.number", {}, answerTag(bare(known.text), true, known.number));
   };
-  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, column.origin, column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
+  const heads = (shown) => shown.map((column) => el("th.number", { scope: "col" }, originLink(column.origin, one.name), column.when === "" ? null : el("div.dim", {}, column.when), dialectNames(column.dialects).map((name) => el("div.dim", { title: column.dialects.join(", ") }, name))));
   const grid = el("table.values", {});
   const list = el("ul.notes", {});
   const show = (indices) => {

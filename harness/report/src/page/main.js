@@ -2,16 +2,17 @@
 
 /** The parts of the page, in their order, each with the function that shows it. A part without a label has no entry of its own. */
 const VIEWS = [
+  { name: "functions", label: "Functions", show: showFunctions, of: "site" },
   { name: "explorer", label: "Conversions", show: showExplorer },
   { name: "convert", label: null, current: "explorer", show: showExplorer },
   { name: "matrix", label: "Matrices", show: showMatrices },
   { name: "bits", label: "Bits", show: showBits },
-  { name: "claims", label: "Claims", show: showClaims },
-  { name: "causes", label: "Causes", show: showCauses },
-  { name: "cases", label: "Cases", show: showCases },
-  { name: "case", label: null, current: "cases", show: showCase },
-  { name: "observations", label: "Observations", show: showObservations },
-];
+  { name: "claims", label: "Claims", show: showClaims, of: "run" },
+  { name: "causes", label: "Causes", show: showCauses, of: "run" },
+  { name: "cases", label: "Cases", show: showCases, of: "run" },
+  { name: "case", label: null, current: "cases", show: showCase, of: "run" },
+  { name: "observations", label: "Observations", show: showObservations, of: "run" },
+].filter((view) => view.of === undefined || (view.of === "run") === hasCases());
 
 /** Shows the engines, the versions and the totals of the run. */
 function showHead() {
@@ -54,7 +55,7 @@ function showViews(current) {
 function showAddress() {
   const { view, query } = parseAddress(location.hash);
   if (view === "main") return;
-  const found = VIEWS.find((one) => one.name === view) || VIEWS[0];
+  const found = VIEWS.find((one) => one.name === view) || (view === "" ? VIEWS[0] : VIEWS.find((one) => one.name === "explorer"));
   const main = document.getElementById("main");
   main.replaceChildren();
   showViews(found.current || found.name);
@@ -68,5 +69,6 @@ window.addEventListener("hashchange", () => {
   if (!location.hash.startsWith("#main")) document.getElementById("main").focus({ preventScroll: true });
   window.scrollTo(0, 0);
 });
-showHead();
+if (hasCases()) showHead();
+else showSiteHead();
 showAddress();

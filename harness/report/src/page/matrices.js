@@ -47,7 +47,7 @@ function matrixOf(data, types, dialect, index) {
  * @param {[string, number]|null} stated the word and its basis
  * @param {number} question of which the engines' answers are
  * @param {string} about what the cell is about
- * @param {string} address where the cell leads
+ * @param {string|null} address where the cell leads, if anywhere
  */
 function statedCell(data, columns, stated, question, about, address) {
   const word = stated === null ? null : stated[0];

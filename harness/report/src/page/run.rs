@@ -6,9 +6,7 @@ use crate::overview::Overview;
 use crate::text::visible;
 use serde::Serialize;
 use std::collections::BTreeMap;
-use stickler_run::{
-    Cause, EngineHeader, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals, clip_facts,
-};
+use stickler_run::{Cause, ExplainedCases, Fact, Footer, Header, Reduced, Reproducer, Totals, clip_facts};
 
 /// The maximum number of lines of the facts of a cause.
 const MAX_LINES: usize = 60;
@@ -152,13 +150,13 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         flaky: cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
         shown: reproducer(&cause.shown),
         second: cause.second.as_ref().map(reproducer),
-        report: cause_page_of(&cause.engine, engine(overview, cause), cause, overview),
+        report: cause_page_of(
+            &cause.engine,
+            overview.engine(&cause.engine),
+            (cause, None),
+            overview,
+        ),
     }
-}
-
-fn engine<'o>(overview: &'o Overview, cause: &Cause) -> Option<&'o EngineHeader> {
-    let mut engines = overview.header.iter().flat_map(|header| &header.engines);
-    engines.find(|engine| engine.name == cause.engine)
 }
 
 fn reproducer(reproducer: &Reproducer) -> ReproducerData<'_> {

@@ -3,7 +3,7 @@
 use super::Page;
 use super::assets::{SCRIPTS, STYLE, skeleton};
 use crate::groups::Groups;
-use crate::{Overview, Reports, sample};
+use crate::sample;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,13 +14,7 @@ use stickler_run::{CaseEvent, Event, Verdict};
 /// Returns the page of a run.
 fn page(events: &[Event]) -> String {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut reports = Reports::create(folder.path(), Statements::default()).expect("a folder");
-    let mut overview = Overview::default();
-    for event in events {
-        reports.take(event).expect("taken");
-        overview.take(event);
-    }
-    reports.finish(&overview).expect("finished");
+    sample::report(folder.path(), events);
     fs::read_to_string(folder.path().join("index.html")).expect("a page")
 }
 
@@ -35,20 +29,19 @@ fn page_alone(events: &[Event]) -> String {
 /// Writes the page of a run to a file.
 pub(super) fn write(path: &Path, statements: Statements, events: &[Event]) {
     let mut page = Page::create(path.to_owned(), statements).expect("a file");
-    let (mut groups, mut overview) = (Groups::default(), Overview::default());
+    let mut groups = Groups::default();
     for event in events {
         let group = match event {
             Event::Case(case) => Some(groups.number(case).0),
             _ => None,
         };
         page.take(event, group);
-        overview.take(event);
     }
-    page.finish(&overview, &groups).expect("finished");
+    page.finish(&sample::overview(events), &groups).expect("finished");
 }
 
 /// Returns the data of an element of the page.
-fn data(page: &str, id: &str) -> Value {
+pub(crate) fn data_of(page: &str, id: &str) -> Value {
     let start = format!("<script type=\"application/json\" id=\"data-{id}\">");
     let (_, rest) = page.split_once(&start).expect("the element");
     let (json, _) = rest.split_once("</script>").expect("its end");
@@ -57,7 +50,7 @@ fn data(page: &str, id: &str) -> Value {
 
 /// Returns the ids of the cases that the page lists, with their programs.
 fn listed(page: &str) -> Vec<(String, String)> {
-    let data = data(page, "cases");
+    let data = data_of(page, "cases");
     let number = |value: &Value| usize::try_from(value.as_u64().expect("a number")).expect("small");
     let word = |value: &Value| data["words"][number(value)].as_str().expect("a word").to_owned();
     let cases = &data["cases"];
@@ -81,11 +74,11 @@ fn listed(page: &str) -> Vec<(String, String)> {
 #[test]
 fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
     let cases = Verdict::ALL.map(|verdict| sample::case(&format!("a::p({verdict})"), verdict));
-    let mut events = sample::run_of(cases.to_vec());
-    let footer = events.pop().expect("a footer");
-    events.push(Event::Cause(sample::cause("first", 7, Verdict::Fail)));
-    events.push(Event::Cause(sample::cause("second", 3, Verdict::Differs)));
-    events.push(footer);
+    let causes = [
+        sample::cause("first", 7, Verdict::Fail),
+        sample::cause("second", 3, Verdict::Differs),
+    ];
+    let events = sample::with_causes(sample::run_of(cases.to_vec()), causes);
     let page = page(&events);
     let ids: Vec<String> = listed(&page).into_iter().map(|(id, _)| id).collect();
     let expected = Verdict::ALL.iter().filter(|verdict| **verdict != Verdict::Pass);
@@ -93,7 +86,7 @@ fn every_case_that_did_not_pass_and_every_cause_is_in_the_page() {
         .map(|verdict| format!("widening/a::p({verdict})"))
         .collect();
     assert_eq!(ids, expected);
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let causes: Vec<(&str, bool, u64)> = run["causes"]
         .as_array()
         .expect("causes")
@@ -160,7 +153,7 @@ fn the_page_loads_nothing_and_makes_no_markup_of_texts() {
 #[test]
 fn the_claims_of_the_page_are_those_of_the_other_reports() {
     let page = page(&sample::with_sources(sample::run()));
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let claim = &run["claims"][0];
     assert_eq!(claim["section"], "Integer widening");
     assert_eq!(
@@ -182,19 +175,17 @@ fn outputs_of_any_size_leave_a_page_that_can_be_opened() {
     let page = page_alone(&sample::run_of((0..200).map(huge).collect()));
     assert!(page.len() < 10 << 20, "{}", page.len());
     assert_eq!(listed(&page).len(), 200);
-    assert!(data(&page, "cases")["texts_left_out"].as_u64() > Some(0));
+    assert!(data_of(&page, "cases")["texts_left_out"].as_u64() > Some(0));
 }
 
 #[test]
 fn causes_for_which_the_page_has_no_room_are_counted() {
-    let mut events = sample::run();
-    let footer = events.pop().expect("a footer");
     let huge = "a".repeat(300_000);
-    events.extend((0..20).map(|_| Event::Cause(sample::cause(&huge, 7, Verdict::Fail))));
-    events.push(footer);
+    let causes = (0..20).map(|_| sample::cause(&huge, 7, Verdict::Fail));
+    let events = sample::with_causes(sample::run(), causes);
     let page = page_alone(&events);
     assert!(page.len() < 10 << 20, "{}", page.len());
-    let run = data(&page, "run");
+    let run = data_of(&page, "run");
     let shown = run["causes"].as_array().expect("causes").len();
     assert!((1..20).contains(&shown), "{shown}");
     assert_eq!(run["causes_left_out"], 20 - shown);

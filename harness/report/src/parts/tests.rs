@@ -29,9 +29,7 @@ fn part(index: u32, count: u32) -> Vec<Event> {
         _ => None,
     });
     let mut events = sample::run_of(cases.collect());
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.shard = Some(shard.to_string());
-    }
+    sample::header(&mut events).shard = Some(shard.to_string());
     events
 }
 
@@ -117,18 +115,14 @@ fn a_part_that_lost_a_case_is_named() {
 }
 
 fn of_format_1(mut events: Vec<Event>) -> Vec<Event> {
-    if let Some(Event::Header(header)) = events.first_mut() {
-        header.format = 1;
-    }
+    sample::header(&mut events).format = 1;
     events
 }
 
 #[test]
 fn what_is_no_part_of_the_same_run_is_named() {
     let mut other = part(2, 2);
-    if let Some(Event::Header(header)) = other.first_mut() {
-        header.engines[0].version = "0.2.0".to_owned();
-    }
+    sample::header(&mut other).engines[0].version = "0.2.0".to_owned();
     for (second, reason) in [
         (log("b", &part(1, 2)), "part 1/2 is there more than once: a and b"),
         (log("b", &whole()), "b is a whole run, and no part of one"),

@@ -1,6 +1,6 @@
 //! The page of an engine: its history, what each version fixed and broke, and the causes of the newest run's failures.
 
-use super::functions::{Functions, file};
+use super::functions::{Functions, address};
 use super::history::{History, VersionStep};
 use super::html::{chart, escaped, page as whole, share};
 use super::versions::VersionRun;
@@ -53,11 +53,7 @@ fn run_row(engine: &str, run: &VersionRun<'_>) -> String {
     let replaced = run
         .reason(engine)
         .map(|reason| format!("; does not count: {reason}"));
-    let alone = match run.run.tells_expectations() {
-        true => None,
-        false => Some("; from its results.json".to_owned()),
-    };
-    let notes: String = part.chain(alone).chain(replaced).collect();
+    let notes: String = part.chain(replaced).collect();
     format!(
         "<tr><td>{}</td><td>{}</td>{}<td>{page}; suite {}{}</td></tr>\n",
         run.run.date(),
@@ -157,7 +153,7 @@ fn departures(history: &History<'_>, functions: &Functions<'_>) -> String {
         let values = counted(*calls as u64, "value", "values");
         format!(
             "<li><a href=\"../functions/{}\">{}</a>: {values}</li>\n",
-            file(name),
+            address(name),
             escaped(name)
         )
     };

@@ -9,9 +9,9 @@ use std::fmt::Write;
 
 /// Returns the page.
 pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> String {
-    let conversions = match functions.tables.len() {
-        0 => "",
-        _ => {
+    let conversions = match functions.names().is_empty() {
+        true => "",
+        false => {
             "<p><a href=\"functions/index.html\">Conversion functions</a>: what each gives for which value, by documents, on engines and \
              on recorded compilers.</p>\n"
         }
@@ -19,8 +19,8 @@ pub(super) fn page(histories: &[History<'_>], functions: &Functions<'_>) -> Stri
     let body = format!(
         "<p>Each number is of the newest run of an engine: passed cases of those that a document decides and the engine \
          supports.</p>\n{}{conversions}<h2>Changes</h2>\n<p><a href=\"feed.xml\">As an Atom feed</a></p>\n{}<h2>Hand in results</h2>\n<p>A row is made of the \
-         <code>results.json</code> of any run of <code>stickler run --engine …</code>; <a href=\"results.schema.json\">its JSON \
-         Schema</a> is beside this page.</p>\n",
+         <code>events.jsonl</code> of any run of <code>stickler run --engine …</code>; <a href=\"events.schema.json\">the JSON \
+         Schema</a> of its lines is beside this page.</p>\n",
         table(histories),
         changes(histories)
     );

@@ -1,15 +1,17 @@
-//! Tests the pages of conversion functions.
+//! Tests the page of conversion functions.
 
 use super::tests::written;
 use super::write;
+use crate::page::{browser, data_of, open};
 use crate::sample;
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use std::sync::Arc;
 use stickler_conversions::overview::{CaseProgram, Statements, StatementsBuilder};
 use stickler_conversions::recording::Recording;
 use stickler_run::{CaseEvent, Event, Verdict};
-use stickler_types::{DialectName, Value};
+use stickler_types::DialectName;
 
 const PROGRAM: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
 
@@ -33,7 +35,7 @@ fn statements() -> Statements {
     builder.add_program(&program);
     builder.add_program(&CaseProgram {
         dialect: DialectName::CODESYS,
-        result: Some(&Value::parse("INT#99").expect("a literal")),
+        result: Some(&stickler_types::Value::parse("INT#99").expect("a literal")),
         basis: &Arc::from("codesys-recording: functions"),
         ..program
     });
@@ -68,62 +70,71 @@ fn site(folder: &Path) -> impl Fn(&str) -> String {
 }
 
 #[test]
-fn a_page_has_each_value_by_documents_on_engines_and_on_recorded_compilers_with_its_source() {
+fn the_page_of_functions_has_what_documents_state_and_what_engines_and_recorded_compilers_answered() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let page = site(folder.path())("functions/REAL_TO_INT.html");
-    let (head, rows) = page.split_once("<tbody>").expect("a table");
-    let heads: Vec<&str> = head.split("<th scope=\"col\"").skip(2).collect();
-    let columns = [
-        "documents<div class=\"dim\">ironplc-ed2</div><div class=\"dim\">ironplc-ed3</div>",
-        "documents<div class=\"dim\">matiec</div>",
-        "documents<div class=\"dim\">codesys</div>",
-        "#REAL_TO_INT\">compiler 0.1.0</a><div class=\"dim\">ironplc-ed2</div>",
-        "reference 0.1.0<div class=\"dim\">ironplc-ed2</div>",
-        "A &lt;b&gt;PLC&lt;/b&gt; 3.5<div class=\"dim\">recorded 2026-11-24</div><div class=\"dim\">matiec</div>",
-    ];
-    assert_eq!(heads.len(), columns.len(), "{head}");
-    for (head, column) in heads.iter().zip(columns) {
-        assert!(head.contains(column), "{column} in {head}");
-    }
-    let row = |value: &str| {
-        let start = format!("<th scope=\"row\" class=\"number\">{value}</th>");
-        let (_, rest) = rows.split_once(&start).expect("the row");
-        rest.split_once("</tr>").expect("its end").0.to_owned()
+    let site = site(folder.path());
+    let page = site("functions/index.html");
+    let run = data_of(&page, "run");
+    assert_eq!(run["header"]["engines"][0]["name"], "compiler");
+    assert_eq!(run["header"]["engines"][0]["page"], "../runs/2.html");
+    assert!(run["header"]["engines"][1]["page"].is_null());
+    let sources = run["header"]["sources"].as_array().expect("sources");
+    assert_eq!(sources[0]["key"], "ironplc-type-conversions");
+    let conversions = data_of(&page, "conversions");
+    let words = conversions["answers"]["words"].as_array().expect("words");
+    let columns = conversions["answers"]["columns"].as_array().expect("columns");
+    let name = |column: &Value| {
+        words[usize::try_from(column["engine"].as_u64().expect("a number")).expect("small")].clone()
     };
-    let cells: Vec<String> = row("2.25").split("<td").skip(1).map(str::to_owned).collect();
-    for (cell, part) in cells.iter().zip([
-        ">2 <sup>",
-        ">2 <sup>",
-        ">99 <sup>",
-        "✗ 3",
-        "2 <span class=\"tag pass\">✓",
-        "✗ 7",
-    ]) {
-        assert!(cell.contains(part), "{part} in {cell}");
-    }
-    assert!(row("2.5").contains("✗ crashed"), "{}", row("2.5"));
-    let (_, sources) = page.split_once("<h2>Sources</h2>").expect("the sources");
-    assert!(
-        sources.contains("ironplc-conversion-functions: Real to Integer")
-            && sources.contains("codesys-recording: functions")
+    let names: Vec<Value> = columns.iter().map(name).collect();
+    assert_eq!(names, ["compiler", "reference", "A <b>PLC</b> 3.5"]);
+    assert_eq!(
+        columns[0]["other"][0].as_array().map(Vec::len),
+        Some(1),
+        "it departs from the source"
     );
-    assert!(!page.contains("<script"));
+    assert_eq!(columns[1]["met"].as_array().map(Vec::len), Some(1));
+    assert_eq!(columns[2]["other"][0].as_array().map(Vec::len), Some(2));
+    assert!(!page.contains("id=\"data-cases\"") && !page.contains("<b>PLC"));
+    let led = site("functions/REAL_TO_INT.html");
+    assert!(led.contains("content=\"0; url=index.html#REAL_TO_INT\""), "{led}");
 }
 
 #[test]
-fn functions_are_listed_and_an_engine_names_those_on_which_it_departs() {
+fn an_engine_names_the_functions_on_which_it_departs() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let page = site(folder.path());
-    let index = page("functions/index.html");
-    let (_, row) = index
-        .split_once("<a href=\"REAL_TO_INT.html\">")
-        .expect("its row");
-    assert!(
-        row.contains("<td class=\"number\">1</td>") && row.contains("✗ 1") && row.contains(">–<"),
-        "{row}"
-    );
     assert!(page("index.html").contains("<a href=\"functions/index.html\">"));
-    let departs = "<a href=\"../functions/REAL_TO_INT.html\">REAL_TO_INT</a>: 1 value<";
+    let departs = "<a href=\"../functions/index.html#REAL_TO_INT\">REAL_TO_INT</a>: 1 value<";
     assert!(page("engines/compiler.html").contains(departs));
     assert!(!page("engines/reference.html").contains("REAL_TO_INT"));
+}
+
+#[test]
+fn a_browser_shows_the_functions_of_a_site_and_the_values_of_one() {
+    let Some(browser) = browser() else { return };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let _ = site(folder.path());
+    let path = folder.path().join("site/functions/index.html");
+    let shown = |address: &str| open(&browser, &path, address, "--dump-dom");
+    let list = shown("");
+    for part in [
+        ">REAL_TO_INT</a></th>",
+        "✗ 1</span>",
+        "<a href=\"../index.html\">",
+        ">Functions</a>",
+    ] {
+        assert!(list.contains(part), "{part}\n{list}");
+    }
+    assert!(!list.contains(">Claims</a>") && !list.contains("<b>PLC"));
+    let function = shown("#REAL_TO_INT");
+    for part in [
+        "<a href=\"../runs/2.html#REAL_TO_INT\">compiler</a>",
+        "✗ 3</span>",
+        "2 <span class=\"tag pass\">✓",
+        "✗ crashed",
+    ] {
+        assert!(function.contains(part), "{part}\n{function}");
+    }
+    assert!(shown("#bits").contains("Bit access") && shown("#matrix").contains("Implicit conversion"));
 }

@@ -1,42 +1,51 @@
-//! The conversion functions of the site: what documents state of them, what the newest run of each engine gave, and what was recorded.
+//! The conversion functions of the site: the page of a run, with what the newest run of each engine gave and without cases.
 
 use super::SiteError;
 use super::history::History;
 use super::run::SiteRun;
 use crate::answers::answer_of;
-use crate::run_file::RunFileError;
-use std::collections::{BTreeMap, HashMap};
-use stickler_conversions::overview::{
-    ComparedAnswer, FunctionCall, FunctionTable, QuestionNumber, Statements,
-};
+use crate::engine;
+use crate::events::Reader;
+use crate::page::{self, PageAnswers};
+use serde::Serialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io;
+use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, Statements};
 use stickler_run::{Event, SourceHeader};
 
-/// The functions of the site, and the columns of their tables.
+/// The functions of the site, and what engines and recorded compilers give.
 pub(super) struct Functions<'s> {
-    /// The tables of each function, by its name, in the order of the names.
-    pub(super) tables: BTreeMap<&'s str, Vec<FunctionTable<'s>>>,
-    pub(super) columns: Vec<FunctionColumn<'s>>,
-    /// The sources of all runs, by key.
-    pub(super) sources: BTreeMap<&'s str, &'s SourceHeader>,
+    statements: &'s Statements,
+    answers: PageAnswers,
+    runs: NewestRuns<'s>,
+    /// By engine and function, the calls that give something else than sources state.
+    departures: BTreeMap<&'s str, BTreeMap<&'s str, BTreeSet<QuestionNumber>>>,
 }
 
-/// The answers of an engine, or of a recorded compiler, in one dialect.
-pub(super) struct FunctionColumn<'s> {
-    /// The name of the engine or of the product.
-    pub(super) name: &'s str,
-    pub(super) version: &'s str,
-    pub(super) dialect: String,
-    pub(super) origin: AnswerOrigin<'s>,
-    pub(super) answers: HashMap<QuestionNumber, ComparedAnswer>,
+/// The newest runs of the engines, as the scripts of a page read the header of a run.
+#[derive(Serialize)]
+struct NewestRuns<'s> {
+    header: RunHeader<'s>,
+    /// No claims: the page has no cases.
+    claims: [(); 0],
 }
 
-/// The origin of the answers of a column.
-#[derive(Clone, Copy)]
-pub(super) enum AnswerOrigin<'s> {
-    /// A run of the site.
-    Run(&'s SiteRun),
-    /// A recording, made on this day.
-    Recording(&'s str),
+#[derive(Serialize)]
+struct RunHeader<'s> {
+    engines: Vec<NewestRun<'s>>,
+    /// The sources of all runs, each as the newest run has it.
+    sources: Vec<&'s SourceHeader>,
+}
+
+/// The newest run of an engine.
+#[derive(Serialize)]
+struct NewestRun<'s> {
+    name: &'s str,
+    version: &'s str,
+    dialects: Vec<&'s str>,
+    /// The address of the copy of the run's page.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    page: Option<String>,
 }
 
 impl<'s> Functions<'s> {
@@ -49,107 +58,103 @@ impl<'s> Functions<'s> {
         histories: &'s [History<'s>],
         runs: &'s [SiteRun],
     ) -> Result<Functions<'s>, SiteError> {
-        let mut tables: BTreeMap<&str, Vec<FunctionTable<'_>>> = BTreeMap::new();
-        for table in statements.functions() {
-            tables.entry(table.name).or_default().push(table);
-        }
-        let mut columns = Vec::new();
-        if !tables.is_empty() {
-            // Compilers stand before Stickler's own reference.
-            let (own, others): (Vec<_>, Vec<_>) =
-                histories.iter().partition(|history| history.name == "reference");
-            for history in others.iter().chain(&own) {
-                columns.extend(of_engine(history, statements)?);
-            }
-            columns.extend(recorded(statements, histories));
-        }
         let sources = runs.iter().rev().flat_map(|run| &run.header.sources);
         let mut by_key = BTreeMap::new();
         for source in sources {
             by_key.entry(source.key.as_str()).or_insert(source);
         }
-        Ok(Functions {
-            tables,
-            columns,
-            sources: by_key,
-        })
+        let mut functions = Functions {
+            statements,
+            answers: PageAnswers::default(),
+            runs: NewestRuns {
+                header: RunHeader {
+                    engines: histories.iter().map(newest_run).collect(),
+                    sources: by_key.into_values().collect(),
+                },
+                claims: [],
+            },
+            departures: BTreeMap::new(),
+        };
+        if !statements.function_names().is_empty() {
+            for history in histories {
+                functions.read(history)?;
+            }
+            let engines: Vec<&str> = histories.iter().map(|history| history.name).collect();
+            functions.answers.add_recordings(statements, &engines);
+        }
+        Ok(functions)
+    }
+
+    /// Takes the answers of the run that counts for an engine's newest version.
+    fn read(&mut self, history: &History<'s>) -> Result<(), SiteError> {
+        let log = &history.newest().run.log;
+        let unreadable = SiteError::run(log);
+        for event in Reader::open(log).map_err(&unreadable)? {
+            let Event::Case(case) = event.map_err(&unreadable)? else {
+                continue;
+            };
+            let Some(question) = self.statements.question(&case.id) else {
+                continue;
+            };
+            if case.engine != history.name {
+                continue;
+            }
+            self.answers.take(&case, question, None);
+            if let Some(ComparedAnswer::Other(_)) = answer_of(&case)
+                && let Some(function) = self.statements.function_of(question)
+            {
+                let departures = self.departures.entry(history.name).or_default();
+                departures.entry(function).or_default().insert(question);
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the names of the functions.
+    pub(super) fn names(&self) -> BTreeSet<&'s str> {
+        self.statements.function_names()
     }
 
     /// Returns the functions for which an engine has other answers than sources state, each with the number of calls.
     pub(super) fn departures(&self, engine: &str) -> Vec<(&'s str, usize)> {
-        let of_run = self.columns.iter().filter(|column| column.is_of_run());
-        let columns: Vec<&FunctionColumn<'_>> = of_run.filter(|column| column.name == engine).collect();
-        let departing = |(name, tables): (&&'s str, &Vec<FunctionTable<'s>>)| {
-            let calls = tables.iter().flat_map(|table| &table.calls);
-            let number = calls.filter(|call| columns.iter().any(|column| column.departs(call)));
-            let number = number.count();
-            (number > 0).then_some((*name, number))
-        };
-        self.tables.iter().filter_map(departing).collect()
+        let departures = self.departures.get(engine).into_iter().flatten();
+        departures.map(|(name, calls)| (*name, calls.len())).collect()
+    }
+
+    /// Returns the page of all functions.
+    ///
+    /// # Errors
+    /// Returns the error of serde_json.
+    pub(super) fn into_page(self) -> io::Result<Vec<u8>> {
+        let mut text = Vec::new();
+        page::write(
+            &mut text,
+            &self.runs,
+            (self.statements, self.answers),
+            None::<&()>,
+        )?;
+        Ok(text)
     }
 }
 
-impl FunctionColumn<'_> {
-    /// Returns whether the answers are of a run of the site.
-    pub(super) const fn is_of_run(&self) -> bool {
-        matches!(self.origin, AnswerOrigin::Run(_))
-    }
-
-    /// Returns whether the answer to a call is another one than its source states.
-    pub(super) fn departs(&self, call: &FunctionCall<'_>) -> bool {
-        matches!(self.answers.get(&call.question), Some(ComparedAnswer::Other(_)))
-    }
-}
-
-/// Returns the file name of a function's page.
-pub(super) fn file(function: &str) -> String {
-    format!("{function}.html")
-}
-
-/// Returns the columns of an engine, one for each dialect, from the run that counts for its newest version.
-fn of_engine<'s>(
-    history: &'s History<'s>,
-    statements: &Statements,
-) -> Result<Vec<FunctionColumn<'s>>, SiteError> {
+fn newest_run<'s>(history: &'s History<'s>) -> NewestRun<'s> {
     let newest = history.newest();
-    let file = &newest.run.file;
-    let mut by_dialect: BTreeMap<String, HashMap<QuestionNumber, ComparedAnswer>> = BTreeMap::new();
-    for event in file.open().map_err(SiteError::run(file.path()))? {
-        let event = event.map_err(|error| SiteError::run(file.path())(RunFileError::Log(error)))?;
-        let Event::Case(case) = event else { continue };
-        if case.engine == history.name
-            && let Some(question) = statements.question(&case.id)
-            && let Some(answer) = answer_of(&case)
-        {
-            let answers = by_dialect.entry(case.dialect).or_default();
-            let known = answers.entry(question).or_insert_with(|| answer.clone());
-            if answer > *known {
-                *known = answer;
-            }
-        }
-    }
-    let columns = by_dialect.into_iter().map(|(dialect, answers)| FunctionColumn {
+    let engine = engine::named(&newest.run.header.engines, history.name);
+    NewestRun {
         name: history.name,
         version: newest.version,
-        dialect,
-        origin: AnswerOrigin::Run(newest.run),
-        answers,
-    });
-    Ok(columns.collect())
+        dialects: engine.map_or_else(Vec::new, |engine| {
+            engine.dialects.iter().map(String::as_str).collect()
+        }),
+        page: newest
+            .run
+            .page
+            .as_ref()
+            .map(|_| format!("../runs/{}", newest.run.page_name())),
+    }
 }
 
-/// Returns the columns of the recorded compilers that are no engine of the site.
-fn recorded<'s>(
-    statements: &'s Statements,
-    histories: &[History<'_>],
-) -> impl Iterator<Item = FunctionColumn<'s>> {
-    let others = statements.recorded().iter();
-    let others = others.filter(|recorded| !histories.iter().any(|history| recorded.is_of(history.name)));
-    others.map(|recorded| FunctionColumn {
-        name: &recorded.origin.product,
-        version: &recorded.origin.version,
-        dialect: recorded.dialect.as_str().to_owned(),
-        origin: AnswerOrigin::Recording(&recorded.origin.date),
-        answers: recorded.answers.iter().cloned().collect(),
-    })
+/// Returns the address of a function's part of the page, in the folder of the page.
+pub(super) fn address(function: &str) -> String {
+    format!("index.html#{function}")
 }

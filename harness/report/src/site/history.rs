@@ -5,6 +5,7 @@ use super::run::SiteRun;
 use super::versions::{self, VersionRun};
 use crate::comparison::{Change, Comparison, ComparisonError, Kind};
 use crate::discrepancies::file_name;
+use crate::events::Reader;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The runs of one engine.
@@ -70,7 +71,7 @@ impl<'r> History<'r> {
             let reason = run.reason(self.name)?;
             Some(format!(
                 "{} does not count for {} {}: {reason}; the history lists it",
-                run.run.file.path().display(),
+                run.run.log.display(),
                 self.name,
                 run.version
             ))
@@ -102,11 +103,7 @@ impl VersionStep<'_> {
 
 /// Returns the file name of an engine's page, another one for each engine.
 fn page_name(engine: &str, taken: &mut BTreeSet<String>) -> String {
-    let name = match file_name(engine) {
-        // A file whose name begins with a dot is hidden.
-        name if name.is_empty() => "engine".to_owned(),
-        name => name,
-    };
+    let name = file_name(engine);
     let names = (1..).map(|number| match number {
         1 => format!("{name}.html"),
         _ => format!("{name}-{number}.html"),
@@ -129,25 +126,21 @@ fn steps<'r>(engine: &str, counted: &[VersionRun<'r>]) -> Result<Vec<VersionStep
 }
 
 fn changes(engine: &str, old: &SiteRun, new: &SiteRun) -> Result<Result<Vec<Change>, String>, SiteError> {
-    let open = |run: &SiteRun| run.file.open().map_err(SiteError::run(run.file.path()));
+    let open = |run: &SiteRun| Reader::open(&run.log).map_err(SiteError::run(&run.log));
     match Comparison::of(open(old)?, open(new)?) {
         Ok(comparison) if comparison.same == 0 && comparison.changes.is_empty() => {
             Ok(Err("no case is in both runs".to_owned()))
         }
         Ok(mut comparison) => {
             comparison.changes.retain(|change| change.engine == engine);
-            if !(old.tells_expectations() && new.tells_expectations()) {
-                let changes = comparison.changes.iter_mut();
-                changes.for_each(|change| change.expectation_changed = false);
-            }
             Ok(Ok(comparison.changes))
         }
         Err(error @ (ComparisonError::Parts { .. } | ComparisonError::NoEngine { .. })) => {
             Ok(Err(error.to_string()))
         }
         Err(source) => Err(SiteError::Comparison {
-            old: old.file.path().to_owned(),
-            new: new.file.path().to_owned(),
+            old: old.log.clone(),
+            new: new.log.clone(),
             source: Box::new(source),
         }),
     }

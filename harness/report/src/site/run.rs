@@ -1,20 +1,21 @@
 //! A run of the site: its header, and the results of each engine by area.
 
 use super::SiteError;
-use crate::EventSource;
+use super::check::LogCheck;
+use crate::LogError;
 use crate::claims::{Standing, entry};
-use crate::events::Completeness;
+use crate::events::{self, Reader};
 use crate::parts::describe_error;
-use crate::run_file::{RunFile, RunFileError};
 use jiff::Timestamp;
 use std::collections::BTreeMap;
+use std::io::BufRead;
 use std::path::{Path, PathBuf};
 use stickler_run::{Cause, Event, Header};
 
 /// A run, counted.
 pub(super) struct SiteRun {
-    /// The file from which the run was read.
-    pub(super) file: RunFile,
+    /// The event log of the run.
+    pub(super) log: PathBuf,
     /// The page of the run, where its folder has one.
     pub(super) page: Option<PathBuf>,
     /// The place of the run among all, from 1 for the oldest.
@@ -60,17 +61,17 @@ impl SiteRun {
     }
 
     fn read(path: &Path) -> Result<SiteRun, SiteError> {
-        let file = RunFile::locate(path).map_err(SiteError::run(path))?;
-        let mut events = file.open().map_err(SiteError::run(file.path()))?;
-        let unreadable = |error| SiteError::run(file.path())(RunFileError::Log(error));
-        let header = events.header().map_err(unreadable)?;
+        let log = events::locate(path);
+        let unreadable = SiteError::run(&log);
+        let mut events = Reader::open(&log).map_err(&unreadable)?;
+        let header = events.header().map_err(&unreadable)?;
         let started = header.started.parse().map_err(|_| SiteError::Date {
-            path: file.path().to_owned(),
+            path: log.clone(),
             started: header.started.clone(),
         })?;
-        // What lies beside a `results.json` that somebody handed in need not be its page.
-        let is_own = path.is_dir() || matches!(file, RunFile::Log(_));
-        let page = Some(file.path().with_file_name("index.html"));
+        // What lies beside a log of another name, which somebody handed in, need not be its page.
+        let is_own = log.file_name().is_some_and(|name| name == events::NAME);
+        let page = Some(log.with_file_name("index.html"));
         let mut run = SiteRun {
             page: page.filter(|page| is_own && page.is_file()),
             number: 0,
@@ -78,27 +79,29 @@ impl SiteRun {
             header,
             standings: BTreeMap::new(),
             causes: Vec::new(),
-            file: file.clone(),
+            log,
         };
-        for event in &mut events {
-            match event.map_err(unreadable)? {
-                Event::Case(case) => {
-                    let areas = entry(&mut run.standings, &case.engine);
-                    entry(areas, &case.area).count(&case);
-                }
-                Event::Cause(cause) => run.causes.push(cause),
-                Event::Header(_) | Event::Footer(_) => {}
-            }
-        }
-        match events.completeness() {
-            Completeness::Complete => Ok(run),
-            cut => Err(SiteError::run(file.path())(RunFileError::Truncated(cut))),
-        }
+        run.take(&mut events).map_err(&unreadable)?;
+        Ok(run)
     }
 
-    /// Returns whether the file tells what was expected of each case.
-    pub(super) const fn tells_expectations(&self) -> bool {
-        matches!(self.file, RunFile::Log(_))
+    /// Counts the cases of the run.
+    fn take(&mut self, events: &mut Reader<impl BufRead>) -> Result<(), LogError> {
+        let mut check = LogCheck::new(&self.header)?;
+        while let Some(event) = events.next().transpose()? {
+            match event {
+                Event::Case(case) => {
+                    check.case(events.line(), &case)?;
+                    let areas = entry(&mut self.standings, &case.engine);
+                    entry(areas, &case.area).count(&case);
+                }
+                Event::Cause(cause) => self.causes.push(cause),
+                Event::Footer(footer) => check.footer(events.line(), &footer)?,
+                // The reader rejects a second header.
+                Event::Header(_) => {}
+            }
+        }
+        events.check_complete()
     }
 
     /// Returns the name that the copy of the run's page has.

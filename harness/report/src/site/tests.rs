@@ -18,10 +18,9 @@ fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
 /// Writes a run of an engine's version, started on a day of September.
 fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>) -> PathBuf {
     let mut events = sample::run_of(cases);
-    if let Event::Header(header) = &mut events[0] {
-        header.started = format!("2026-09-{day:02}T12:00:00Z");
-        header.engines[0].version = version.to_owned();
-    }
+    let header = sample::header(&mut events);
+    header.started = format!("2026-09-{day:02}T12:00:00Z");
+    header.engines[0].version = version.to_owned();
     written(&folder.join(name), &events)
 }
 
@@ -171,36 +170,27 @@ fn an_old_version_that_is_handed_in_late_is_old_all_the_same() {
 }
 
 #[test]
-fn a_run_is_known_from_its_results_alone_as_well() {
+fn a_run_is_known_from_its_log_of_any_name_alone_and_not_from_its_results() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let reported = |name: &str, day: u32, version: &str, cases: Vec<CaseEvent>| {
-        let mut events = sample::run_of(cases);
-        if let Event::Header(header) = &mut events[0] {
-            header.started = format!("2026-09-{day:02}T12:00:00Z");
-            header.engines[0].version = version.to_owned();
-        }
-        let reports = folder.path().join(name);
-        sample::report(&reports, &events);
-        reports
-    };
-    let old = reported("old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
-    let new = reported("new", 2, "2", cases(Verdict::Pass, Verdict::Fail));
-    let [whole, alone, mixed] = ["whole", "alone", "mixed"].map(|name| folder.path().join(name));
-    write(&[old.clone(), new.clone()], &whole).expect("a site of event logs");
-    // A file of any name, and a folder that has nothing else.
+    let old = run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
+    let new = run(folder.path(), "new", 2, "2", cases(Verdict::Pass, Verdict::Fail));
+    let [whole, alone] = ["whole", "alone"].map(|name| folder.path().join(name));
+    write(&[old.clone(), new.clone()], &whole).expect("a site of folders");
     let handed_in = folder.path().join("of-a-vendor.json");
-    fs::copy(old.join("results.json"), &handed_in).expect("copied");
-    fs::remove_file(old.join(NAME)).expect("removed");
+    fs::copy(old.join(NAME), &handed_in).expect("copied");
     // It lies beside the file by chance.
     fs::write(folder.path().join("index.html"), "another page").expect("written");
-    write(&[handed_in.clone(), old, new.clone()], &mixed).expect("a site of both");
-    write(&[handed_in, new.join("results.json")], &alone).expect("a site of results");
+    write(&[handed_in, new], &alone).expect("a site of a log and a folder");
     let front = |site: &Path| fs::read_to_string(site.join("index.html")).expect("the front page");
     assert_eq!(front(&whole), front(&alone));
     assert!(!alone.join("runs/1.html").exists());
-    assert!(front(&mixed).contains("from 1 to 2: 1 fixed, 1 broken, 0 crashed"));
-    let engine = fs::read_to_string(alone.join("engines/reference.html")).expect("the engine's page");
-    assert!(engine.contains("; from its results.json") && !engine.contains("expects something else now"));
+    sample::report(&old, &sample::run());
+    let error = write(&[old.join("results.json")], &alone).expect_err("not the whole run");
+    let error = crate::parts::describe_error(&error);
+    assert!(
+        error.contains("this is a results.json of format 3 and no event log"),
+        "{error}"
+    );
 }
 
 #[test]
@@ -208,10 +198,9 @@ fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engin
     let folder = tempfile::tempdir().expect("a temporary folder");
     let named = |name: &str, day: u32, version: &str| {
         let mut events = sample::run_on(&["a <b>&\u{1}"], Vec::new());
-        if let Event::Header(header) = &mut events[0] {
-            header.started = format!("2026-09-{day:02}T12:00:00Z");
-            header.engines[0].version = version.to_owned();
-        }
+        let header = sample::header(&mut events);
+        header.started = format!("2026-09-{day:02}T12:00:00Z");
+        header.engines[0].version = version.to_owned();
         written(&folder.path().join(name), &events)
     };
     let [old, new, newest] = [("old", 1, "1"), ("new", 2, "2"), ("newest", 3, "3")]
@@ -245,10 +234,8 @@ fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engin
 #[test]
 fn what_an_engine_says_of_itself_stays_text() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut events = sample::run_on(&["a/b", "a:b", "<b>", "..", ""], Vec::new());
-    if let Event::Header(header) = &mut events[0] {
-        header.engines[0].version = "<script>alert(1)</script>".to_owned();
-    }
+    let mut events = sample::run_on(&["a/b", "a:b", "<b>", ".."], Vec::new());
+    sample::header(&mut events).engines[0].version = "<script>alert(1)</script>".to_owned();
     let run = written(&folder.path().join("run"), &events);
     let site = folder.path().join("site");
     write(&[run], &site).expect("a site");
@@ -256,7 +243,7 @@ fn what_an_engine_says_of_itself_stays_text() {
     assert!(front.contains("&lt;script&gt;alert") && !front.contains("<script") && !front.contains("<b>"));
     assert_eq!(
         sample::names(&site.join("engines")),
-        ["-..html", "-b-.html", "a-b-2.html", "a-b.html", "engine.html"]
+        ["-..html", "-b-.html", "a-b-2.html", "a-b.html"]
     );
 }
 
@@ -330,7 +317,7 @@ fn an_unreadable_run_is_skipped_on_demand_unless_there_is_no_other() {
     let [first, second] = &summary.skipped[..] else {
         panic!("{:?}", summary.skipped);
     };
-    assert!(first.contains("missing: cannot be read"), "{first}");
+    assert!(first.contains("missing: cannot read the event log"), "{first}");
     assert!(second.contains("the run was cut short"), "{second}");
     let error = skipping(&[missing, cut]).expect_err("no run");
     assert!(error.to_string().ends_with("missing"), "{error}");
@@ -353,17 +340,15 @@ fn what_no_site_can_be_made_of_is_refused_with_its_place() {
         error.contains("cut/events.jsonl: the run was cut short after 4 cases"),
         "{error}"
     );
-    assert!(refused(folder.path().join("missing")).contains("missing: cannot be read"));
+    assert!(refused(folder.path().join("missing")).contains("missing: cannot read the event log"));
     let error = refused(folder.path().to_owned());
     assert!(
-        error.contains("has neither events.jsonl nor results.json"),
+        error.contains("events.jsonl: cannot read the event log"),
         "{error}"
     );
     let started = |time: &str| {
         let mut events = sample::run();
-        if let Event::Header(header) = &mut events[0] {
-            header.started = time.to_owned();
-        }
+        sample::header(&mut events).started = time.to_owned();
         refused(written(&folder.path().join("undated"), &events))
     };
     assert!(started("today").contains("the run began at `today`, which is no time"));

@@ -1,14 +1,11 @@
 //! Tests the summary in Markdown.
 
 use super::{MAX_BYTES, markdown};
-use crate::overview::Overview;
 use crate::sample;
 use stickler_run::{CaseEvent, Cause, Event, Reduced, Verdict};
 
 fn page(events: &[Event]) -> String {
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
-    markdown(&overview)
+    markdown(&sample::overview(events))
 }
 
 #[test]

@@ -4,10 +4,10 @@
 use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
 use crate::claims::{Row, Standing};
 use crate::overview::Overview;
-use crate::table::{AlignedTable, Cell};
 use crate::text::visible;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use stickler_conversions::table::{Cell, Table};
 use stickler_types::{counted, shortened};
 
 /// The maximum number of sources and sections that a summary names because they are not met.
@@ -35,7 +35,7 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
         (true, false) => Some(Cell::left("kind")),
         (true, true) => Some(Cell::plain("sources")),
     };
-    let mut table = AlignedTable::new([Cell::left("Claims")].into_iter().chain(second).collect());
+    let mut table = Table::new([Cell::left("Claims")].into_iter().chain(second).collect());
     match &engines[..] {
         [_] => of_one_engine(&mut table, &lines),
         _ => of_several_engines(&mut table, &lines, &engines),
@@ -127,7 +127,7 @@ fn name(row: &Row<'_>, indent: &str) -> Cell {
 }
 
 /// Adds engines as columns.
-fn of_several_engines(table: &mut AlignedTable, lines: &[DocumentRow], engines: &[&str]) {
+fn of_several_engines(table: &mut Table, lines: &[DocumentRow], engines: &[&str]) {
     engines
         .iter()
         .for_each(|engine| table.head(Cell::plain(visible(engine))));
@@ -152,7 +152,7 @@ fn standing_cell(standing: Standing) -> Cell {
 }
 
 /// Adds a column for each result that some claim has.
-fn of_one_engine(table: &mut AlignedTable, lines: &[DocumentRow]) {
+fn of_one_engine(table: &mut Table, lines: &[DocumentRow]) {
     let any = |count: fn(&Standing) -> u64| {
         lines
             .iter()

@@ -17,7 +17,7 @@ const MAX_SHOWN: usize = 10;
 pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) -> io::Result<()> {
     let engines: &[EngineHeader] = overview.header.as_ref().map_or(&[], |header| &header.engines);
     for case in overview.failures.iter().take(failures.unwrap_or(MAX_SHOWN)) {
-        failure::write(out, case, overview.engine(case), engines.len() > 1)?;
+        failure::write(out, case, overview.engine(&case.engine), engines.len() > 1)?;
     }
     for engine in engines {
         let mut sum = Totals::default();
@@ -42,13 +42,12 @@ pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) 
 
 #[cfg(test)]
 mod tests {
-    use crate::{Overview, sample};
+    use crate::sample;
     use stickler_run::Verdict;
 
     #[test]
     fn what_failed_is_shown_whole_and_each_verdict_counted() {
-        let mut overview = Overview::default();
-        sample::run().iter().for_each(|event| overview.take(event));
+        let overview = sample::overview(&sample::run());
         let mut bytes = Vec::new();
         super::write(&mut bytes, &overview, None).expect("written");
         let text = anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string();
@@ -57,9 +56,7 @@ mod tests {
             text.ends_with("\n\n4 cases on reference: 3 pass, 1 fail\n"),
             "{text}"
         );
-        let mut overview = Overview::default();
-        let passed = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
-        passed.iter().for_each(|event| overview.take(event));
+        let overview = sample::overview(&sample::run_of(vec![sample::case("a", Verdict::Pass)]));
         let mut bytes = Vec::new();
         super::write(&mut bytes, &overview, Some(0)).expect("written");
         assert!(String::from_utf8_lossy(&bytes).contains("1 case on reference: 1 pass"));

@@ -1,7 +1,6 @@
 //! Tests of the summary as a whole.
 
 use super::{Detail, SHOWN_FAILURES, Surroundings, write};
-use crate::overview::Overview;
 use crate::sample;
 use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
 
@@ -15,8 +14,7 @@ fn ends(text: &str, result: &str) -> bool {
 }
 
 fn shown_with(events: &[Event], around: Surroundings<'_>) -> String {
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
+    let overview = sample::overview(events);
     let mut bytes = Vec::new();
     write(
         &mut bytes,
@@ -219,20 +217,15 @@ fn thousands_of_failures_are_counted_and_not_all_shown() {
 
 #[test]
 fn where_causes_are_known_single_failures_are_shown_only_when_asked_for() {
-    let mut events = sample::run();
-    let footer = events.pop().expect("a footer");
-    events.extend([
-        Event::Cause(sample::cause("it widens nothing", 1, Verdict::Fail)),
-        footer,
-    ]);
+    let cause = sample::cause("it widens nothing", 1, Verdict::Fail);
+    let events = sample::with_causes(sample::run(), [cause]);
     let text = shown(&events);
     assert!(
         text.starts_with("Cases  Cause\n    1  it widens nothing\n"),
         "{text}"
     );
     assert!(!text.contains("FAIL"), "{text}");
-    let mut overview = Overview::default();
-    events.iter().for_each(|event| overview.take(event));
+    let overview = sample::overview(&events);
     let mut bytes = Vec::new();
     let around = Surroundings {
         failures: Some(1),
@@ -252,9 +245,7 @@ fn a_run_that_was_cut_short_says_so_last() {
 #[test]
 fn a_run_of_a_broken_suite_does_not_end_as_if_all_were_well() {
     let mut events = sample::run_of(vec![sample::case("a", Verdict::Pass)]);
-    if let Event::Header(header) = &mut events[0] {
-        header.broken_files = vec!["a.st:1: wrong".to_owned()];
-    }
+    sample::header(&mut events).broken_files = vec!["a.st:1: wrong".to_owned()];
     let text = shown(&events);
     assert!(
         text.contains("\n1 mistake in case files: some cases were not run.\n1 case in"),
@@ -298,15 +289,14 @@ fn large(engines: &[&str], last_sources: usize, last: Verdict) -> Vec<Event> {
         }
     }
     let mut events = sample::with_sources(sample::run_on(engines, cases));
-    if let Some(Event::Header(header)) = events.first_mut() {
-        let kinds = ["document", "measurement", "recording", "rule", "standard"];
-        let of = |number: usize| SourceHeader {
-            key: format!("source-{number}"),
-            kind: kinds[number % kinds.len()].to_owned(),
-            ..header.sources[0].clone()
-        };
-        header.sources = (0..50).map(of).collect();
-    }
+    let header = sample::header(&mut events);
+    let kinds = ["document", "measurement", "recording", "rule", "standard"];
+    let of = |number: usize| SourceHeader {
+        key: format!("source-{number}"),
+        kind: kinds[number % kinds.len()].to_owned(),
+        ..header.sources[0].clone()
+    };
+    header.sources = (0..50).map(of).collect();
     events
 }
 
@@ -377,10 +367,8 @@ fn where_only_the_result_is_asked_for_two_lines_are_shown() {
 
 #[test]
 fn tables_and_causes_are_no_wider_than_the_terminal() {
-    let mut events = large(&["reference", "matiec"], 1, Verdict::Fail);
-    let footer = events.pop().expect("a footer");
     let cause = sample::cause(&"a long title ".repeat(30), 1, Verdict::Fail);
-    events.extend([Event::Cause(cause), footer]);
+    let events = sample::with_causes(large(&["reference", "matiec"], 1, Verdict::Fail), [cause]);
     for (width, detail) in [60, 100, 200]
         .into_iter()
         .flat_map(|width| [Detail::Summary, Detail::Whole].map(|detail| (width, detail)))

@@ -2,10 +2,10 @@
 
 use super::{BAD, DIM, Detail, MAX_ROWS, Surroundings};
 use crate::overview::Overview;
-use crate::table::{AlignedTable, Cell};
 use crate::text::visible;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
+use stickler_conversions::table::{Cell, Table};
 use stickler_run::Totals;
 
 /// Writes the totals: a row for each dialect and a column for each area, or, in a summary of many dialects, a row for each area and
@@ -26,8 +26,8 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, around: Surroundin
     writeln!(out)
 }
 
-fn by_area(overview: &Overview) -> AlignedTable {
-    let mut table = AlignedTable::new(vec![Cell::left("Cases")]);
+fn by_area(overview: &Overview) -> Table {
+    let mut table = Table::new(vec![Cell::left("Cases")]);
     let engines = overview.totals.keys();
     engines.for_each(|engine| table.head(Cell::plain(visible(engine))));
     let mut areas: Vec<Option<&str>> = overview.areas().into_iter().map(Some).collect();
@@ -49,9 +49,9 @@ fn by_area(overview: &Overview) -> AlignedTable {
 
 /// Returns the table of dialects. A variant of a dialect, whose name begins with that of the dialect, stands under it by what it
 /// adds, so that the table stays narrow.
-fn by_dialect(overview: &Overview) -> AlignedTable {
+fn by_dialect(overview: &Overview) -> Table {
     let areas = overview.areas();
-    let mut table = AlignedTable::new(vec![Cell::left("Cases")]);
+    let mut table = Table::new(vec![Cell::left("Cases")]);
     areas.iter().for_each(|area| table.head(Cell::plain(area)));
     table.head(Cell::plain("all"));
     for (engine, dialects) in &overview.totals {

@@ -41,7 +41,7 @@ impl<'a> Universe<'a> {
             wanted,
         };
         probes
-            .flat_map(|probe_ids| folding.all_dialects(probe_ids, probe(probe_ids[0])))
+            .flat_map(|probe_ids| folding.fold(probe_ids, probe(probe_ids[0]), None))
             .collect()
     }
 }
@@ -63,61 +63,47 @@ struct Folding<'f> {
 }
 
 impl Folding<'_> {
-    /// Folds the ids of one prefix: in all dialects at once, in each dialect by itself, or by longer prefixes, whichever
-    /// gives the fewest entries.
-    fn all_dialects(&self, ids: &[&str], prefix: usize) -> Vec<Folded> {
-        let (mut wanted, mut all) = (0, 0);
-        for id in ids {
-            for dialect in self.dialects(id) {
-                all += 1;
-                wanted += usize::from(self.wanted.contains(&(*id, *dialect)));
-            }
-        }
+    /// Folds the ids of one prefix in one dialect or, where `only` is none, in all dialects: all of them at once, in each dialect by itself,
+    /// or by longer prefixes, whichever gives the fewest entries.
+    fn fold(&self, ids: &[&str], prefix: usize, only: Option<DialectName>) -> Vec<Folded> {
+        let is_asked = |dialect: &DialectName| only.is_none_or(|only| only == *dialect);
+        let dialects = |id: &str| self.dialects(id).iter().copied().filter(is_asked);
+        let spoken = ids.iter().copied().filter(|id| dialects(id).next().is_some());
+        let ids: Vec<&str> = spoken.collect();
+        let all: Vec<CaseKey<'_>> = ids
+            .iter()
+            .flat_map(|id| dialects(id).map(move |dialect| (*id, dialect)))
+            .collect();
+        let wanted = all.iter().filter(|key| self.wanted.contains(key)).count();
         if wanted == 0 {
             return Vec::new();
         }
-        let dialects: BTreeSet<DialectName> = ids.iter().flat_map(|id| self.dialects(id)).copied().collect();
         // An entry whose dialects are all custom ones would fit no case of a run without them.
-        let is_ever_there = dialects.iter().any(|dialect| !dialect.is_custom());
-        if wanted == all && is_ever_there {
+        let is_ever_there = only.is_some() || all.iter().any(|(_, dialect)| !dialect.is_custom());
+        if wanted == all.len() && is_ever_there {
+            let dialect = only.map_or_else(String::new, |only| format!("@{only}"));
             return vec![Folded {
-                case: name(ids, prefix),
-                cases: all,
+                case: name(&ids, prefix) + &dialect,
+                cases: wanted,
             }];
         }
+        let deeper = || parts(&ids, prefix).flat_map(|(part, prefix)| self.fold(part, prefix, only));
+        if only.is_some() {
+            return deeper().collect();
+        }
+        let dialects: BTreeSet<DialectName> = all.iter().map(|(_, dialect)| *dialect).collect();
+        let dialects = dialects.into_iter();
         let by_dialect: Vec<Folded> = dialects
-            .into_iter()
-            .flat_map(|dialect| self.one_dialect(ids, prefix, dialect))
+            .flat_map(|dialect| self.fold(&ids, prefix, Some(dialect)))
             .collect();
         if ids.len() == 1 {
             return by_dialect;
         }
-        let deeper: Vec<Folded> = parts(ids, prefix)
-            .flat_map(|(part, prefix)| self.all_dialects(part, prefix))
-            .collect();
+        let deeper: Vec<Folded> = deeper().collect();
         if by_dialect.len() < deeper.len() {
             by_dialect
         } else {
             deeper
-        }
-    }
-
-    fn one_dialect(&self, ids: &[&str], prefix: usize, dialect: DialectName) -> Vec<Folded> {
-        let spoken = ids
-            .iter()
-            .copied()
-            .filter(|id| self.dialects(id).contains(&dialect));
-        let spoken: Vec<&str> = spoken.collect();
-        let wanted = spoken.iter().filter(|id| self.wanted.contains(&(**id, dialect)));
-        match wanted.count() {
-            0 => Vec::new(),
-            all if all == spoken.len() => vec![Folded {
-                case: format!("{}@{dialect}", name(&spoken, prefix)),
-                cases: all,
-            }],
-            _ => parts(&spoken, prefix)
-                .flat_map(|(part, prefix)| self.one_dialect(part, prefix, dialect))
-                .collect(),
         }
     }
 

@@ -4,7 +4,7 @@ use crate::fixtures::{Puppet, executed, expecting, suite, values};
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{Baseline, CaseEvent, Event, Filter, Header, Plan, RunSummary, Verdict, run};
 use stickler_suite::{Case, Suite};
-use stickler_types::{Definition, DialectName};
+use stickler_types::{Dialect, DialectName};
 use stickler_workers::Cancellation;
 
 fn cases(ids: &[&str]) -> Suite {
@@ -214,7 +214,7 @@ fn a_filter_makes_no_entry_stale_and_a_dialect_that_the_engine_does_not_speak_do
 #[test]
 fn of_a_dialect_that_was_defined_and_takes_no_part_nothing_is_called_stale() {
     let define =
-        |name: &str| DialectName::define(Definition::new(name, DialectName::MATIEC, "here")).unwrap();
+        |name: &str| DialectName::define(Dialect::custom(name, DialectName::MATIEC, "here")).unwrap();
     let defined = define("holds-beside");
     let plan = |case: &str| Plan {
         baselines: vec![baseline(&entry(case, "fail", ""))],

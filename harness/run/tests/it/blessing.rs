@@ -6,7 +6,7 @@ use stickler_run::{
     Baseline, BaselineNote, Blessing, CaseEvent, ChangeKind, EngineHeader, EngineRun, Grade, Verdict, bless,
 };
 use stickler_suite::{Case, Suite};
-use stickler_types::{Definition, DialectName};
+use stickler_types::{Dialect, DialectName};
 
 const IDS: [&str; 5] = [
     "a/one",
@@ -274,7 +274,7 @@ fn the_comment_that_opens_the_file_stays_whichever_entry_goes() {
 
 #[test]
 fn a_dialect_that_was_defined_has_entries_where_it_takes_part_and_keeps_them_elsewhere() {
-    let defined = DialectName::define(Definition::new("blessed", DialectName::IRONPLC_ED3, "here")).unwrap();
+    let defined = DialectName::define(Dialect::custom("blessed", DialectName::IRONPLC_ED3, "here")).unwrap();
     let base = DialectName::IRONPLC_ED3;
     // Of what it states itself, only it has the case.
     let with = [("a/one", base), ("a/one", defined), ("a/own(1)", defined)];

@@ -1,33 +1,19 @@
 //! Tests on the real suite that inherited cases of a custom dialect are dropped where its overrides change their result.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 use stickler_engines::Reference;
 use stickler_run::{Event, Fact, Filter, Plan, Verdict, drop_changed_cases, run};
 use stickler_suite::Suite;
-use stickler_types::definition::ConversionOverrides;
-use stickler_types::definition::Flag;
-use stickler_types::{Definition, DialectName, Rounding, Stated};
+use stickler_types::{Dialect, DialectName};
 use stickler_workers::Cancellation;
-
-fn stated<T>(value: T) -> Stated<T> {
-    Stated {
-        value,
-        basis: Some("unstated: test".to_owned()),
-    }
-}
 
 #[test]
 fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
-    let dialect = DialectName::define(Definition {
-        flags: BTreeMap::from([(Flag::NestedComments, stated(false))]),
-        conversions: ConversionOverrides {
-            rounding: Some(stated(Rounding::HalfToEven)),
-            ..ConversionOverrides::default()
-        },
-        ..Definition::new("unstated", DialectName::IRONPLC_ED3, "here")
-    })
-    .unwrap();
+    let dialect = Dialect::custom("unstated", DialectName::IRONPLC_ED3, "here")
+        .stating("flags.nested-comments", "false", "unstated: test")
+        .and_then(|dialect| dialect.stating("conversions.rounding", "'half-to-even'", "unstated: test"));
+    let dialect = DialectName::define(dialect.unwrap()).unwrap();
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
     let is_wanted = |id: &str, _| {
         ["language/comments", "conversion/idiom-round", "widening/bool"]

@@ -3,10 +3,7 @@
 use crate::common::folder;
 use std::collections::BTreeMap;
 use stickler_suite::{Acceptance, Case, Suite};
-use stickler_types::definition::ConversionOverrides;
-use stickler_types::{
-    Code, Definition, DialectName, ElementaryType, MatrixWord, OutOfRange, Rounding, Stated,
-};
+use stickler_types::{Code, Dialect, DialectName, ElementaryType, MatrixWord};
 
 /// A matrix of implicit conversions, one of another rule, a table of calls, and a program.
 const FILES: [(&str, &str); 4] = [
@@ -36,15 +33,8 @@ const FILES: [(&str, &str); 4] = [
     ),
 ];
 
-fn stated<T>(value: T, basis: &str) -> Stated<T> {
-    Stated {
-        value,
-        basis: Some(basis.to_owned()),
-    }
-}
-
 /// The cases that a dialect has, by id.
-fn cases(definition: Definition) -> BTreeMap<String, Case> {
+fn cases(definition: Dialect) -> BTreeMap<String, Case> {
     let dialect = DialectName::define(definition).unwrap();
     let files: Vec<(&str, &str)> = FILES.to_vec();
     let folder = folder(&files);
@@ -75,7 +65,7 @@ fn values(case: &Case) -> Vec<String> {
 
 #[test]
 fn what_overrides_nothing_takes_every_case_over_as_it_is() {
-    let own = cases(Definition::new(
+    let own = cases(Dialect::custom(
         "overrides-nothing",
         DialectName::IRONPLC_ED3,
         "here",
@@ -103,14 +93,12 @@ fn what_overrides_nothing_takes_every_case_over_as_it_is() {
 #[test]
 fn a_cell_that_is_overridden_expects_what_the_definition_says() {
     use ElementaryType::{Bool, Int, Sint};
-    let own = cases(Definition {
-        implicit: BTreeMap::from([
-            ((Sint, Int), stated(MatrixWord::No, "cells: implicit SINT.INT")),
-            ((Int, Sint), stated(MatrixWord::Yes, "cells: implicit INT.SINT")),
-            ((Int, Bool), stated(MatrixWord::Open, "cells: implicit INT.BOOL")),
-        ]),
-        ..Definition::new("cells", DialectName::IRONPLC_ED3, "here")
-    });
+    let own = cases(
+        Dialect::custom("cells", DialectName::IRONPLC_ED3, "here")
+            .stating_cell((Sint, Int), MatrixWord::No, "cells: implicit SINT.INT")
+            .stating_cell((Int, Sint), MatrixWord::Yes, "cells: implicit INT.SINT")
+            .stating_cell((Int, Bool), MatrixWord::Open, "cells: implicit INT.BOOL"),
+    );
     let rejected = &own["a/widening::p(SINT,INT)"];
     assert_eq!(
         rejected.expectation.diagnostics[0].code,
@@ -146,15 +134,15 @@ fn a_cell_that_is_overridden_expects_what_the_definition_says() {
 
 #[test]
 fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition() {
-    let rounding = stated(Rounding::HalfAwayFromZero, "calls: rounding");
-    let own = cases(Definition {
-        conversions: ConversionOverrides {
-            rounding: Some(rounding.clone()),
-            out_of_range: Some(stated(OutOfRange::Saturate, "calls: out-of-range")),
-            ..ConversionOverrides::default()
-        },
-        ..Definition::new("calls", DialectName::IRONPLC_ED3, "here")
-    });
+    let rounding = |name| {
+        let dialect = Dialect::custom(name, DialectName::IRONPLC_ED3, "here");
+        dialect
+            .stating("conversions.rounding", "'half-away-from-zero'", "calls: rounding")
+            .unwrap()
+    };
+    let saturating =
+        rounding("calls").stating("conversions.out-of-range", "'saturate'", "calls: out-of-range");
+    let own = cases(saturating.unwrap());
     for (id, expected, basis) in [
         ("a/calls::p(2.0)", "SINT#2", "iec-61131-3: 6"),
         ("a/calls::p(2.5)", "SINT#3", "calls: rounding"),
@@ -168,13 +156,7 @@ fn a_call_expects_what_exact_arithmetic_gives_by_the_choices_of_the_definition()
             "{id}"
         );
     }
-    let own = cases(Definition {
-        conversions: ConversionOverrides {
-            rounding: Some(rounding),
-            ..ConversionOverrides::default()
-        },
-        ..Definition::new("calls-wrapping", DialectName::IRONPLC_ED3, "here")
-    });
+    let own = cases(rounding("calls-wrapping"));
     // It is 128, and nobody says what becomes of that.
     let open = &own["a/calls::p(127.5)"];
     assert_eq!(

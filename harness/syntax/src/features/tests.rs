@@ -5,7 +5,7 @@ use stickler_types::DialectName;
 
 fn of(declarations: &str, statements: &str) -> Vec<String> {
     let text = format!("PROGRAM p {declarations} {statements} END_PROGRAM");
-    let found = features(&text, &Dialect::of(DialectName::IRONPLC_ED2));
+    let found = features(&text, Dialect::of(DialectName::IRONPLC_ED2));
     found.into_iter().map(Cow::into_owned).collect()
 }
 
@@ -44,7 +44,7 @@ fn calls_are_told_by_what_is_called() {
 #[test]
 fn a_use_has_its_place() {
     let text = "PROGRAM p x := MAX(a.3, INT#-5); END_PROGRAM";
-    let found = feature_uses(text, &Dialect::of(DialectName::IRONPLC_ED2));
+    let found = feature_uses(text, Dialect::of(DialectName::IRONPLC_ED2));
     let described: Vec<String> = found
         .iter()
         .map(|one| format!("{} {}", one.key, one.span.text(text)))

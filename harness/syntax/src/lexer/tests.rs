@@ -219,7 +219,7 @@ fn other_comments_are_skipped_and_reported_where_they_are_not_enabled() {
     ];
     assert_eq!(codes(text, ed2()), comments);
     assert_eq!(kinds(text), [Name, Name, Name]);
-    assert_eq!(codes(text, &Dialect::of(DialectName::IRONPLC_RUSTY)), []);
+    assert_eq!(codes(text, Dialect::of(DialectName::IRONPLC_RUSTY)), []);
 }
 
 #[test]

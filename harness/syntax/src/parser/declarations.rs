@@ -326,7 +326,7 @@ mod tests {
         }
         let (unit, _) = crate::parse(
             "FUNCTION f(a : INT; b : REAL) : INT f := a; END_FUNCTION",
-            &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
+            stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
         );
         let f = crate::parser::testing::pou(&unit, 0);
         assert!(f.result.is_some());
@@ -353,7 +353,7 @@ mod tests {
     fn a_broken_type_keeps_its_name() {
         let (unit, _) = crate::parse(
             "TYPE A : 5; END_TYPE",
-            &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
+            stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
         );
         let [Declaration::Types(types)] = unit.declarations.as_slice() else {
             panic!("{unit:?}")

@@ -139,11 +139,11 @@ mod tests {
     fn the_wider_forms_are_enabled_in_rusty_up_to_double_words() {
         for suffix in [".%B1", ".%w0", ".%D0", ".%D1.%W1.%B1.%X1"] {
             let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
-            assert_eq!(codes(&text, &Dialect::of(DialectName::RUSTY)), [], "{suffix}");
+            assert_eq!(codes(&text, Dialect::of(DialectName::RUSTY)), [], "{suffix}");
         }
         let text = "PROGRAM p x := y + a.%L0; END_PROGRAM";
         assert_eq!(
-            codes(text, &Dialect::of(DialectName::RUSTY)),
+            codes(text, Dialect::of(DialectName::RUSTY)),
             only(Code::UnexpectedToken, ".%L0")
         );
     }

@@ -210,7 +210,7 @@ mod tests {
         let text = "PROGRAM p x := 1; VAR x : INT; END_VAR x := 2; END_PROGRAM";
         let (unit, diagnostics) = crate::parse(
             text,
-            &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
+            stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
         );
         let pou = crate::parser::testing::pou(&unit, 0);
         assert_eq!((diagnostics.len(), pou.blocks.len(), pou.body.len()), (1, 1, 2));

@@ -11,7 +11,7 @@ use stickler_types::{Dialect, DialectName};
 
 /// The diagnostics of a text in the second edition, as `line:column code message`.
 pub(super) fn errors(text: &str) -> Vec<String> {
-    let (_, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED2));
+    let (_, diagnostics) = parse(text, Dialect::of(DialectName::IRONPLC_ED2));
     let lines = LineIndex::new(text);
     let show = |diagnostic: &crate::diagnostic::SpannedDiagnostic| {
         let at = lines.position(text, diagnostic.span.start);
@@ -45,7 +45,7 @@ pub(super) fn codes(text: &str, dialect: &Dialect) -> Vec<(Code, String)> {
 /// The tree of a text about which there is nothing to say.
 pub(super) fn accepted(text: &str) -> SourceUnit<'_> {
     assert_eq!(errors(text), [""; 0], "{text}");
-    parse(text, &Dialect::of(DialectName::IRONPLC_ED2)).0
+    parse(text, Dialect::of(DialectName::IRONPLC_ED2)).0
 }
 
 /// The statements of a body about which there is nothing to say.

@@ -360,7 +360,7 @@ mod tests {
             assert_eq!(errors(&text).len(), 1, "{declaration}: {:?}", errors(&text));
             let (unit, _) = crate::parse(
                 &text,
-                &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
+                stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED2),
             );
             let groups = &pou(&unit, 0).blocks[0].groups;
             assert_eq!(
@@ -417,7 +417,7 @@ mod tests {
     fn a_type_that_could_not_be_read_takes_its_initial_value_along() {
         let (unit, _) = crate::parse(
             "PROGRAM p VAR q : REF_TO INT := REF(x); END_VAR END_PROGRAM",
-            &stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED3),
+            stickler_types::Dialect::of(stickler_types::DialectName::IRONPLC_ED3),
         );
         let group = &pou(&unit, 0).blocks[0].groups[0];
         assert!(

@@ -6,10 +6,10 @@ use stickler_types::{Dialect, DialectName};
 
 /// The rendered text, which renders to itself.
 fn rendered(text: &str) -> String {
-    let (unit, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED3));
+    let (unit, diagnostics) = parse(text, Dialect::of(DialectName::IRONPLC_ED3));
     assert_eq!(diagnostics, [], "{text}");
     let once = render(&unit, text);
-    let (again, diagnostics) = parse(&once, &Dialect::of(DialectName::IRONPLC_ED3));
+    let (again, diagnostics) = parse(&once, Dialect::of(DialectName::IRONPLC_ED3));
     assert_eq!(diagnostics, [], "{once}");
     assert_eq!(render(&again, &once), once);
     once

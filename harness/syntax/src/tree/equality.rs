@@ -116,7 +116,7 @@ mod tests {
     use stickler_types::{Dialect, DialectName};
 
     fn tree(text: &str) -> SourceUnit<'_> {
-        let (unit, diagnostics) = parse(text, &Dialect::of(DialectName::IRONPLC_ED3));
+        let (unit, diagnostics) = parse(text, Dialect::of(DialectName::IRONPLC_ED3));
         assert_eq!(diagnostics, [], "{text}");
         unit
     }

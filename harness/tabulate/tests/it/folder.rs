@@ -20,7 +20,7 @@ fn the_folder_holds_the_rows_that_the_program_writes() {
     }
     assert!(
         shown.is_empty(),
-        "{shown}\nto rewrite the tables: cargo run -p stickler-tabulate"
+        "{shown}\nto rewrite the tables: cargo xtask tabulate"
     );
 }
 

@@ -1,10 +1,10 @@
 //! Reads the tables `[dialects.NAME]` of `stickler.toml`.
 
 use super::draft::Draft;
-use super::near::{advice, list};
 use super::override_tables::overrides;
 use super::table::{ConfigurationMistake, table, text};
-use crate::{Definition, DialectName, ElementaryType};
+use crate::near::{advice, list};
+use crate::{Dialect, DialectName, ElementaryType};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::Spanned;
@@ -25,6 +25,9 @@ const KEYS: [&str; 8] = [
 /// The greatest length of a dialect's name.
 const MAX_NAME_LEN: usize = 64;
 
+/// Formats a position in the file for messages.
+type Written<'w> = &'w dyn Fn(&Range<usize>) -> String;
+
 /// A table of the file, with its name.
 struct DialectTable<'v, 'i> {
     name: &'v str,
@@ -39,9 +42,9 @@ struct DialectTable<'v, 'i> {
 /// The first mistake.
 pub fn definitions(
     dialects: &DeTable<'_>,
-    written: &dyn Fn(&Range<usize>) -> String,
+    written: Written<'_>,
     converts: fn(ElementaryType, ElementaryType) -> bool,
-) -> Result<Vec<(Definition, Range<usize>)>, ConfigurationMistake> {
+) -> Result<Vec<(Dialect, Range<usize>)>, ConfigurationMistake> {
     let mut entries = Vec::new();
     for (key, value) in dialects.iter() {
         let (name, span) = (key.get_ref().as_ref(), key.span());
@@ -54,7 +57,7 @@ pub fn definitions(
         .map(|at| (entries[at].name, at))
         .take(entries.len())
         .collect();
-    let mut read: Vec<Option<Definition>> = vec![None; entries.len()];
+    let mut read: Vec<Option<Dialect>> = vec![None; entries.len()];
     for at in 0..entries.len() {
         // Those that extend one another, each before the one that it extends.
         let mut open = vec![at];
@@ -72,15 +75,14 @@ pub fn definitions(
                 Base::Defined(other, _) => {
                     let entry = &entries[next];
                     let start = read[other].as_ref();
-                    let start =
-                        start.map(|other| Definition::extending(other, entry.name, &written(&entry.span)));
+                    let start = start.map(|other| other.extended(entry.name, &written(&entry.span)));
                     read[next] = start
                         .map(|start| definition(entry, start, (written, converts)))
                         .transpose()?;
                 }
                 Base::Documented(base) => {
                     let entry = &entries[next];
-                    let start = Definition::new(entry.name, base, &written(&entry.span));
+                    let start = Dialect::custom(entry.name, base, &written(&entry.span));
                     read[next] = Some(definition(entry, start, (written, converts))?);
                 }
             }
@@ -166,20 +168,17 @@ fn in_a_circle(entry: &DialectTable<'_, '_>, at: &Range<usize>) -> Configuration
 /// Reads one table, whose overrides are added to the definition `start`.
 fn definition(
     entry: &DialectTable<'_, '_>,
-    start: Definition,
-    (written, converts): (
-        &dyn Fn(&Range<usize>) -> String,
-        fn(ElementaryType, ElementaryType) -> bool,
-    ),
-) -> Result<Definition, ConfigurationMistake> {
+    start: Dialect,
+    (written, converts): (Written<'_>, fn(ElementaryType, ElementaryType) -> bool),
+) -> Result<Dialect, ConfigurationMistake> {
     let words = |key: &str| entry.keys.get(key).map(|value| words(key, value)).transpose();
     let mut draft = Draft {
-        definition: start,
+        dialect: start,
         source: words("source")?,
         written: Some(written),
         converts,
     };
-    draft.definition.about = words("about")?;
+    draft.dialect.about = words("about")?;
     let whose = format!("dialects.{}.", entry.name);
     overrides(entry.keys, &whose, &mut draft)?;
     for (key, _) in entry
@@ -195,7 +194,7 @@ fn definition(
             &KEYS,
         ));
     }
-    Ok(draft.definition)
+    Ok(draft.dialect)
 }
 
 /// Reads a text for people, which terminals and reports show.

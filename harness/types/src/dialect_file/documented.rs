@@ -2,25 +2,25 @@
 
 use super::definitions::words;
 use super::draft::Draft;
-use super::near::advice;
-use super::override_tables::overrides;
+use super::override_tables::{choices, overrides};
 use super::table::{ConfigurationMistake, mistake, table, text};
-use crate::choices::Choice;
-use crate::definition::DialectKind;
-use crate::documents::{Documents, PageOnReals};
-use crate::{Definition, DialectName};
+use crate::choice::Choice;
+use crate::documents::PageOnReals;
+use crate::near::advice;
+use crate::{Dialect, DialectKind, DialectName, OutOfRange, Rounding};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The keys of the file, besides the tables of overrides.
-const KEYS: [&str; 12] = [
+/// The keys of the file.
+const KEYS: [&str; 13] = [
     "title",
     "about",
     "order",
     "extends",
     "known-in-part",
     "documents",
+    "page-on-reals",
     "variants",
     "flags",
     "language",
@@ -32,42 +32,37 @@ const KEYS: [&str; 12] = [
 /// The content of the file of a documented system.
 #[derive(Clone, Debug)]
 pub struct DialectFile {
-    /// What the file states of the system.
-    pub definition: Definition,
+    /// The system.
+    pub dialect: Dialect,
     /// The variants of the system by compiler options.
-    pub variants: Vec<Definition>,
+    pub variants: Vec<Dialect>,
 }
 
-/// Returns the definitions of embedded files, in their order, and after them those of their variants by name.
+/// Returns the dialects of embedded files, in their order, and after them their variants by name.
 ///
 /// # Panics
 /// Panics on a mistake in a file, which the first use of any dialect shows.
-pub(crate) fn documented(files: &[(&str, &str)]) -> Vec<Definition> {
-    let mut read: Vec<Definition> = Vec::with_capacity(files.len());
+pub(crate) fn documented(files: &[(&str, &str)]) -> Vec<Dialect> {
+    let mut read: Vec<Dialect> = Vec::with_capacity(files.len());
     let mut variants = Vec::new();
     for ((name, text), own) in files.iter().zip(DialectName::ALL) {
-        let extended = |other: &str| read.iter().find(|one| one.name == other).cloned();
+        let extended = |other: &str| read.iter().find(|one| one.spelling == other).cloned();
         let place = format!("conformance-cases/dialects/{name}.toml");
         match read_documented((name, own), text, &place, &extended) {
             Ok(file) => {
-                read.push(file.definition);
+                read.push(file.dialect);
                 variants.extend(file.variants);
             }
-            Err(mistake) => {
-                let line = text
-                    .get(..mistake.span.start)
-                    .map_or(1, |before| before.matches('\n').count() + 1);
-                panic!("{place}:{line}: {}", mistake.message);
-            }
+            Err(mistake) => panic!("{place}:{}: {}", line(text, mistake.span.start), mistake.message),
         }
     }
-    variants.sort_by(|one, other| one.name.cmp(&other.name));
+    variants.sort_by(|one, other| one.spelling.cmp(&other.spelling));
     read.extend(variants);
     read
 }
 
-/// Reads the file of a documented system, of this name. `extended` returns what the file of another system states, by its name;
-/// `place` is the path of the file for messages.
+/// Reads the file of a documented system, of this name. `extended` returns another system by its name; `place` is the path of the
+/// file for messages.
 ///
 /// # Errors
 /// The first mistake in the file.
@@ -75,186 +70,139 @@ pub fn read_documented(
     (name, own): (&str, DialectName),
     text: &str,
     place: &str,
-    extended: &dyn Fn(&str) -> Option<Definition>,
+    extended: &dyn Fn(&str) -> Option<Dialect>,
 ) -> Result<DialectFile, ConfigurationMistake> {
     let document = DeTable::parse(text).map_err(|error| mistake(&error, 0..0, "of the file", &[]))?;
     let keys = document.get_ref();
-    for (key, _) in keys
-        .iter()
-        .filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
-    {
-        return Err(ConfigurationMistake::unknown_key(
-            key.span(),
-            key.get_ref(),
-            "of the file of a dialect",
-            &KEYS,
-        ));
-    }
-    let mut draft = draft(start((name, own), keys, place, extended)?);
-    draft.definition.title = match keys.get("title") {
-        Some(title) => words("title", title)?,
-        None => {
-            return Err(ConfigurationMistake::at(
-                0..0,
-                "the file has no `title`, a name of the system for people",
-            ));
+    let mut draft = draft(Dialect {
+        spelling: name.to_owned(),
+        base: own,
+        place: place.to_owned(),
+        ..start(keys, extended)?
+    });
+    for (key, value) in keys.iter() {
+        let (key, at) = (key.get_ref().as_ref(), key.span());
+        let dialect = &mut draft.dialect;
+        match key {
+            "title" => dialect.title = words(key, value)?,
+            "about" => dialect.about = Some(text_of(key, value)?),
+            "known-in-part" => stated(&mut dialect.is_known_in_part, key, value)?,
+            "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,
+            "page-on-reals" => {
+                dialect.documents.page_on_reals = Some(page_on_reals(table(key, value)?, &at)?)
+            }
+            _ if KEYS.contains(&key) => {}
+            _ => {
+                return Err(ConfigurationMistake::unknown_key(
+                    at,
+                    key,
+                    "of the file of a dialect",
+                    &KEYS,
+                ));
+            }
         }
-    };
-    draft.definition.about = keys
-        .get("about")
-        .map(|about| text_of("about", about))
-        .transpose()?;
-    if let Some(partly) = keys.get("known-in-part") {
-        draft.definition.is_known_in_part = truth("known-in-part", partly)?;
     }
-    if let Some(value) = keys.get("documents") {
-        documents(table("documents", value)?, &mut draft.definition.documents)?;
+    if draft.dialect.title.is_empty() {
+        let message = "the file has no `title`, a name of the system for people";
+        return Err(ConfigurationMistake::at(0..0, message));
     }
     overrides(keys, "", &mut draft)?;
-    let definition = draft.definition;
+    let dialect = draft.dialect;
     let variants = match keys.get("variants") {
-        Some(value) => variants(table("variants", value)?, &definition, (text, place))?,
+        Some(value) => variants(table("variants", value)?, &dialect, (text, place))?,
         None => Vec::new(),
     };
-    Ok(DialectFile { definition, variants })
+    Ok(DialectFile { dialect, variants })
 }
 
-fn draft(definition: Definition) -> Draft<'static> {
+fn draft(dialect: Dialect) -> Draft<'static> {
     Draft {
-        definition,
+        dialect,
         source: None,
         written: None,
         converts: |_, _| true,
     }
 }
 
-/// Returns what the file begins with: the statements of the system that it extends, or none.
+/// Returns what the file begins with: the system that it extends, or the defaults.
 fn start(
-    (name, own): (&str, DialectName),
     keys: &DeTable<'_>,
-    place: &str,
-    extended: &dyn Fn(&str) -> Option<Definition>,
-) -> Result<Definition, ConfigurationMistake> {
+    extended: &dyn Fn(&str) -> Option<Dialect>,
+) -> Result<Dialect, ConfigurationMistake> {
     let Some(extends) = keys.get("extends") else {
-        return Ok(Definition::documented(name, own, place));
+        return Ok(Dialect::DEFAULT);
     };
-    let other = text("extends", extends)?;
-    let Some(other) = extended(other) else {
+    let name = text("extends", extends)?;
+    let Some(mut other) = extended(name) else {
         let known = DialectName::ALL.map(DialectName::as_str);
-        let message = format!(
-            "there is no dialect `{other}` before this one to extend; {}",
-            advice(other, &known)
-        );
+        let advice = advice(name, &known);
+        let message = format!("there is no dialect `{name}` before this one to extend; {advice}");
         return Err(ConfigurationMistake::at(extends.span(), message));
     };
-    let taken_over = Definition::extending(&other, name, place);
-    Ok(Definition {
-        base: own,
-        kind: DialectKind::Documented,
-        documents: Documents {
-            page_on_reals: None,
-            ..other.documents
-        },
-        ..taken_over
-    })
-}
-
-/// Reads the table `documents`.
-fn documents(keys: &DeTable<'_>, documents: &mut Documents) -> Result<(), ConfigurationMistake> {
-    const KNOWN: [&str; 8] = [
-        "implicit",
-        "functions",
-        "bits",
-        "partial-access",
-        "untyped-literals",
-        "inputs-left-out",
-        "wide-strings",
-        "page-on-reals",
-    ];
-    for (key, value) in keys.iter() {
-        let name = key.get_ref().as_ref();
-        match name {
-            "implicit" => documents.implicit = choice(name, value)?,
-            "functions" => documents.functions = choice(name, value)?,
-            "bits" => documents.bits = truth(name, value)?,
-            "partial-access" => documents.partial_access = truth(name, value)?,
-            "untyped-literals" => documents.untyped_literals = truth(name, value)?,
-            "inputs-left-out" => documents.inputs_left_out = truth(name, value)?,
-            "wide-strings" => documents.wide_strings = truth(name, value)?,
-            "page-on-reals" => {
-                documents.page_on_reals = Some(page_on_reals(table(name, value)?, &key.span())?)
-            }
-            _ => {
-                return Err(ConfigurationMistake::unknown_key(
-                    key.span(),
-                    name,
-                    "of `[documents]`",
-                    &KNOWN,
-                ));
-            }
-        }
-    }
-    Ok(())
+    // They speak of the other system alone.
+    (other.title, other.about) = (String::new(), None);
+    other.documents.page_on_reals = None;
+    Ok(other)
 }
 
 fn page_on_reals(keys: &DeTable<'_>, at: &Range<usize>) -> Result<PageOnReals, ConfigurationMistake> {
     let get = |name: &str| {
-        let missing =
-            || ConfigurationMistake::at(at.clone(), format!("`[documents.page-on-reals]` has no `{name}`"));
+        let missing = || ConfigurationMistake::at(at.clone(), format!("`[page-on-reals]` has no `{name}`"));
         keys.get(name).ok_or_else(missing)
     };
-    Ok(PageOnReals {
+    let mut page = PageOnReals {
         basis: text_of("basis", get("basis")?)?,
-        rounding: choice("rounding", get("rounding")?)?,
-        out_of_range: choice("out-of-range", get("out-of-range")?)?,
-    })
+        rounding: Rounding::Truncate,
+        out_of_range: OutOfRange::Wrap,
+    };
+    stated(&mut page.rounding, "rounding", get("rounding")?)?;
+    stated(&mut page.out_of_range, "out-of-range", get("out-of-range")?)?;
+    Ok(page)
 }
 
 /// Reads the variants of a system.
 fn variants(
     keys: &DeTable<'_>,
-    base: &Definition,
+    base: &Dialect,
     (text, place): (&str, &str),
-) -> Result<Vec<Definition>, ConfigurationMistake> {
+) -> Result<Vec<Dialect>, ConfigurationMistake> {
     let mut found = Vec::new();
     for (key, value) in keys.iter() {
         let name = key.get_ref().as_ref();
-        let lines = text
-            .get(..key.span().start)
-            .map_or(1, |before| before.matches('\n').count() + 1);
-        let place = format!("{place}:{lines}");
+        let place = format!("{place}:{}", line(text, key.span().start));
         let written = |_: &Range<usize>| place.clone();
         let table = table(&format!("variants.{name}"), value)?;
         let mut draft = Draft {
             written: Some(&written),
-            ..draft(Definition {
+            ..draft(Dialect {
                 kind: DialectKind::Variant,
-                ..Definition::extending(base, name, &place)
+                ..base.extended(name, &place)
             })
         };
-        draft.definition.about = table
-            .get("about")
-            .map(|about| words("about", about))
-            .transpose()?;
+        let about = table.get("about").map(|about| words("about", about));
+        draft.dialect.about = about.transpose()?;
         overrides(table, &format!("variants.{name}."), &mut draft)?;
-        found.push(draft.definition);
+        found.push(draft.dialect);
     }
     Ok(found)
+}
+
+/// Returns the line of a position in a text, from 1.
+fn line(text: &str, at: usize) -> usize {
+    text.get(..at)
+        .map_or(1, |before| before.matches('\n').count() + 1)
 }
 
 fn text_of(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {
     text(key, value).map(|text| text.trim().to_owned())
 }
 
-fn truth(key: &str, value: &Spanned<DeValue<'_>>) -> Result<bool, ConfigurationMistake> {
-    let wrong = || ConfigurationMistake::at(value.span(), format!("`{key}` must be true or false"));
-    value.get_ref().as_bool().ok_or_else(wrong)
-}
-
-fn choice<T: Choice>(key: &str, value: &Spanned<DeValue<'_>>) -> Result<T, ConfigurationMistake> {
-    let word = text(key, value)?;
-    T::read(word).ok_or_else(|| {
-        let message = format!("`{key}` is not `{word}`; {}", advice(word, &T::known()));
-        ConfigurationMistake::at(value.span(), message)
-    })
+/// Makes the choice that a value names.
+fn stated(
+    choice: &mut dyn Choice,
+    key: &str,
+    value: &Spanned<DeValue<'_>>,
+) -> Result<(), ConfigurationMistake> {
+    let wrong = |message| ConfigurationMistake::at(value.span(), format!("`{key}` {message}"));
+    choice.state(key, value.get_ref()).map_err(wrong)
 }

@@ -1,11 +1,11 @@
 //! Reads the overrides of a dialect: the tables `implicit`, `flags`, `language`, `conversions` and `operators`.
 
 use super::draft::Draft;
-use super::near::{advice, list};
-use super::table::{ConfigurationMistake, table, text};
-use crate::definition::{ConversionOverrides, Flag, LanguageOverrides, OperatorOverrides};
-use crate::dialect::ThirdEditionTypes;
-use crate::{DialectKind, ElementaryType, MatrixWord};
+use super::table::{ConfigurationMistake, table};
+use crate::choice::one_of;
+use crate::dialect::{Pair, Stated, TABLES, ThirdEditionTypes};
+use crate::near::{advice, list};
+use crate::{Dialect, ElementaryType, MatrixWord};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use toml::Spanned;
@@ -29,176 +29,64 @@ pub(crate) fn overrides(
     draft: &mut Draft<'_>,
 ) -> Result<(), ConfigurationMistake> {
     let find = |name: &str| {
-        keys.get(name)
+        let value = keys.get(name);
+        value
             .map(|value| table(&format!("{whose}{name}"), value))
             .transpose()
     };
-    // Which types there are depends on the tables before it.
-    let tables: [(&str, Reader); 5] = [
-        ("flags", flags),
-        ("language", language),
-        ("conversions", conversions),
-        ("operators", operators),
-        ("implicit", implicit),
-    ];
-    for (name, read) in tables {
+    for name in TABLES {
         if let Some(keys) = find(name)? {
-            read(keys, draft)?;
+            choices(
+                keys,
+                name,
+                &format!("[dialects.{}.{name}]", draft.dialect.spelling),
+                draft,
+            )?;
         }
     }
-    Ok(())
+    // Which types there are depends on the tables before it.
+    match find("implicit")? {
+        Some(keys) => implicit(keys, draft),
+        None => Ok(()),
+    }
 }
 
-/// A function that reads a table of overrides.
-type Reader = fn(&DeTable<'_>, &mut Draft<'_>) -> Result<(), ConfigurationMistake>;
-
-/// Reads `[dialects.NAME.flags]`.
+/// Reads the keys of a table of choices; `whose` names the table in messages.
 ///
 /// # Errors
-/// An unknown flag, or a value that is neither true nor false.
-fn flags(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
-    for (key, value) in keys.iter() {
-        let word = key.get_ref().as_ref();
-        let Some(flag) = Flag::from_word(word) else {
-            let known: Vec<&str> = Flag::ALL.iter().map(|flag| flag.as_str()).collect();
-            return Err(ConfigurationMistake::unknown_key(
-                key.span(),
-                word,
-                &of("flags", draft),
-                &known,
-            ));
-        };
-        let Some(on) = value.get_ref().as_bool() else {
-            let found = value.get_ref().type_str();
-            let message = format!("`{word}` must be true or false, and this is of type {found}");
-            return Err(ConfigurationMistake::at(value.span(), message));
-        };
-        let stated = draft.stated(on, word, &key.span());
-        draft.definition.flags.insert(flag, stated);
-        match flag {
-            // The documents of a system have tables of their own about these pairs.
-            Flag::CrossFamilyWidening if draft.definition.kind == DialectKind::Custom => {
-                cross_family(on, &key.span(), draft);
-            }
-            Flag::ThirdEditionTypes if !on => without_third_edition(draft),
-            _ => {}
-        }
-    }
-    Ok(())
-}
-
-/// Removes the inherited statements about types that the dialect does not have.
-fn without_third_edition(draft: &mut Draft<'_>) {
-    let has = |ty: ElementaryType| !ty.is_third_edition();
-    draft
-        .definition
-        .implicit
-        .retain(|(from, to), _| has(*from) && has(*to));
-}
-
-/// Applies the flag for cross-family widening to the cells of the matrix that it decides. Basis: ironplc-type-conversions:
-/// Cross-family widening ("an integer type of strictly greater bit width").
-fn cross_family(on: bool, at: &Range<usize>, draft: &mut Draft<'_>) {
-    let cell = if on { MatrixWord::Yes } else { MatrixWord::No };
-    for from in ElementaryType::ALL.into_iter().filter(|ty| ty.is_bit_string()) {
-        for to in ElementaryType::ALL.into_iter().filter(|ty| ty.is_integer()) {
-            if from.bits() < to.bits() {
-                let stated = draft.stated(cell, Flag::CrossFamilyWidening.as_str(), at);
-                draft.definition.implicit.insert((from, to), stated);
-            }
-        }
-    }
-}
-
-/// Reads a table of choices; `set` makes the choice of a key and lists the words of the key where there is none.
-fn choices(
+/// An unknown key, or a value that the key cannot have.
+pub(crate) fn choices(
     keys: &DeTable<'_>,
-    (name, known): (&str, &[&str]),
+    name: &str,
+    whose: &str,
     draft: &mut Draft<'_>,
-    set: impl Fn(&mut Draft<'_>, &str, &str, Option<String>) -> Option<Result<(), Vec<&'static str>>>,
 ) -> Result<(), ConfigurationMistake> {
     for (key, value) in keys.iter() {
         let (at, key) = (key.span(), key.get_ref().as_ref());
-        let number = value.get_ref().as_integer().map(|number| number.as_str());
-        let word = match number {
-            Some(number) => number,
-            None if known.contains(&key) => text(key, value)?,
-            None => "",
-        };
         let basis = draft.basis(key, &at);
-        match set(draft, key, word, basis) {
+        match draft
+            .dialect
+            .state(&format!("{name}.{key}"), value.get_ref(), basis)
+        {
             Some(Ok(())) => {}
-            Some(Err(words)) if key == "real-text" => {
-                let message = format!(
-                    "`{key}` is {}, or a number of significant digits from 1 to 40",
-                    list(words)
-                );
-                return Err(ConfigurationMistake::at(value.span(), message));
-            }
-            Some(Err(words)) => {
-                let message = format!("`{key}` is not `{word}`; {}", advice(word, &words));
-                return Err(ConfigurationMistake::at(value.span(), message));
+            Some(Err(message)) => {
+                return Err(ConfigurationMistake::at(
+                    value.span(),
+                    format!("`{key}` {message}"),
+                ));
             }
             None => {
+                let known: Vec<&str> = Dialect::keys_of(name).collect();
                 return Err(ConfigurationMistake::unknown_key(
                     at,
                     key,
-                    &of(name, draft),
-                    known,
+                    &format!("of `{whose}`"),
+                    &known,
                 ));
             }
         }
     }
     Ok(())
-}
-
-fn language(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
-    choices(
-        keys,
-        ("language", LanguageOverrides::KEYS),
-        draft,
-        |draft, key, word, basis| draft.definition.language.set(key, word, basis),
-    )
-}
-
-fn conversions(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
-    // What was stated of truncation alone goes with what was stated of all numbers outside.
-    if keys.get("out-of-range").is_some() {
-        draft.definition.conversions.truncation_out_of_range = None;
-    }
-    choices(
-        keys,
-        ("conversions", ConversionOverrides::KEYS),
-        draft,
-        |draft, key, word, basis| draft.definition.conversions.set(key, word, basis),
-    )
-}
-
-fn operators(keys: &DeTable<'_>, draft: &mut Draft<'_>) -> Result<(), ConfigurationMistake> {
-    choices(
-        keys,
-        ("operators", OperatorOverrides::KEYS),
-        draft,
-        |draft, key, word, basis| draft.definition.operators.set(key, word, basis),
-    )
-}
-
-/// Returns the option of `all` that a value names.
-fn one_of<T: Copy>(
-    key: &str,
-    value: &Spanned<DeValue<'_>>,
-    all: &[T],
-    as_str: impl Fn(T) -> &'static str,
-) -> Result<T, ConfigurationMistake> {
-    let word = text(key, value)?;
-    all.iter()
-        .copied()
-        .find(|known| as_str(*known) == word)
-        .ok_or_else(|| {
-            let known: Vec<&str> = all.iter().map(|known| as_str(*known)).collect();
-            let message = format!("`{key}` is not `{word}`; {}", advice(word, &known));
-            ConfigurationMistake::at(value.span(), message)
-        })
 }
 
 /// Reads `[dialects.NAME.implicit]`: `"FROM.TO" = "yes"`, with or without the quotes.
@@ -243,9 +131,6 @@ fn once(read: &mut BTreeSet<Pair>, pair: Pair, at: &Range<usize>) -> Result<(), 
     Err(ConfigurationMistake::at(at.clone(), message))
 }
 
-/// The type of a value, and that of its target.
-type Pair = (ElementaryType, ElementaryType);
-
 fn cell(
     (from, from_at): (&str, &Range<usize>),
     (to, to_at): (&str, &Range<usize>),
@@ -258,7 +143,8 @@ fn cell(
         let message = format!("`{key}` needs no word; a type always stands for itself");
         return Err(ConfigurationMistake::at(to_at.clone(), message));
     }
-    let word = one_of(&key, value, &WORDS, MatrixWord::as_str)?;
+    let word = one_of(value.get_ref(), &WORDS, MatrixWord::as_str)
+        .map_err(|message| ConfigurationMistake::at(value.span(), format!("`{key}` {message}")))?;
     if word != MatrixWord::No && !(draft.converts)(from, to) {
         let message = format!(
             "`{key}` cannot be `{}`; there is no conversion from {from} to {to}",
@@ -266,8 +152,11 @@ fn cell(
         );
         return Err(ConfigurationMistake::at(value.span(), message));
     }
-    let stated = draft.stated(word, &format!("implicit {from}.{to}"), from_at);
-    draft.definition.implicit.insert((from, to), stated);
+    let basis = draft.basis(&format!("implicit {from}.{to}"), from_at);
+    draft
+        .dialect
+        .cells
+        .insert((from, to), Stated { value: word, basis });
     Ok((from, to))
 }
 
@@ -283,11 +172,11 @@ fn elementary(
         let message = format!("there is no type `{name}`; {}", advice(name, &types));
         ConfigurationMistake::at(at.clone(), message)
     })?;
-    if ty.is_third_edition() && !has_third_edition(draft) {
+    if ty.is_third_edition() && draft.dialect.third_edition_types == ThirdEditionTypes::None {
         let message = format!(
             "`{}` has no type {ty}, for {} has none; `third-edition-types = true` among its flags gives it {}",
-            draft.definition.name,
-            draft.definition.base,
+            draft.dialect.spelling,
+            draft.dialect.base,
             list(
                 ElementaryType::ALL
                     .into_iter()
@@ -298,20 +187,4 @@ fn elementary(
         return Err(ConfigurationMistake::at(at.clone(), message));
     }
     Ok(ty)
-}
-
-fn has_third_edition(draft: &Draft<'_>) -> bool {
-    let language = &draft.definition.language;
-    let has_some = || {
-        let stated = language.third_edition_types.as_ref();
-        stated.is_none_or(|stated| stated.value != ThirdEditionTypes::None)
-    };
-    draft
-        .definition
-        .flag(Flag::ThirdEditionTypes)
-        .unwrap_or_else(has_some)
-}
-
-fn of(table: &str, draft: &Draft<'_>) -> String {
-    format!("of `[dialects.{}.{table}]`", draft.definition.name)
 }

@@ -1,6 +1,6 @@
 //! Tables of a TOML document whose keys and values have positions.
 
-use super::near::advice;
+use crate::near::advice;
 use serde::de::{DeserializeOwned, IntoDeserializer};
 use std::ops::Range;
 use toml::Spanned;

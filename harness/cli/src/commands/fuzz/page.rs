@@ -3,18 +3,13 @@
 use super::bar::rate;
 use super::keeper::Unsaved;
 use super::known::KnownCauses;
-use anstyle::{AnsiColor, Style};
+use crate::output::{BAD, BOLD, DIM, GOOD};
 use indicatif::HumanCount;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_campaign::finding::Confirmation;
 use stickler_campaign::{CampaignEnd, CampaignRequest, CampaignSummary, Finding, Survey};
 use stickler_workers::Shard;
-
-const BOLD: Style = Style::new().bold();
-const DIM: Style = Style::new().dimmed();
-const RED: Style = AnsiColor::Red.on_default().bold();
-const GREEN: Style = AnsiColor::Green.on_default().bold();
 
 /// The maximum number of findings that are shown with their programs; the folder has all.
 const MAX_FINDINGS: usize = 10;
@@ -145,7 +140,7 @@ impl<'o> FuzzPage<'o> {
         match &summary.ended {
             CampaignEnd::Done => {}
             CampaignEnd::Interrupted => writeln!(self.out, "\nstopped before its end")?,
-            CampaignEnd::Lost(reason) => writeln!(self.out, "\n{RED}stopped:{RED:#} {reason}")?,
+            CampaignEnd::Lost(reason) => writeln!(self.out, "\n{BAD}stopped:{BAD:#} {reason}")?,
         }
         if !unsaved.findings.is_empty() {
             let number = unsaved.findings.len();
@@ -165,11 +160,11 @@ impl<'o> FuzzPage<'o> {
             None => format!(": {} new, {} like these", new.len(), alike.len()),
         };
         match summary.findings.len() {
-            0 => writeln!(self.out, "\n{GREEN}nothing found{GREEN:#}"),
-            1 => writeln!(self.out, "\n{RED}1 finding{RED:#} in {}{causes}", unsaved.folder),
+            0 => writeln!(self.out, "\n{GOOD}nothing found{GOOD:#}"),
+            1 => writeln!(self.out, "\n{BAD}1 finding{BAD:#} in {}{causes}", unsaved.folder),
             number => writeln!(
                 self.out,
-                "\n{RED}{number} findings{RED:#} in {}{causes}",
+                "\n{BAD}{number} findings{BAD:#} in {}{causes}",
                 unsaved.folder
             ),
         }
@@ -285,7 +280,7 @@ impl<'o> FuzzPage<'o> {
         let Some(error) = &unsaved.error else {
             return Ok(());
         };
-        writeln!(self.out, "\n{RED}not saved:{RED:#} {error}")?;
+        writeln!(self.out, "\n{BAD}not saved:{BAD:#} {error}")?;
         for finding in &unsaved.findings {
             writeln!(self.out, "\n{BOLD}{}{BOLD:#}: {}", finding.id, finding.message)?;
             self.program(finding, usize::MAX)?;

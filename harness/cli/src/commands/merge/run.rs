@@ -9,10 +9,10 @@ use anyhow::bail;
 use std::fs::{self, File};
 use std::io::{BufReader, Write};
 use std::path::Path;
+use stickler_report::Reports;
 use stickler_report::events::{self, Reader};
 use stickler_report::parts::{self, RunPart};
 use stickler_report::terminal::{self, Surroundings};
-use stickler_report::{Overview, ReportError, Reports};
 
 /// Writes every report of the whole run and shows its summary. Names the parts that are missing or were cut short; then
 /// only the event log is written, without a footer, and the exit code is 2.
@@ -25,19 +25,11 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     // Without cases the page has no conversions.
     let folder = CaseFolder::locate_any(arguments.cases.as_deref())?;
     let stated = folder.as_ref().map(of_all_cases).unwrap_or_default();
-    let mut reports = Reports::create(&arguments.output, stated)?;
-    let mut overview = Overview::default();
-    let mut broken: Option<ReportError> = None;
+    let mut reports = Reports::create(Some(&arguments.output), stated)?;
     let missing = parts::merge(parts, &shell::command_line(), &mut |event| {
-        overview.take(&event);
-        if broken.is_none() {
-            broken = reports.take(&event).err();
-        }
+        reports.take(&event);
     });
-    if let Some(error) = broken {
-        return Err(error.into());
-    }
-    reports.finish(&overview)?;
+    let overview = reports.finish()?;
     let shown = arguments.output.display().to_string();
     terminal::write(
         out,

@@ -1,17 +1,13 @@
 //! The page of a sweep: its inputs before it begins, its findings after it ended.
 
 use crate::exit::Exit;
-use anstyle::{AnsiColor, Style};
+use crate::output::{BAD, BOLD, DIM};
 use std::io::{self, Write};
 use std::time::Duration;
 use stickler_conversions::dialect_list;
 use stickler_conversions::sweep::{Difference, MAX_DIFFERENCES, Sampling, Sweep, SweepFindings};
 use stickler_engines::Identity;
 use stickler_types::{DialectName, Value, counted, grouped};
-
-const BOLD: Style = Style::new().bold();
-pub(super) const BAD: Style = AnsiColor::Red.on_default().bold();
-const DIM: Style = Style::new().dimmed();
 
 /// The maximum number of characters that are shown of a value; texts can be long.
 const MAX_VALUE_LEN: usize = 60;

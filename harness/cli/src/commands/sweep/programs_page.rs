@@ -1,6 +1,7 @@
 //! The part of the page for sweeps through programs: mismatches, observations and inputs without an answer.
 
-use super::page::{BAD, SweepPage, shown};
+use super::page::{SweepPage, shown};
+use crate::output::BAD;
 use std::io;
 use std::time::Duration;
 use stickler_conversions::sweep::foreign::{ForeignError, ForeignFindings, Unanswered};

@@ -4,19 +4,22 @@ use super::sample::sampled;
 use super::texts;
 use stickler_types::{ElementaryType, SplitMix64, Value};
 
-/// The inputs of an operand of a type other than text.
+/// The inputs of an operand, which are chosen as raw forms or as texts.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Operands {
+pub struct Operands<C = u64> {
     ty: ElementaryType,
-    chosen: Vec<u64>,
+    chosen: Vec<C>,
     sampled: u64,
     random: SplitMix64,
 }
 
-impl Operands {
-    /// Makes a list of the chosen raw forms, followed by a number of sampled ones.
+/// The inputs of an operand of type STRING or WSTRING.
+pub type TextOperands = Operands<Vec<u16>>;
+
+impl<C> Operands<C> {
+    /// Makes a list of chosen inputs, followed by a number of sampled ones.
     #[must_use]
-    pub const fn new(ty: ElementaryType, chosen: Vec<u64>, sampled: u64, random: SplitMix64) -> Operands {
+    pub const fn new(ty: ElementaryType, chosen: Vec<C>, sampled: u64, random: SplitMix64) -> Operands<C> {
         Operands {
             ty,
             chosen,
@@ -31,7 +34,7 @@ impl Operands {
         self.chosen.len() as u64
     }
 
-    /// Returns the number of sampled values.
+    /// Returns the number of sampled inputs.
     #[must_use]
     pub const fn sampled(&self) -> u64 {
         self.sampled
@@ -43,13 +46,17 @@ impl Operands {
         self.chosen().saturating_add(self.sampled)
     }
 
+    /// Returns the chosen input at a place; `None` where the place is of a sampled one.
+    fn chosen_at(&self, place: u64) -> Option<&C> {
+        self.chosen.get(usize::try_from(place).ok()?)
+    }
+}
+
+impl Operands {
     /// Returns the raw form at a place.
     #[must_use]
     pub fn raw(&self, place: u64) -> u64 {
-        match usize::try_from(place)
-            .ok()
-            .and_then(|place| self.chosen.get(place))
-        {
+        match self.chosen_at(place) {
             Some(raw) => *raw,
             None => sampled(self.ty, self.random, place),
         }
@@ -62,57 +69,11 @@ impl Operands {
     }
 }
 
-/// The inputs of an operand of type STRING or WSTRING.
-#[derive(Clone, PartialEq, Debug)]
-pub struct TextOperands {
-    ty: ElementaryType,
-    chosen: Vec<Vec<u16>>,
-    sampled: u64,
-    random: SplitMix64,
-}
-
 impl TextOperands {
-    /// Makes a list of the chosen texts, followed by a number of generated ones.
-    #[must_use]
-    pub const fn new(
-        ty: ElementaryType,
-        chosen: Vec<Vec<u16>>,
-        sampled: u64,
-        random: SplitMix64,
-    ) -> TextOperands {
-        TextOperands {
-            ty,
-            chosen,
-            sampled,
-            random,
-        }
-    }
-
-    /// Returns the number of chosen inputs.
-    #[must_use]
-    pub fn chosen(&self) -> u64 {
-        self.chosen.len() as u64
-    }
-
-    /// Returns the number of generated texts.
-    #[must_use]
-    pub const fn sampled(&self) -> u64 {
-        self.sampled
-    }
-
-    /// Returns the number of inputs, chosen and sampled.
-    #[must_use]
-    pub fn count(&self) -> u64 {
-        self.chosen().saturating_add(self.sampled)
-    }
-
     /// Returns the text at a place.
     #[must_use]
     pub fn value(&self, place: u64) -> Value {
-        let units = match usize::try_from(place)
-            .ok()
-            .and_then(|place| self.chosen.get(place))
-        {
+        let units = match self.chosen_at(place) {
             Some(units) => units.clone(),
             None => texts::made_up(self.random.split(place)),
         };

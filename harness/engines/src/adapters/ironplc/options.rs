@@ -4,8 +4,7 @@
 //! version 0.239.
 
 use crate::Outcome;
-use stickler_types::DialectName;
-use stickler_types::definition::{Definition, Flag};
+use stickler_types::{Dialect, DialectName};
 
 /// The preset without any feature.
 const PLAIN: &str = "iec61131-3-ed2";
@@ -78,75 +77,58 @@ pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome
 }
 
 /// Returns the features for which the compiler has an option, and whether a definition turns them on.
-fn stated(definition: &Definition) -> Vec<(&'static str, bool)> {
-    let feature = |flag: &Flag| match flag {
-        Flag::CrossFamilyWidening => Some("--allow-cross-family-widening"),
-        Flag::PartialAccessSyntax => Some("--allow-partial-access-syntax"),
-        Flag::ThirdEditionTypes => Some("--allow-long-time-types"),
-        Flag::LineComments => Some("--allow-c-style-comments"),
+fn stated(definition: &Dialect) -> Vec<(&'static str, bool)> {
+    let feature = |key: &str| match key {
+        "flags.allow-cross-family-widening" => Some("--allow-cross-family-widening"),
+        "flags.allow-partial-access-syntax" => Some("--allow-partial-access-syntax"),
+        "flags.third-edition-types" => Some("--allow-long-time-types"),
+        "flags.line-comments" => Some("--allow-c-style-comments"),
         // A literal as a bit string comes with the widening; the others have no option.
         _ => None,
     };
-    let flags = definition.flags.iter();
-    flags
-        .filter(|(_, stated)| stated.basis.is_some())
-        .filter_map(|(flag, stated)| Some((feature(flag)?, stated.value)))
+    let stated = definition.statements();
+    stated
+        .filter_map(|(key, value)| Some((feature(key)?, value == "true")))
         .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use stickler_types::definition::Stated;
 
-    fn of(name: &str, base: DialectName, flag: Flag, value: bool) -> Vec<&'static str> {
-        let mut definition = Definition::new(name, base, "here");
-        let basis = Some("a page".to_owned());
-        definition.flags.insert(flag, Stated { value, basis });
-        options(DialectName::define(definition).unwrap()).unwrap()
+    const PARTIAL: &str = "flags.allow-partial-access-syntax";
+    const WIDENING: &str = "flags.allow-cross-family-widening";
+
+    fn of(name: &str, base: DialectName, flag: &str, value: bool) -> Vec<&'static str> {
+        let definition = Dialect::custom(name, base, "here").stating(flag, &value.to_string(), "a page");
+        options(DialectName::define(definition.unwrap()).unwrap()).unwrap()
     }
 
     #[test]
     fn a_feature_is_added_to_the_preset_that_does_not_have_it() {
-        let partial = Flag::PartialAccessSyntax;
         assert_eq!(options(DialectName::IRONPLC_ED3).unwrap(), ["iec61131-3-ed3"]);
         assert_eq!(
-            of("options-add", DialectName::IRONPLC_ED2, partial, true),
+            of("options-add", DialectName::IRONPLC_ED2, PARTIAL, true),
             ["iec61131-3-ed2", "--allow-partial-access-syntax"]
         );
         assert_eq!(
-            of("options-has", DialectName::IRONPLC_RUSTY, partial, true),
+            of("options-has", DialectName::IRONPLC_RUSTY, PARTIAL, true),
             ["rusty"]
         );
     }
 
     #[test]
     fn a_preset_without_one_of_its_features_is_the_plain_one_with_the_others() {
-        let without = of(
-            "options-less",
-            DialectName::IRONPLC_ED3,
-            Flag::PartialAccessSyntax,
-            false,
-        );
+        let without = of("options-less", DialectName::IRONPLC_ED3, PARTIAL, false);
         assert_eq!(
             without,
             ["iec61131-3-ed2", "--allow-long-time-types", "--allow-ref-to"]
         );
-        let without = of(
-            "options-rusty",
-            DialectName::IRONPLC_RUSTY,
-            Flag::CrossFamilyWidening,
-            false,
-        );
+        let without = of("options-rusty", DialectName::IRONPLC_RUSTY, WIDENING, false);
         assert_eq!(without.len(), RUSTY.len());
         assert!(!without.contains(&"--allow-cross-family-widening"));
         assert_eq!(
-            of(
-                "options-same",
-                DialectName::IRONPLC_ED2,
-                Flag::CrossFamilyWidening,
-                false
-            ),
+            of("options-same", DialectName::IRONPLC_ED2, WIDENING, false),
             ["iec61131-3-ed2"]
         );
     }

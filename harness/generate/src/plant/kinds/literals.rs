@@ -71,7 +71,7 @@ fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
 pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let everywhere = Dialect::of(original.dialect).integer_literal_as_bit_string;
-    if !original.dialect.statements().documents.untyped_literals {
+    if !original.dialect.rules().documents.untyped_literals {
         return None;
     }
     let bits = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_bit_string());

@@ -82,7 +82,7 @@ impl TextDraft {
 
     /// Parses the text.
     pub fn tree(&self) -> SourceUnit<'_> {
-        syntax::parse(&self.text, &Dialect::of(self.dialect)).0
+        syntax::parse(&self.text, Dialect::of(self.dialect)).0
     }
 
     /// Returns whether the reference accepts the text, or reports only codes that it reported for the first text.
@@ -161,7 +161,7 @@ impl TextDraft {
 impl Allowed {
     fn by(text: &str, dialect: DialectName) -> Allowed {
         let found = stickler_reference::errors(text, dialect);
-        let (unit, diagnostics) = syntax::parse(text, &Dialect::of(dialect));
+        let (unit, diagnostics) = syntax::parse(text, Dialect::of(dialect));
         Allowed {
             codes: found.iter().filter_map(Diagnostic::registered_code).collect(),
             unreadable: !diagnostics.is_empty(),

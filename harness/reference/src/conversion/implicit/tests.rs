@@ -8,7 +8,7 @@ use ElementaryType::{
 use stickler_types::DialectName;
 
 fn widens(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> bool {
-    implicit(from, to, &Dialect::of(dialect)).is_some()
+    implicit(from, to, Dialect::of(dialect)).is_some()
 }
 
 /// Counts the pairs of different types that convert.
@@ -46,7 +46,7 @@ fn every_type_stands_for_itself() {
     for name in DialectName::ALL {
         for ty in ElementaryType::ALL {
             assert_eq!(
-                implicit(ty, ty, &Dialect::of(name)),
+                implicit(ty, ty, Dialect::of(name)),
                 Some(Conversion::identity(ty))
             );
         }

@@ -111,10 +111,10 @@ fn bits_are_a_matter_of_the_dialect() {
     for (dialect, access) in [(ED2, "y.%X9"), (ED3, "y.%B0"), (MATIEC, "y.9")] {
         let text =
             format!("PROGRAM main VAR y : BYTE; b : BOOL; END_VAR b := {access}; {access} := 5; END_PROGRAM");
-        let (unit, said) = stickler_syntax::parse(&text, &stickler_types::Dialect::of(dialect));
+        let (unit, said) = stickler_syntax::parse(&text, stickler_types::Dialect::of(dialect));
         assert_eq!(said.len(), 2, "{dialect}");
         let lines = stickler_syntax::source::LineIndex::new(&text);
-        let (_, more) = crate::semantics::check(&unit, &text, &lines, &stickler_types::Dialect::of(dialect));
+        let (_, more) = crate::semantics::check(&unit, &text, &lines, stickler_types::Dialect::of(dialect));
         assert_eq!(more, [], "{dialect}");
     }
 }
@@ -152,9 +152,9 @@ fn multi_dimensional_arrays_lie_in_rows() {
 #[test]
 fn only_variables_have_elements_fields_and_bits() {
     let text = "FUNCTION F : INT VAR_INPUT n : INT; END_VAR F := n; END_FUNCTION\nPROGRAM main VAR b : BOOL; END_VAR\nb := F(1).3;\nEND_PROGRAM";
-    let (unit, said) = stickler_syntax::parse(text, &stickler_types::Dialect::of(ED3));
+    let (unit, said) = stickler_syntax::parse(text, stickler_types::Dialect::of(ED3));
     let lines = stickler_syntax::source::LineIndex::new(text);
-    let (_, more) = crate::semantics::check(&unit, text, &lines, &stickler_types::Dialect::of(ED3));
+    let (_, more) = crate::semantics::check(&unit, text, &lines, stickler_types::Dialect::of(ED3));
     assert_eq!(said.len() + more.len(), 1, "{said:?} {more:?}");
 }
 

@@ -126,7 +126,7 @@ fn a_for_loop_takes_integers() {
         let said = if wrong.starts_with("FOR 5")
             && stickler_syntax::parse(
                 &format!("PROGRAM p {wrong} END_PROGRAM"),
-                &stickler_types::Dialect::of(ED3),
+                stickler_types::Dialect::of(ED3),
             )
             .1
             .len()

@@ -12,7 +12,7 @@ fn chosen(rounding: Rounding, out_of_range: OutOfRange) -> Dialect {
             out_of_range,
             ..COMMON_CHOICES.with_rounding(rounding)
         },
-        ..*Dialect::of(DialectName::MATIEC)
+        ..Dialect::of(DialectName::MATIEC).clone()
     }
 }
 

@@ -98,5 +98,5 @@ pub fn pairs(dialect: &Dialect) -> Vec<Conversion> {
 
 /// Every dialect.
 pub fn dialects() -> [Dialect; DialectName::ALL.len()] {
-    DialectName::ALL.map(|name| *Dialect::of(name))
+    DialectName::ALL.map(|name| Dialect::of(name).clone())
 }

@@ -62,7 +62,7 @@ fn seventeen_digits_are_enough_for_every_real() {
             real_text: RealText::SignificantDigits(17),
             ..COMMON_CHOICES
         },
-        ..*Dialect::of(DialectName::MATIEC)
+        ..Dialect::of(DialectName::MATIEC).clone()
     };
     each(12, 20_000, |draw| {
         let ty = one_of(draw, &[Real, Lreal])?;
@@ -85,7 +85,7 @@ fn fewer_digits_are_off_by_half_of_the_last_at_most() {
                 real_text: RealText::SignificantDigits(digits),
                 ..COMMON_CHOICES
             },
-            ..*Dialect::of(DialectName::MATIEC)
+            ..Dialect::of(DialectName::MATIEC).clone()
         };
         let value = raw(draw, Lreal)?;
         let exact = number(value, Lreal);
@@ -124,7 +124,7 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
             text_reading,
             ..COMMON_CHOICES
         },
-        ..*Dialect::of(DialectName::IRONPLC_ED3)
+        ..Dialect::of(DialectName::IRONPLC_ED3).clone()
     };
     let (whole, leading) = (
         reading(TextReading::WholeText),

@@ -1,10 +1,8 @@
-//! Replaying inputs without libFuzzer: the files and folders that a command line names, one line about each input.
+//! `cargo xtask replay`: judges inputs of a fuzz target without libFuzzer, one line about each.
 
-use std::ffi::OsString;
 use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 use stickler_generate::oracles::{FuzzTarget, InputOutcome};
 
 /// The longest input that is read, in bytes; far more than libFuzzer makes, and than any text the reference reads.
@@ -12,35 +10,24 @@ const MAX_INPUT_LEN: u64 = 128 << 20;
 
 /// The result of a replay.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
-pub struct ReplaySummary {
+struct ReplaySummary {
     /// Inputs that broke nothing.
-    pub held: usize,
+    held: usize,
     /// Inputs that broke what the target holds them to.
-    pub failed: usize,
+    failed: usize,
     /// Files and folders that could not be read, and folders without any input.
-    pub unread: usize,
+    unread: usize,
 }
 
-/// Replays what the process's command line names, and says so on its output.
-///
-/// The exit code is 0 where every input held, 1 where one failed, and 2 where one could not be read or none was named.
-#[must_use]
-pub fn replay(target: FuzzTarget) -> ExitCode {
-    let named: Vec<OsString> = std::env::args_os().skip(1).collect();
-    if named.is_empty() || named.iter().any(|name| name == "--help" || name == "-h") {
-        eprintln!(
-            "usage: {} FILE|FOLDER…\nReplays inputs of the fuzz target `{0}`; any bytes are an input.",
-            target.name()
-        );
-        return ExitCode::from(2);
-    }
-    let summary = replay_all(target, &named, &mut io::stdout().lock(), &mut io::stderr().lock());
+/// Replays the files, and the files in folders; returns the exit code.
+pub fn execute(target: FuzzTarget, named: &[PathBuf]) -> u8 {
+    let summary = replay_all(target, named, &mut io::stdout().lock(), &mut io::stderr().lock());
     match summary {
-        Ok(ReplaySummary { unread: 1.., .. }) => ExitCode::from(2),
-        Ok(ReplaySummary { failed: 1.., .. }) => ExitCode::from(1),
-        Ok(_) => ExitCode::SUCCESS,
+        Ok(ReplaySummary { unread: 1.., .. }) => 2,
+        Ok(ReplaySummary { failed: 1.., .. }) => 1,
+        Ok(_) => 0,
         // Nobody reads the output any more.
-        Err(_) => ExitCode::from(2),
+        Err(_) => 2,
     }
 }
 
@@ -49,7 +36,7 @@ pub fn replay(target: FuzzTarget) -> ExitCode {
 ///
 /// # Errors
 /// Errors of writing to either stream.
-pub fn replay_all(
+fn replay_all(
     target: FuzzTarget,
     named: &[impl AsRef<Path>],
     output: &mut dyn Write,
@@ -153,13 +140,25 @@ mod tests {
     use super::*;
 
     /// Replays these paths; returns the summary, the output, and the complaints about what could not be read.
-    fn said(paths: &[PathBuf]) -> (ReplaySummary, String, String) {
+    fn said(target: FuzzTarget, paths: &[PathBuf]) -> (ReplaySummary, String, String) {
         let (mut output, mut complaints) = (Vec::new(), Vec::new());
-        let summary = replay_all(FuzzTarget::Parse, paths, &mut output, &mut complaints)
-            .expect("vectors take everything");
+        let summary =
+            replay_all(target, paths, &mut output, &mut complaints).expect("vectors take everything");
         let [output, complaints] =
             [output, complaints].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
         (summary, output, complaints)
+    }
+
+    #[test]
+    fn every_input_of_the_corpora_holds() {
+        for target in FuzzTarget::ALL {
+            let corpus = crate::root().join("corpus").join(target.name());
+            let (summary, output, complaints) = said(target, &[corpus]);
+            assert!(
+                (summary.failed, summary.unread) == (0, 0),
+                "{target:?}: {output}{complaints}"
+            );
+        }
     }
 
     #[test]
@@ -169,7 +168,8 @@ mod tests {
         fs::create_dir(&empty).expect("a folder");
         let input = folder.path().join("input");
         fs::write(&input, b"PROGRAM main END_PROGRAM").expect("a file");
-        let (summary, output, complaints) = said(&[folder.path().join("none"), empty, input]);
+        let (summary, output, complaints) =
+            said(FuzzTarget::Parse, &[folder.path().join("none"), empty, input]);
         assert_eq!(
             summary,
             ReplaySummary {

@@ -1,4 +1,5 @@
 //! Measures how strong the suite is: runs cargo-mutants with the suite as the only judge, and prints how many mutants it kills.
+//! `cargo xtask mutants` is its command.
 
 mod explained;
 mod outcomes;
@@ -8,18 +9,17 @@ mod table;
 mod tool;
 
 use anyhow::Context as _;
-use clap::Parser;
+use clap::Args;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
 
 /// Changes the reference in one small place after the other, and lets the conformance suite alone say whether anything is
 /// wrong with it. Prints the kill rate per module.
 ///
 /// Exit codes: 0; 1 where a mutant of the conversion, widening or bit-access code survives that survivors.toml does not
 /// explain; 2 usage, or a broken case file; 3 cargo-mutants is missing or could not be run.
-#[derive(Parser)]
-#[command(name = "stickler-mutants", args_conflicts_with_subcommands = true)]
-struct MutantsArguments {
+#[derive(Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct MutantsArguments {
     #[command(subcommand)]
     command: Option<MutantsCommand>,
     /// Run nothing; read these folders, each a `mutants.out` or one that has it. Of a mutant that several have, the last
@@ -49,19 +49,17 @@ enum MutantsCommand {
     Places(places::PlacesArguments),
 }
 
-fn main() -> ExitCode {
-    let arguments = MutantsArguments::parse();
+/// Runs the command, prints what came of it, and returns the exit code.
+#[must_use]
+pub fn execute(arguments: &MutantsArguments) -> u8 {
     let ended = match &arguments.command {
         Some(MutantsCommand::Places(arguments)) => places::run(arguments),
-        None => run(&arguments),
+        None => run(arguments),
     };
-    match ended {
-        Ok(code) => ExitCode::from(code),
-        Err(failure) => {
-            eprintln!("error: {:#}", failure.error);
-            ExitCode::from(failure.code)
-        }
-    }
+    ended.unwrap_or_else(|failure| {
+        eprintln!("error: {:#}", failure.error);
+        failure.code
+    })
 }
 
 /// A failure that ends the program before its table.

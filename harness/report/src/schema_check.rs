@@ -1,9 +1,9 @@
-//! Checks a JSON value against a schema as `schemars` writes them, for tests. A keyword that is not known here is an error of the test.
+//! Checks a JSON value against a schema, for tests. A keyword that is not known here is an error of the test.
 
 use serde_json::{Map, Value};
 
 /// Returns the first misfit of a value with its place; `None` where the value fits.
-pub(super) fn misfit(root: &Value, value: &Value) -> Option<String> {
+pub(crate) fn misfit(root: &Value, value: &Value) -> Option<String> {
     SchemaCheck { root }.misfit(root, value, "")
 }
 
@@ -51,6 +51,19 @@ impl SchemaCheck<'_> {
             "minItems" => value
                 .as_array()
                 .is_none_or(|items| items.len() as u64 >= wanted.as_u64().expect("a number")),
+            "maxItems" => value
+                .as_array()
+                .is_none_or(|items| items.len() as u64 <= wanted.as_u64().expect("a number")),
+            "prefixItems" => {
+                let mut items = list(value).zip(list(wanted)).enumerate();
+                return items.find_map(|(index, (item, schema))| {
+                    self.misfit(schema, item, &format!("{at}[{index}]"))
+                });
+            }
+            "uniqueItems" => value.as_array().is_none_or(|items| {
+                let is_new = |(index, item)| !items[..index].contains(item);
+                items.iter().enumerate().all(is_new)
+            }),
             "minLength" => value
                 .as_str()
                 .is_none_or(|text| text.chars().count() as u64 >= wanted.as_u64().expect("a number")),

@@ -1,17 +1,13 @@
-//! Adds to a file of counts how many inputs libFuzzer judged:
-//! `cargo run -p stickler-fuzz --example count_executions -- FILE LOG…`.
+//! `cargo xtask count-executions`: adds to a file of counts how many inputs libFuzzer judged.
 //!
 //! A log is what libFuzzer printed with `-print_final_stats=1`, in a file that is named after the target, `parse.log`. The
 //! nightly workflow publishes the file of counts in the branch `executions`.
-#![forbid(unsafe_code)]
-
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
-use stickler_fuzz::FuzzTarget;
+use stickler_generate::oracles::FuzzTarget;
 
 /// The version of the form of the file.
 const FORMAT: u32 = 1;
@@ -107,20 +103,16 @@ fn count(file: &Path, logs: &[PathBuf]) -> Result<Counts, String> {
     Ok(counts)
 }
 
-fn main() -> ExitCode {
-    let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
-    let counted = match &paths[..] {
-        [file, logs @ ..] if !logs.is_empty() => count(file, logs),
-        _ => Err("name the file of counts, and at least one log".to_owned()),
-    };
-    match counted {
+/// Adds what the logs say to the file, prints the total, and returns the exit code.
+pub fn execute(file: &Path, logs: &[PathBuf]) -> u8 {
+    match count(file, logs) {
         Ok(counts) => {
             println!("{} inputs judged in all", counts.total);
-            ExitCode::SUCCESS
+            0
         }
         Err(message) => {
             eprintln!("error: {message}");
-            ExitCode::FAILURE
+            1
         }
     }
 }
