@@ -45,13 +45,13 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     match &deviation.sign.symptom {
         Symptom::NotRejected(code) => {
             let line = line(wanted.line);
-            match code.parse::<Code>() {
+            match summary(code) {
                 // What is wrong there stands nowhere on the line.
-                Ok(known) => {
+                Some(wrong) => {
                     let code = wanted.code.map(|code| format!(" ({code})")).unwrap_or_default();
-                    format!("{line} is accepted, though {}{code}", known.summary())
+                    format!("{line} is accepted, though {wrong}{code}")
                 }
-                Err(_) => format!("{line} is accepted, not rejected"),
+                None => format!("{line} is accepted, not rejected"),
             }
         }
         Symptom::Rejected(_) => {
@@ -70,8 +70,9 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             )
         }
         Symptom::OtherCode { code, .. } => {
+            let wrong = summary(code).unwrap_or("of the mistake");
             format!(
-                "{} is rejected, but not with {code}: {}",
+                "{} is rejected, but not because {wrong} ({code}): {}",
                 line(wanted.line),
                 said(&reported)
             )
@@ -117,7 +118,9 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         Symptom::Value | Symptom::Missing => wrong_value(program, expected, got),
         Symptom::NotWarned(_) => {
             let missing = warning(expected, got);
-            format!("{} is accepted without a warning", line(missing.line))
+            let wrong = missing.code.as_deref().and_then(summary);
+            let wrong = wrong.map(|wrong| format!(" that {wrong}")).unwrap_or_default();
+            format!("{} is accepted without a warning{wrong}", line(missing.line))
         }
         Symptom::Warned(_) => {
             let extra = warning(got, expected);
@@ -242,9 +245,18 @@ fn missing(code: &str, expected: &[Fact], got: &[Fact]) -> Diagnostic {
     found.cloned().unwrap_or_default()
 }
 
-/// Returns the code of an expected diagnostic; words in its place where codes are not compared.
-fn named(wanted: &Diagnostic) -> &str {
-    wanted.code.as_deref().unwrap_or("the mistake")
+/// Returns what a code of the registry says is wrong; `None` for another code.
+fn summary(code: &str) -> Option<&'static str> {
+    Some(code.parse::<Code>().ok()?.summary())
+}
+
+/// Returns what an expected diagnostic says is wrong, with its code; nothing certain where codes are not compared.
+fn named(wanted: &Diagnostic) -> String {
+    let code = wanted.code.as_deref();
+    match code.and_then(|code| Some((code, summary(code)?))) {
+        Some((code, wrong)) => format!("that {wrong} ({code})"),
+        None => code.unwrap_or("the mistake").to_owned(),
+    }
 }
 
 /// Returns the code and the message of a diagnostic.

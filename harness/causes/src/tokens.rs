@@ -1,5 +1,6 @@
 //! The tokens of a program of any dialect, also of one that nobody can read, with their lines and columns.
 
+use std::sync::LazyLock;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::SourceUnit;
@@ -42,16 +43,17 @@ impl ProgramToken<'_> {
     }
 }
 
+/// Rules by which comments do not nest, so that the ends of those that stand in others are left, by which they are seen.
+static UNNESTED: LazyLock<Dialect> = LazyLock::new(|| Dialect {
+    nested_comments: false,
+    ..Dialect::of(DialectName::IRONPLC_ED3).clone()
+});
+
 /// Returns the tokens of a text. Comments and blanks are left out, and locations, so that the type of each variable stands behind its name.
 pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
-    // Where comments do not nest, the ends of those that stand in others are left, by which they are seen.
-    let dialect = Dialect {
-        nested_comments: false,
-        ..*Dialect::of(DialectName::IRONPLC_ED3)
-    };
     let lines = LineIndex::new(text);
     let mut found: Vec<ProgramToken<'_>> = Vec::new();
-    for token in stickler_syntax::tokens(text, &dialect).list {
+    for token in stickler_syntax::tokens(text, &UNNESTED).list {
         let here = token.span.text(text);
         let place = lines.position(text, token.span.start);
         found.push(ProgramToken {
