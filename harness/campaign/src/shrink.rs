@@ -4,11 +4,9 @@
 //! bytes and more zeros make for smaller values.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
-use stickler_generate::reduce::{
-    Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, minimise,
-};
+use stickler_reduce::{Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, minimise};
 
-const METHOD: ReductionMethod<Vec<u8>> = ReductionMethod {
+const METHOD: ReductionMethod<'_, Vec<u8>> = ReductionMethod {
     passes: &[
         Pass {
             name: "drop bytes",

@@ -5,7 +5,7 @@ use crate::operands::{Alone, alone};
 use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
-use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
+use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::Case;
 use stickler_types::Observation;
@@ -89,7 +89,7 @@ pub(crate) fn reduce(
             }
         };
         let budget = ReductionBudget { tries, stop };
-        reduce::text(&start, case.dialect, &mut interesting, &budget)
+        stickler_reduce::text(&start, case.dialect, &mut interesting, &budget)
     };
     if let Some(error) = error {
         return Err(error);

@@ -4,7 +4,8 @@ use stickler_engines::{
     Ability, Engine, EngineError, EngineSession, Identity, NamedValue, Observation, Outcome, Reference,
     RunRequest,
 };
-use stickler_generate::reduce::{Interestingness, OutcomeSymptom};
+use stickler_generate::reduce::OutcomeSymptom;
+use stickler_reduce::Interestingness;
 use stickler_types::{DialectName, Fault, Value};
 
 /// The maximum number of variables that are compared.

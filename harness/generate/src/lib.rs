@@ -10,7 +10,7 @@
 //! | [`variants`] | other texts with the same values: [`Variant`](variants::Variant) |
 //! | [`plant`] | programs with one error: [`Planted`](plant::Planted) |
 //! | [`features`] | the features of the language that a program uses |
-//! | [`reduce`] | the smallest program that still shows a defect: [`Reduction`](reduce::Reduction), [`OutcomeSymptom`](reduce::OutcomeSymptom) |
+//! | [`reduce`] | the smallest program that still shows a defect: [`program`](reduce::program), [`OutcomeSymptom`](reduce::OutcomeSymptom) |
 //! | [`oracles`] | the judgement of one fuzz input: [`FuzzTarget`](oracles::FuzzTarget), [`OracleFailure`](oracles::OracleFailure) |
 //! | [`random`] | choices made by bytes |
 //!

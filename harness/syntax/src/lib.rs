@@ -38,4 +38,4 @@ pub use edits::Edits;
 pub use ending::last_token;
 pub use parser::{MAX_NESTING, parse};
 pub use renderer::render;
-pub use token::tokens;
+pub use token::{Tokens, tokens};

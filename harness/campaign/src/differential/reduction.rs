@@ -14,7 +14,8 @@ use stickler_causes::CauseKey;
 use stickler_engines::Outcome;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::FuzzTarget;
-use stickler_generate::reduce::{self, CandidateJudge, Interestingness, ReductionBudget, StopReason};
+use stickler_generate::reduce;
+use stickler_reduce::{CandidateJudge, Interestingness, ReductionBudget, StopReason};
 
 /// The number of smaller programs that are tried at most where an engine answers from within this process.
 const MAX_TRIES_IN_PROCESS: u64 = 5000;

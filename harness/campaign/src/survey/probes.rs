@@ -7,7 +7,8 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_generate::features::features;
 use stickler_generate::model::Program;
-use stickler_generate::reduce::{self, Interestingness, ReductionBudget};
+use stickler_generate::reduce;
+use stickler_reduce::{Interestingness, ReductionBudget};
 use stickler_types::DialectName;
 
 /// The seed of the random programs. It is the same for all campaigns, so that a survey depends on the engine alone.

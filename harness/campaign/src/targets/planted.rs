@@ -7,8 +7,9 @@ use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
 use stickler_generate::plant::{Planted, plant, plant_kind, without_unused};
 use stickler_generate::random;
-use stickler_generate::reduce::{self, Interestingness, Reduction, ReductionBudget, StopReason};
+use stickler_generate::reduce;
 use stickler_generate::writer::{Style, write};
+use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 
 /// The number of other places that are tried for an error, besides the one where it was found.
 const OTHER_PLACES: u64 = 32;

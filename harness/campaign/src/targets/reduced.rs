@@ -10,7 +10,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use stickler_generate::model::Program;
 use stickler_generate::oracles::execute::{judge_program, program_of};
 use stickler_generate::oracles::{FuzzTarget, OracleFailure};
-use stickler_generate::reduce::{self, Interestingness, ReductionBudget, StopReason};
+use stickler_generate::reduce;
+use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_types::DialectName;
 
 /// The number of smaller inputs that are tried at most, and of smaller programs: an oracle takes some microseconds.

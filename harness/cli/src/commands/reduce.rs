@@ -11,9 +11,8 @@ use std::io::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
-use stickler_generate::reduce::{
-    self, Interestingness, OutcomeSymptom, Reduction, ReductionBudget, StopReason,
-};
+use stickler_generate::reduce::OutcomeSymptom;
+use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_syntax::decoding::decode;
 use stickler_types::DialectName;
 
@@ -44,7 +43,7 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
         stop: &stopped,
     };
     let mut trouble = None;
-    let found = reduce::text(
+    let found = stickler_reduce::text(
         &text,
         dialect,
         |candidate| {

@@ -181,11 +181,8 @@ fn definition(
     draft.dialect.about = words("about")?;
     let whose = format!("dialects.{}.", entry.name);
     overrides(entry.keys, &whose, &mut draft)?;
-    for (key, _) in entry
-        .keys
-        .iter()
-        .filter(|(key, _)| !KEYS.contains(&key.get_ref().as_ref()))
-    {
+    let mut keys = entry.keys.iter().map(|(key, _)| key);
+    if let Some(key) = keys.find(|key| !KEYS.contains(&key.get_ref().as_ref())) {
         let whose = format!("of `[dialects.{}]`", entry.name);
         return Err(ConfigurationMistake::unknown_key(
             key.span(),

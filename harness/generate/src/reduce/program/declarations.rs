@@ -3,7 +3,7 @@
 use super::removal::keep_only;
 use super::usage::DeclarationUsage;
 use crate::model::{Program, VariableSection};
-use crate::reduce::Sites;
+use stickler_reduce::Sites;
 
 /// Drops types, functions, function blocks, variables and parameters that are not used. A function keeps one input, because
 /// the second edition of the standard has no call without arguments.

@@ -10,7 +10,7 @@ use crate::model::{
     Argument, AssignmentTarget, Expression, ExpressionKind, InitialValue, LiteralForm, Place, Program,
     Statement, StatementKind, Type, Unit, Variable, VariableId, VariableSection,
 };
-use crate::reduce::Sites;
+use stickler_reduce::Sites;
 use stickler_types::Value;
 
 /// Replaces expressions by the plainest literal of their type, outermost first.

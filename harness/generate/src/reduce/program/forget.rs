@@ -8,8 +8,8 @@ use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_st
 use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind, Unit, VariableId,
 };
-use crate::reduce::Sites;
 use std::mem;
+use stickler_reduce::Sites;
 
 /// Forgets functions: replaces calls by the plainest value of the result type.
 pub(super) fn forget_functions(program: &mut Program, sites: &mut Sites) {

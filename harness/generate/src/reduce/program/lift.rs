@@ -6,9 +6,9 @@ use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
     Type, Unit, Variable, VariableId, VariableSection,
 };
-use crate::reduce::Sites;
 use std::collections::BTreeMap;
 use std::mem;
+use stickler_reduce::Sites;
 use stickler_types::{ElementaryType, Value};
 
 /// Replaces a statement of `PROGRAM main` that tests a condition or selects by a value: by an assignment of that value, or

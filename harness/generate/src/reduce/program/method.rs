@@ -3,13 +3,17 @@
 use super::soundness::breaches;
 use super::{declarations, expressions, forget, lift, promote, shapes, statements, unwrap, values, weight};
 use crate::model::Program;
-use crate::reduce::search::pass;
-use crate::reduce::{
-    CandidateJudge, Interestingness, Reduction, ReductionBudget, ReductionMethod, minimise, minimise_in_packs,
+use stickler_reduce::{
+    CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, minimise,
+    minimise_in_packs,
 };
 
+const fn pass<T>(name: &'static str, edit: fn(&mut T, &mut Sites)) -> Pass<T> {
+    Pass { name, edit }
+}
+
 /// The passes for programs: first those that remove many lines, last those that simplify a literal.
-const METHOD: ReductionMethod<Program> = ReductionMethod {
+const METHOD: ReductionMethod<'_, Program> = ReductionMethod {
     passes: &[
         pass("drop statements of main and what they used", |program, sites| {
             declarations::with_variables(program, sites, statements::drop_of_main);

@@ -8,7 +8,7 @@ use crate::model::{
     Argument, AssignmentTarget, DeclaredKind, Expression, ExpressionKind, InitialValue, LiteralForm, Place,
     Program, Statement, StatementKind, Type, Variable, VariableId, VariableSection,
 };
-use crate::reduce::Sites;
+use stickler_reduce::Sites;
 use stickler_types::{ElementaryType, Value};
 
 /// Replaces the variables and the body of `PROGRAM main` by those of a function or a function block.

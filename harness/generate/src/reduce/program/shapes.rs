@@ -5,7 +5,7 @@ use super::usage::DeclarationUsage;
 use crate::model::visit::{self, Visitor};
 use crate::model::visit_mut::{self, VisitorMut};
 use crate::model::{ArrayType, DeclaredKind, InitialValue, Program, Type, Variable, VariableSection};
-use crate::reduce::Sites;
+use stickler_reduce::Sites;
 
 /// Drops initial values of variables and fields, and turns constants into variables.
 pub(super) fn drop_initials(program: &mut Program, sites: &mut Sites) {

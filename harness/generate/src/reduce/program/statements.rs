@@ -6,8 +6,8 @@ use crate::model::visit_mut::{self, VisitorMut, walk_program, walk_statement, wa
 use crate::model::{
     AssignmentTarget, Expression, InitialValue, Program, Statement, StatementKind, Type, Unit, VariableId,
 };
-use crate::reduce::Sites;
 use std::mem;
+use stickler_reduce::Sites;
 
 /// Drops statements from the body of `PROGRAM main`, with the statements inside them.
 pub(super) fn drop_of_main(program: &mut Program, sites: &mut Sites) {

@@ -8,11 +8,12 @@ use crate::model::{
     LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
-use crate::reduce::{Interestingness, OutcomeSymptom, Reduction, ReductionBudget, StopReason, program};
+use crate::reduce::{OutcomeSymptom, program};
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use std::ops::Range;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
+use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_types::{ElementaryType, Value};
 
 /// The bug of an engine.

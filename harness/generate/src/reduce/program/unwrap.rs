@@ -7,8 +7,8 @@ use crate::model::{
     DeclaredKind, InitialValue, Place, PlaceSelector, Program, Statement, StatementKind, Type, Unit,
     Variable, VariableId, VariableSection,
 };
-use crate::reduce::Sites;
 use std::collections::{HashMap, HashSet};
+use stickler_reduce::Sites;
 
 /// Gives the element type to an array variable whose every use has subscripts, and the field type to a structure variable of
 /// which only one field is used.

@@ -11,8 +11,8 @@ use crate::model::{
     Argument, AssignmentTarget, Expression, ExpressionKind, Place, Program, Statement, StatementKind, Type,
     Unit, Variable, VariableId, VariableSection,
 };
-use crate::reduce::Sites;
 use std::mem;
+use stickler_reduce::Sites;
 use stickler_types::{ElementaryType, Value};
 
 /// Replaces expressions in `PROGRAM main` by their values; in a loop by those of the last iteration.

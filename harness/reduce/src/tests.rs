@@ -1,7 +1,6 @@
 //! Tests of the reduction of texts: the results are small, well-formed, and keep their symptom.
 
-use super::text;
-use crate::reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
+use crate::{Interestingness, Reduction, ReductionBudget, StopReason, text};
 use stickler_types::DialectName;
 
 /// A text with one of everything.

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A method for lists of numbers: drops elements, or decrements them.
-const LISTS: ReductionMethod<Vec<u32>> = ReductionMethod {
+const LISTS: ReductionMethod<'_, Vec<u32>> = ReductionMethod {
     passes: &[
         Pass {
             name: "drop",

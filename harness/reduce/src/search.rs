@@ -35,16 +35,12 @@ impl From<bool> for Interestingness {
 }
 
 /// One way to make a subject smaller.
+#[derive(Clone, Copy)]
 pub struct Pass<T> {
     /// A description of the changes, for reports of a reduction.
     pub name: &'static str,
     /// Walks the subject, asks [`Sites::here`] at each place that it could change, and changes the chosen ones.
     pub edit: fn(&mut T, &mut Sites),
-}
-
-/// Creates a pass.
-pub(super) const fn pass<T>(name: &'static str, edit: fn(&mut T, &mut Sites)) -> Pass<T> {
-    Pass { name, edit }
 }
 
 /// The places that a pass could change, numbered in the order of its walk.
@@ -65,12 +61,14 @@ impl Sites {
     }
 
     /// Creates sites that are all chosen, for an edit that is part of another.
-    pub(super) fn all() -> Sites {
+    #[must_use]
+    pub fn all() -> Sites {
         Sites::new(0..usize::MAX)
     }
 
     /// Creates sites with the same choice, for a second walk over the same subject.
-    pub(super) fn again(&self) -> Sites {
+    #[must_use]
+    pub fn again(&self) -> Sites {
         Sites::new(self.chosen.clone())
     }
 
@@ -84,9 +82,9 @@ impl Sites {
 }
 
 /// The passes and measures for subjects of one type.
-pub struct ReductionMethod<T: 'static> {
+pub struct ReductionMethod<'p, T> {
     /// The passes, coarse ones first.
-    pub passes: &'static [Pass<T>],
+    pub passes: &'p [Pass<T>],
     /// Returns the weight of a subject. Only lighter candidates are tried, so that every reduction terminates.
     pub weight: fn(&T) -> (u64, u128),
     /// Returns a key that is equal for equal subjects; a candidate with the key of an earlier one is not tried again.
@@ -123,6 +121,18 @@ pub struct Reduction<T> {
     pub refused: u64,
     /// The reason why the reduction ended.
     pub ended: StopReason,
+}
+
+impl<T> Reduction<T> {
+    /// Returns the result with its value converted.
+    pub fn map<U>(self, convert: impl FnOnce(T) -> U) -> Reduction<U> {
+        Reduction {
+            value: convert(self.value),
+            tries: self.tries,
+            refused: self.refused,
+            ended: self.ended,
+        }
+    }
 }
 
 /// The reason why a reduction ended.
@@ -171,7 +181,7 @@ impl<T> CandidateJudge<T> for OneByOne<'_, T> {
 /// so the result was interesting when it was tried.
 pub fn minimise<T: Clone>(
     start: T,
-    method: &ReductionMethod<T>,
+    method: &ReductionMethod<'_, T>,
     interesting: &mut dyn FnMut(&T) -> Interestingness,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<T> {
@@ -185,7 +195,7 @@ pub fn minimise<T: Clone>(
 /// are, the first is taken. So the result is the same whatever the size of the packs is, and only the number of tries grows.
 pub fn minimise_in_packs<T: Clone>(
     start: T,
-    method: &ReductionMethod<T>,
+    method: &ReductionMethod<'_, T>,
     judge: &mut dyn CandidateJudge<T>,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<T> {
@@ -220,11 +230,11 @@ pub fn minimise_in_packs<T: Clone>(
 /// the first of them were judged for nothing.
 const FIRST_PACK_LEN: usize = 4;
 
-struct PassSearch<'a, T: 'static> {
+struct PassSearch<'a, T> {
     best: T,
     weight: (u64, u128),
     seen: HashSet<u64>,
-    method: &'a ReductionMethod<T>,
+    method: &'a ReductionMethod<'a, T>,
     judge: &'a mut dyn CandidateJudge<T>,
     /// The number of candidates in the next pack.
     width: usize,

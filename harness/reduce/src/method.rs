@@ -1,0 +1,105 @@
+//! The order of the passes over a text, and the functions that run them.
+
+use crate::draft::{self, TextDraft};
+use crate::passes::{arrays, chunks, declarations, expressions, literals, statements, values};
+use crate::rules::ReferenceRules;
+use crate::{
+    Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise, text_pass,
+};
+use std::rc::Rc;
+use stickler_types::DialectName;
+
+/// The passes for texts: first those that remove many lines, last those that simplify a literal.
+pub const PASSES: &[Pass<TextDraft>] = &[
+    text_pass!("drop comments", chunks::drop_comments),
+    text_pass!("drop statements", statements::drop_statements),
+    text_pass!("drop empty statements", statements::drop_empty_statements),
+    text_pass!("drop program organization units", declarations::drop_units),
+    text_pass!("drop what is not used", declarations::drop_unused),
+    text_pass!(
+        "make a function block the program",
+        declarations::block_to_program
+    ),
+    text_pass!("replace statements by what they guard", statements::splice),
+    text_pass!("drop branches", statements::drop_branches),
+    text_pass!("forget variables", declarations::forget_variables),
+    text_pass!("drop sections", declarations::drop_sections),
+    text_pass!("drop empty sections", chunks::drop_empty_sections),
+    text_pass!(
+        "replace expressions by typed literals",
+        expressions::to_typed_literal
+    ),
+    text_pass!("replace expressions by literals", expressions::to_literal),
+    text_pass!("replace variables by their last values", values::to_final_value),
+    text_pass!(
+        "replace variables by their first values",
+        values::to_initial_value
+    ),
+    text_pass!("drop what is not used any more", declarations::drop_unused),
+    text_pass!(
+        "replace expressions by their first operands",
+        expressions::to_first_operand
+    ),
+    text_pass!(
+        "replace expressions by their second operands",
+        expressions::to_second_operand
+    ),
+    text_pass!(
+        "replace expressions by their third operands",
+        expressions::to_third_operand
+    ),
+    text_pass!("drop arguments", expressions::drop_arguments),
+    text_pass!("drop initial values", declarations::drop_initials),
+    text_pass!("resolve types", declarations::resolve_types),
+    text_pass!("unwrap arrays", arrays::unwrap_arrays),
+    text_pass!("drop dimensions", arrays::drop_dimensions),
+    text_pass!("drop lines", chunks::drop_lines),
+    text_pass!("drop tokens", chunks::drop_tokens),
+    text_pass!("drop characters", chunks::drop_characters),
+    text_pass!("write numbers in decimal", literals::literals_to_decimal),
+    text_pass!("make literals zero", literals::literals_to_zero),
+    text_pass!("make literals one", literals::literals_to_one),
+    text_pass!("halve literals", literals::halve_literals),
+    text_pass!("lessen literals", literals::lessen_literals),
+];
+
+/// The passes for texts, with the weight by which a text is smaller than another.
+pub const METHOD: ReductionMethod<TextDraft> = ReductionMethod {
+    passes: PASSES,
+    weight: draft::weight,
+    key: draft::key,
+};
+
+/// Makes a source text as small as possible while it stays interesting.
+///
+/// `interesting` is asked about `start` first, and then about each candidate. A candidate of a text that the reference
+/// accepts is accepted too; a candidate of a rejected text is rejected for no other reason, or accepted. So no program
+/// becomes ill-formed on the way. The result is the same for the same answers; it is formatted by the renderer if it stays
+/// interesting.
+pub fn text(
+    start: &str,
+    dialect: DialectName,
+    mut interesting: impl FnMut(&str) -> Interestingness,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<String> {
+    let mut ask = |draft: &TextDraft| {
+        if draft.is_allowed() {
+            interesting(draft.text())
+        } else {
+            Interestingness::Invalid
+        }
+    };
+    let rules = Rc::new(ReferenceRules::new(start, dialect));
+    let found = minimise(TextDraft::new(start, dialect, rules), &METHOD, &mut ask, budget);
+    let mut found = found.map(|draft| draft.text().to_owned());
+    if found.ended == StopReason::Smallest
+        && let Ok(rendered) = stickler_reference::render(&found.value, dialect)
+        && rendered != found.value
+    {
+        found.tries += 1;
+        if interesting(&rendered) == Interestingness::Interesting {
+            found.value = rendered;
+        }
+    }
+    found
+}

@@ -1,0 +1,9 @@
+//! The passes over texts.
+
+pub(crate) mod arrays;
+pub(crate) mod chunks;
+pub(crate) mod declarations;
+pub(crate) mod expressions;
+pub(crate) mod literals;
+pub(crate) mod statements;
+pub(crate) mod values;

@@ -1,0 +1,209 @@
+//! Passes that drop or simplify declarations: program organization units, sections, variables, types, initial values.
+
+use crate::TextView;
+use std::ops::Range;
+use stickler_syntax::Edits;
+use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::{
+    Declaration, InitializerKind, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableGroup,
+};
+
+/// Drops program organization units, configurations and sections of global variables.
+pub(crate) fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
+    let spans = view
+        .unit
+        .declarations
+        .iter()
+        .filter_map(|declaration| match declaration {
+            Declaration::Pou(pou) => Some(pou.span),
+            Declaration::Globals(section) => Some(section.span),
+            Declaration::Configuration(configuration) => Some(configuration.span),
+            Declaration::Types(_) => None,
+        });
+    view.only_allowed(spans.map(Edits::removing).collect())
+}
+
+/// Makes a function block the program that runs, with plain variables.
+pub(crate) fn block_to_program(view: &TextView<'_>) -> Vec<Edits> {
+    let Some(program) = view.unit.pous().find(|pou| pou.kind == PouKind::Program) else {
+        return Vec::new();
+    };
+    let blocks = view.unit.pous().filter(|pou| pou.kind == PouKind::FunctionBlock);
+    let changes = blocks.map(|block| {
+        let mut edits = Edits::removing(program.span);
+        let head = block.span.start as usize..block.name.span.end as usize;
+        edits.replace(head, format!("PROGRAM {}", program.name.text));
+        edits.replace(block.end, "END_PROGRAM");
+        for section in &block.blocks {
+            if let [word, ..] = view.inside(section.span.into())
+                && let TokenKind::VarInput | TokenKind::VarOutput | TokenKind::VarInOut = word.kind
+            {
+                edits.replace(word.span, "VAR");
+            }
+        }
+        edits
+    });
+    view.only_allowed(changes.collect())
+}
+
+/// Drops sections of variables.
+pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
+    let sections = view.sections().into_iter();
+    view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
+}
+
+/// Drops unused declarations of variables, fields and types.
+pub(crate) fn drop_unused(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for section in view.sections() {
+        match section.groups.as_slice() {
+            // A section that loses its only declaration goes with it.
+            [group] if group.names.len() == 1 => changes.push(Edits::removing(section.span)),
+            all => changes.extend(groups(view, all)),
+        }
+    }
+    for declared in view.types() {
+        changes.push(Edits::removing(type_declaration(view, declared)));
+        if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
+            changes.extend(groups(view, fields));
+        }
+        changes.extend(enumerators(view, &declared.specification));
+    }
+    view.only_allowed(changes)
+}
+
+/// Returns the range of a declaration of a type; from TYPE to END_TYPE if it is the only one between them.
+fn type_declaration(view: &TextView<'_>, declared: &TypeDeclaration<'_>) -> Range<usize> {
+    let from = declared.name.span.start as usize;
+    let to = view.end_of(&declared.specification, declared.initializer.as_ref());
+    match (view.previous(from), view.next(to)) {
+        (Some(open), Some(close)) if (open.kind, close.kind) == (TokenKind::Type, TokenKind::EndType) => {
+            open.span.start as usize..close.span.end as usize
+        }
+        _ => from..to,
+    }
+}
+
+/// Drops a variable together with every statement of its unit that names it; of nested statements the outermost that are
+/// invalid without it.
+pub(crate) fn forget_variables(view: &TextView<'_>) -> Vec<Edits> {
+    let changes = view
+        .variables()
+        .filter_map(|(pou, group)| match group.names.as_slice() {
+            [name] => {
+                let mut edits = naming(view, pou, *name).filter(|edits| !edits.is_empty())?;
+                edits.remove(view.group(group)?);
+                Some(edits)
+            }
+            _ => None,
+        });
+    view.only_allowed(changes.collect())
+}
+
+/// Removes the innermost statements of a unit that name a variable.
+fn naming(view: &TextView<'_>, pou: &Pou<'_>, name: Name<'_>) -> Option<Edits> {
+    let mut edits = Edits::new();
+    for used in view.uses(pou, name) {
+        edits.remove(used.statement?.span);
+    }
+    Some(edits)
+}
+
+/// Drops initial values, RETAIN and CONSTANT, locations, the lengths of texts and the limits of subranges.
+pub(crate) fn drop_initials(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for section in view.sections() {
+        let words = view
+            .inside(section.span.into())
+            .iter()
+            .skip(1)
+            .take_while(|word| {
+                matches!(
+                    word.kind,
+                    TokenKind::Retain | TokenKind::NonRetain | TokenKind::Constant
+                )
+            });
+        changes.extend(words.map(|word| Edits::removing(word.span)));
+    }
+    for group in view.sections().iter().flat_map(|section| &section.groups) {
+        if let (Some(location), Some(name)) = (group.location, group.names.last()) {
+            changes.push(Edits::removing(
+                name.span.end as usize..location.span.end as usize,
+            ));
+        }
+    }
+    for (specification, initializer) in view.specifications() {
+        if let Some(initializer) = initializer {
+            changes.push(Edits::removing(
+                specification.span.end as usize..initializer.span.end as usize,
+            ));
+            if let InitializerKind::Array(elements) = &initializer.kind {
+                let ends = elements
+                    .iter()
+                    .filter_map(|element| Some(element.value.as_ref()?.span.end as usize));
+                let ends: Vec<usize> = ends.collect();
+                let (open, close) = (initializer.span.start as usize, initializer.span.end as usize);
+                changes.extend(view.list_items(open, &ends, close));
+            }
+        }
+        if let TypeSpecificationKind::Text { name, .. } | TypeSpecificationKind::Subrange { base: name, .. } =
+            &specification.kind
+        {
+            changes.push(Edits::removing(
+                name.span.end as usize..specification.span.end as usize,
+            ));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Replaces declared types of variables by their definitions.
+pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
+    let specifications = view.specifications();
+    let mut changes = Vec::new();
+    for declared in view.types() {
+        let mut edits = Edits::new();
+        for (one, _) in &specifications {
+            if let TypeSpecificationKind::Named(name) = &one.kind
+                && name.text.eq_ignore_ascii_case(declared.name.text)
+            {
+                edits.replace(one.span, declared.specification.span.text(view.text()));
+            }
+        }
+        if !edits.is_empty() {
+            changes.push(edits);
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Drops declarations of a list, and single names of declarations of several.
+fn groups(view: &TextView<'_>, groups: &[VariableGroup<'_>]) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for group in groups {
+        changes.extend(view.group(group).map(Edits::removing));
+        for pair in group.names.windows(2) {
+            let (one, next) = (pair[0].span, pair[1].span);
+            changes.push(Edits::removing(one.start as usize..next.start as usize));
+            changes.push(Edits::removing(one.end as usize..next.end as usize));
+        }
+    }
+    changes
+}
+
+/// Drops values of an enumeration.
+fn enumerators(view: &TextView<'_>, specification: &TypeSpecification<'_>) -> Vec<Edits> {
+    let TypeSpecificationKind::Enumeration { values, .. } = &specification.kind else {
+        return Vec::new();
+    };
+    let ends: Vec<usize> = values
+        .iter()
+        .map(|(name, value)| value.map_or(name.span.end as usize, |value| view.place(value).end))
+        .collect();
+    let first = values.first().map_or(0, |(name, _)| name.span.start as usize);
+    let open = view
+        .previous(first)
+        .map_or(first, |open| open.span.start as usize);
+    view.list_items(open, &ends, specification.span.end as usize)
+}

@@ -1,0 +1,112 @@
+//! Passes that replace expressions by their operands and by literals.
+
+use crate::TextView;
+use crate::rules::TextState;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::{Expression, ExpressionKind, StatementKind};
+use stickler_syntax::visitor::{Place, operands};
+
+/// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
+/// number comes before an integer, which may stand for one.
+const PLAIN: [&str; 7] = ["FALSE", "0.0", "0", "''", "T#0s", "TRUE", "1"];
+
+/// A literal of each type that could be part of a type mismatch.
+const TYPED: [&str; 8] = [
+    "DINT#0",
+    "INT#0",
+    "LINT#0",
+    "UINT#0",
+    "LREAL#0.0",
+    "WORD#16#0",
+    "BOOL#FALSE",
+    "T#0s",
+];
+
+/// Replaces expressions by a plain literal that is valid in their place, outermost first; the condition of REPEAT by TRUE.
+pub(crate) fn to_literal(view: &TextView<'_>) -> Vec<Edits> {
+    let is_end = |statement: &StatementKind, span| match statement {
+        StatementKind::Repeat { until, .. } => view.place(*until) == span,
+        _ => false,
+    };
+    let statements = view.statements();
+    let mut changes = Vec::new();
+    for expression in replaceable(view) {
+        let ends = statements
+            .iter()
+            .any(|statement| is_end(&statement.kind, expression.span.into()));
+        let all = ends.then_some(&"TRUE").into_iter().chain(&PLAIN);
+        let replacing = |plain: &&str| {
+            let change = Edits::replacing(expression.span, *plain);
+            view.only_allowed(vec![change]).pop()
+        };
+        changes.extend(all.filter_map(replacing).next());
+    }
+    changes
+}
+
+/// Replaces expressions of a rejected text by typed literals.
+///
+/// In a type mismatch an untyped literal fits too well: it takes the expected type.
+pub(crate) fn to_typed_literal(view: &TextView<'_>) -> Vec<Edits> {
+    if view.draft.rules().start() == TextState::Accepted {
+        return Vec::new();
+    }
+    let mut changes = Vec::new();
+    for expression in replaceable(view) {
+        let typed = TYPED.iter();
+        changes.extend(typed.map(|typed| Edits::replacing(expression.span, *typed)));
+    }
+    view.only_allowed(changes)
+}
+
+/// Returns the expressions that a literal may take the place of, outermost first.
+fn replaceable<'t>(view: &TextView<'t>) -> impl Iterator<Item = &'t Expression<'t>> {
+    let expressions = view.expressions().into_iter();
+    expressions
+        .filter(|(place, expression)| {
+            !matches!(place, Place::Statement | Place::Callee)
+                && !matches!(expression.kind, ExpressionKind::Literal(_))
+        })
+        .map(|(_, expression)| expression)
+}
+
+/// Replaces expressions by their first operand or argument.
+pub(crate) fn to_first_operand(view: &TextView<'_>) -> Vec<Edits> {
+    to_operand(view, 0)
+}
+
+/// Replaces expressions by their second operand or argument.
+pub(crate) fn to_second_operand(view: &TextView<'_>) -> Vec<Edits> {
+    to_operand(view, 1)
+}
+
+/// Replaces expressions by their third operand or argument.
+pub(crate) fn to_third_operand(view: &TextView<'_>) -> Vec<Edits> {
+    to_operand(view, 2)
+}
+
+fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for (_, whole) in view.expressions() {
+        let mut operands = operands(whole)
+            .into_iter()
+            .filter(|(_, place)| *place != Place::Callee);
+        if let Some((operand, _)) = operands.nth(which) {
+            changes.push(Edits::replacing(whole.span, &view.text()[view.place(operand)]));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Drops arguments of calls.
+pub(crate) fn drop_arguments(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for (_, call) in view.expressions() {
+        if let ExpressionKind::Call { callee, .. } = &call.kind {
+            let arguments = operands(call).into_iter().skip(1);
+            let ends: Vec<usize> = arguments.map(|(value, _)| view.place(value).end).collect();
+            changes.extend(view.list_items(view.place(*callee).end, &ends, call.span.end as usize));
+        }
+    }
+    view.only_allowed(changes)
+}

@@ -1,0 +1,119 @@
+//! Passes that make literals smaller.
+
+use crate::TextView;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::{ExpressionKind, LiteralKind};
+
+/// Writes numbers with a base in decimal, so that a base stays only where it matters.
+pub(crate) fn literals_to_decimal(view: &TextView<'_>) -> Vec<Edits> {
+    literals(view, LiteralStep::Decimal)
+}
+
+/// Makes numbers 0, and empties texts.
+pub(crate) fn literals_to_zero(view: &TextView<'_>) -> Vec<Edits> {
+    literals(view, LiteralStep::Zero)
+}
+
+/// Makes numbers 1.
+pub(crate) fn literals_to_one(view: &TextView<'_>) -> Vec<Edits> {
+    literals(view, LiteralStep::One)
+}
+
+/// Halves numbers and texts.
+pub(crate) fn halve_literals(view: &TextView<'_>) -> Vec<Edits> {
+    literals(view, LiteralStep::Half)
+}
+
+/// Makes numbers one less, and texts one character shorter.
+pub(crate) fn lessen_literals(view: &TextView<'_>) -> Vec<Edits> {
+    literals(view, LiteralStep::Less)
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum LiteralStep {
+    Decimal,
+    Zero,
+    One,
+    Half,
+    Less,
+}
+
+fn literals(view: &TextView<'_>, step: LiteralStep) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for (_, expression) in view.expressions() {
+        let ExpressionKind::Literal(literal) = &expression.kind else {
+            continue;
+        };
+        if let Some(smaller) = smaller(literal.kind, literal.text(), step) {
+            let end = expression.span.end as usize;
+            changes.push(Edits::replacing(end - literal.text().len()..end, smaller));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Returns the text of a literal without its prefix, made smaller; `None` if that changes nothing.
+fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
+    let smaller = match kind {
+        LiteralKind::Integer => {
+            let number: i128 = text.replace('_', "").parse().ok()?;
+            match step {
+                LiteralStep::Decimal => return None,
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => number / 2,
+                LiteralStep::Less => number - number.signum(),
+            }
+            .to_string()
+        }
+        LiteralKind::BasedInteger => {
+            let (base, digits) = text.split_once('#')?;
+            let base: u32 = base.parse().ok().filter(|base| [2, 8, 16].contains(base))?;
+            let number = u128::from_str_radix(&digits.replace('_', ""), base).ok()?;
+            let number = match step {
+                LiteralStep::Decimal => return Some(number.to_string()),
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => number / 2,
+                LiteralStep::Less => number.saturating_sub(1),
+            };
+            match base {
+                2 => format!("2#{number:b}"),
+                8 => format!("8#{number:o}"),
+                _ => format!("16#{number:X}"),
+            }
+        }
+        LiteralKind::Real => match step {
+            LiteralStep::Decimal => return None,
+            LiteralStep::Zero => "0.0".to_owned(),
+            LiteralStep::One => "1.0".to_owned(),
+            LiteralStep::Half => format!("{}.0", text.split('.').next()?),
+            LiteralStep::Less => {
+                let (before, behind) = text.split_once('.')?;
+                format!("{before}.{}", behind.chars().next()?)
+            }
+        },
+        LiteralKind::Duration => match step {
+            LiteralStep::Zero => "0s".to_owned(),
+            LiteralStep::One => "1s".to_owned(),
+            LiteralStep::Decimal | LiteralStep::Half | LiteralStep::Less => return None,
+        },
+        LiteralKind::SingleByteText | LiteralKind::DoubleByteText => {
+            let quote = text.get(..1)?;
+            let inner = text.get(1..text.len().checked_sub(1)?)?;
+            let kept = match step {
+                LiteralStep::Decimal => return None,
+                LiteralStep::Zero => 0,
+                LiteralStep::One => 1,
+                LiteralStep::Half => inner.chars().count() / 2,
+                LiteralStep::Less => inner.chars().count().saturating_sub(1),
+            };
+            let kept: String = inner.chars().take(kept).collect();
+            format!("{quote}{kept}{quote}")
+        }
+        LiteralKind::Boolean | LiteralKind::Date | LiteralKind::TimeOfDay | LiteralKind::DateAndTime => {
+            return None;
+        }
+    };
+    (smaller != text).then_some(smaller)
+}
