@@ -339,7 +339,7 @@ fn declared_as(program: &str, declared: &DeclaredName<'_, '_>) -> Option<String>
 }
 
 /// Returns the kind of unit that a line of a program stands in, unless that is a PROGRAM.
-fn unit_of(program: &str, line: &str) -> Option<&'static str> {
+pub(crate) fn unit_of(program: &str, line: &str) -> Option<&'static str> {
     let behind = &program[line.as_ptr() as usize - program.as_ptr() as usize..];
     let ends = [
         ("END_PROGRAM", None),

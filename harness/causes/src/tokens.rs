@@ -11,6 +11,8 @@ use stickler_types::{Dialect, DialectName};
 pub(crate) struct ProgramToken<'t> {
     pub(crate) kind: ProgramTokenKind,
     pub(crate) text: &'t str,
+    /// The place of its first byte in the text.
+    pub(crate) start: usize,
     /// The line, from 1.
     pub(crate) line: u32,
     /// The column, from 1, in characters.
@@ -41,6 +43,11 @@ impl ProgramToken<'_> {
     pub(crate) fn is(&self, word: &str) -> bool {
         self.text.eq_ignore_ascii_case(word)
     }
+
+    /// Returns the place behind its last byte in the text.
+    pub(crate) fn end(&self) -> usize {
+        self.start + self.text.len()
+    }
 }
 
 /// Rules by which comments do not nest, so that the ends of those that stand in others are left, by which they are seen.
@@ -59,6 +66,7 @@ pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
         found.push(ProgramToken {
             kind: kind(token.kind, here),
             text: here,
+            start: token.span.start as usize,
             line: place.line,
             column: place.column,
             is_located: false,

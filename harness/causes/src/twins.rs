@@ -313,17 +313,11 @@ pub(crate) fn with_first_parts(program: &str) -> Option<String> {
 
 /// Returns a program with each token replaced by what `with` returns for it; blanks and comments stay.
 fn replaced(program: &str, with: impl Fn(usize, &ProgramToken<'_>) -> String) -> String {
-    let mut text = String::with_capacity(program.len());
-    let start = program.as_ptr() as usize;
-    let mut end = 0;
+    let mut edits = Edits::new();
     for (place, token) in tokens(program).iter().enumerate() {
-        let at = token.text.as_ptr() as usize - start;
-        text.push_str(&program[end..at]);
-        text.push_str(&with(place, token));
-        end = at + token.text.len();
+        edits.replace(token.start..token.end(), with(place, token));
     }
-    text.push_str(&program[end..]);
-    text
+    edits.apply(program)
 }
 
 #[cfg(test)]
