@@ -85,7 +85,7 @@ fn stages(criterion: &mut Criterion) {
         // The tree is dropped outside the measurement.
         bencher.iter_batched(
             || (),
-            |()| syntax::parse(black_box(&source), &dialect),
+            |()| syntax::parse(black_box(&source), dialect),
             BatchSize::LargeInput,
         );
     });

@@ -51,7 +51,7 @@ fn syntax(criterion: &mut Criterion) {
     let dialect = Dialect::of(DialectName::IRONPLC_ED3);
     for (name, piece) in [("usual", USUAL), ("dense", DENSE), ("commented", COMMENTED)] {
         let text = piece.repeat(LENGTH / piece.len());
-        let (unit, diagnostics) = parse(&text, &dialect);
+        let (unit, diagnostics) = parse(&text, dialect);
         assert_eq!(diagnostics, [], "the benchmark's text is acceptable");
         let mut group = criterion.benchmark_group(name);
         group
@@ -62,7 +62,7 @@ fn syntax(criterion: &mut Criterion) {
             // The tree is dropped outside the measurement.
             bencher.iter_batched(
                 || (),
-                |()| parse(black_box(&text), &dialect),
+                |()| parse(black_box(&text), dialect),
                 BatchSize::PerIteration,
             );
         });

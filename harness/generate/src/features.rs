@@ -48,20 +48,37 @@ pub fn distinctive(program: &Program) -> Vec<String> {
 }
 
 /// The features that most generated programs have.
-const COMMON: [&str; 13] = [
+const COMMON: [&str; 30] = [
+    "array-type",
     "based-literal",
+    "case-else",
     "case-list",
     "conversion",
     "conversion-overloaded",
+    "date-and-time-literal",
+    "date-literal",
+    "duration-literal",
+    "else",
+    "elsif",
+    "empty-statement",
+    "field-initial-value",
+    "for-by",
     "initial-value",
     "literal-exponent",
     "literal-underscore",
+    "long-date-and-time-literal",
+    "long-date-literal",
+    "long-duration-literal",
+    "long-time-of-day-literal",
+    "named-argument",
     "parentheses",
     "string-literal",
+    "time-of-day-literal",
     "typed-literal",
     "typed-literal-boolean",
     "typed-literal-string",
     "var-input",
+    "wide-string-literal",
 ];
 
 /// Counts how often each feature occurs in a program, and each operator, literal and variable of a type: `+ of INT`, `read INT`.

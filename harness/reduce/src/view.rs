@@ -41,8 +41,8 @@ impl TextDraft {
         let dialect = Dialect::of(self.dialect());
         ask(&TextView {
             draft: self,
-            unit: &parse(self.text(), &dialect).0,
-            tokens: &tokens(self.text(), &dialect),
+            unit: &parse(self.text(), dialect).0,
+            tokens: &tokens(self.text(), dialect),
         })
     }
 }

@@ -71,7 +71,7 @@ impl Dialects {
                 Err(unknown) => {
                     let unknown: stickler_types::UnknownDialect = unknown;
                     let line = lines.line(member.span().start);
-                    mistakes.push(Mistake::new(line, unknown.to_string()).key(&format!("groups.{group}")));
+                    mistakes.push(Mistake::new(line, unknown.to_string()).key(format!("groups.{group}")));
                     None
                 }
             };
@@ -229,13 +229,13 @@ mod tests {
                 .define("wrong", text, "dialects/wrong.toml")
                 .unwrap_err()
         };
-        let unknown = mistake("title = ''\n[flags]\nbit-acces = true");
+        let unknown = mistake("title = 'Wrong'\n[flags]\nbit-acces = true");
         assert_eq!(unknown.line, 3);
         assert!(
             format!("{unknown:?}").contains("did you mean `bit-access`?"),
             "{unknown:?}"
         );
-        assert_eq!(mistake("title = ''\nextends = 'nowhere'").line, 2);
+        assert_eq!(mistake("title = 'Wrong'\nextends = 'nowhere'").line, 2);
         assert_eq!(mistake("about = ''").line, 1);
     }
 

@@ -25,7 +25,7 @@ mod tests {
     #[test]
     fn comments_and_blanks_behind_it_do_not_matter() {
         let dialect = Dialect::of(DialectName::IRONPLC_ED2);
-        assert_eq!(last_token("a b (* c *)\n", &dialect), Span { start: 2, end: 3 });
-        assert_eq!(last_token("(* c *)", &dialect), Span::default());
+        assert_eq!(last_token("a b (* c *)\n", dialect), Span { start: 2, end: 3 });
+        assert_eq!(last_token("(* c *)", dialect), Span::default());
     }
 }

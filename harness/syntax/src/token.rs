@@ -219,14 +219,14 @@ mod tests {
     fn a_text_that_no_dialect_reads_has_tokens() {
         let text = "x ^:= 'a' \u{e4}; (* PROGRAM *) {p} T#1s";
         let dialect = Dialect::of(DialectName::IRONPLC_ED2);
-        let found_tokens = tokens(text, &dialect);
+        let found_tokens = tokens(text, dialect);
         let list = &found_tokens.list;
         let found: Vec<&str> = list.iter().map(|token| token.span.text(text)).collect();
         assert_eq!(found, ["x", "^", ":=", "'a'", "\u{e4}", ";", "T#1s"]);
         assert!(found_tokens.is_complete && found_tokens.has_pragma(text) && list[0].is("X", text));
         assert_eq!(found_tokens.comments[0].text(text), "(* PROGRAM *)");
         for open in ["(* a", "{ a"] {
-            assert!(!tokens(open, &dialect).is_complete, "{open}");
+            assert!(!tokens(open, dialect).is_complete, "{open}");
         }
     }
 }

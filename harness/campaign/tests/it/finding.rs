@@ -25,7 +25,7 @@ fn a_program_that_is_computed_wrongly_is_found_and_made_small() {
     let findings = found(Defect::Mistakes(" MOD ", " / "), 250);
     let finding = findings
         .iter()
-        .find(|finding| finding.rule == ["MOD"])
+        .find(|finding| finding.rule == ["mod"])
         .expect("the defect itself");
     assert_eq!(finding.engine.as_ref().unwrap().name, "defective");
     assert_eq!(finding.kind(), "value");
@@ -51,7 +51,7 @@ fn a_program_over_which_an_engine_dies_is_found_and_made_small() {
     };
     assert_eq!(
         (finding.symptom.as_str(), &finding.rule[..]),
-        ("crash", &["FOR".to_owned()][..])
+        ("crash", &["for".to_owned()][..])
     );
     assert!(finding.origin.size <= 15, "{} lines", finding.origin.size);
 }
@@ -155,7 +155,7 @@ fn a_finding_is_saved_judged_again_and_promoted() {
     let findings = found(Defect::Mistakes(" MOD ", " / "), 250);
     let finding = findings
         .iter()
-        .find(|finding| finding.rule == ["MOD"])
+        .find(|finding| finding.rule == ["mod"])
         .expect("the defect itself");
     let folder = tempfile::tempdir().unwrap();
     let store = Store::open(folder.path()).unwrap();

@@ -27,12 +27,12 @@ impl ReferenceFunction {
         let (name, result) = (&signature.function[..], signature.result);
         let kind = match signature.operands[..] {
             [operand] => {
-                let found = function(name, &dialect)?;
+                let found = function(name, dialect)?;
                 let takes = found.accepts(operand) && found.results(operand).any(|ty| ty == result);
                 takes.then(|| ReferenceFunctionKind::One(found.conversion(operand, result)))?
             }
             [first, second] => {
-                let found = concatenation(name, &dialect)?;
+                let found = concatenation(name, dialect)?;
                 (found.operands == [first, second] && found.result == result)
                     .then_some(ReferenceFunctionKind::Two(found))?
             }

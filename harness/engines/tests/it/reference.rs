@@ -32,7 +32,9 @@ fn run(dialect: &str, source: &str, observe: &[&str]) -> Json {
 fn the_reference_speaks_all_dialects_and_can_do_everything() {
     let reply = ask(json!({"type":"hello","protocol":1}));
     let expected = json!({"type":"hello","protocol":1,"name":"reference","version":env!("CARGO_PKG_VERSION"),
-        "dialects":["ironplc-ed2","ironplc-ed3","ironplc-rusty","matiec","plcnext","strucpp","rusty","codesys","twincat","logix","control-expert","omron","iec-ed3"],
+        "dialects":["ironplc-ed2","ironplc-ed3","ironplc-rusty","matiec","plcnext","strucpp","rusty","codesys","twincat","logix","control-expert","omron",
+            "iec-ed3","ironplc-ed2+cross-family-widening","ironplc-ed2+partial-access","ironplc-ed3+cross-family-widening",
+            "ironplc-ed3-without-partial-access","ironplc-rusty-without-cross-family-widening","ironplc-rusty-without-partial-access"],
         "abilities":["check","execute","render","scans"],"grade":"code"});
     assert_eq!(reply, expected);
 }

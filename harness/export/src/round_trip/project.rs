@@ -108,7 +108,7 @@ fn beremiz_reads_a_project_where_it_is_installed() {
     let programs = text.matches("pouType=\"program\"").count();
     assert_eq!(generated.matches("END_PROGRAM").count(), programs);
     let dialect = stickler_types::Dialect::of(DialectName::MATIEC);
-    let (_, diagnostics) = stickler_syntax::parse(&generated, &dialect);
+    let (_, diagnostics) = stickler_syntax::parse(&generated, dialect);
     assert!(diagnostics.is_empty(), "{diagnostics:?}");
 }
 

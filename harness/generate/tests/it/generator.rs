@@ -192,7 +192,7 @@ const ALWAYS: [&str; 65] = [
     "function-block",
     "enumeration",
     "structure",
-    "type-alias",
+    "array-type",
     "variable alias",
     "variable instance",
     "variable structure",

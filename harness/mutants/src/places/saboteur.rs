@@ -129,7 +129,7 @@ impl SabotagedSession {
 impl Session for SabotagedSession {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
         let dialect = Dialect::of(request.dialect);
-        let outcome = match self.sabotaged(request.source, &dialect, false) {
+        let outcome = match self.sabotaged(request.source, dialect, false) {
             None => reference::run(request, Limits::default()),
             Some(analysis) if analysis.is_rejected() => Ok(Outcome::rejected(located(analysis))),
             Some(analysis) => {

@@ -84,8 +84,8 @@ pub fn variables(source: &str, dialect: DialectName, most: usize) -> Vec<String>
 pub fn render(source: &str, dialect: DialectName) -> Result<String, Vec<Diagnostic>> {
     let dialect = Dialect::of(dialect);
     let lines = LineIndex::new(source);
-    let (unit, mut diagnostics) = stickler_syntax::parse(source, &dialect);
-    let (_, found) = semantics::check(&unit, source, &lines, &dialect);
+    let (unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
+    let (_, found) = semantics::check(&unit, source, &lines, dialect);
     diagnostics.extend(
         found
             .into_iter()

@@ -21,14 +21,14 @@ use stickler_types::{Outcome, RunRequest};
 /// is an [`Outcome`].
 pub fn run(request: &RunRequest<'_>, limits: Limits) -> Result<Outcome, RequestError> {
     let dialect = Dialect::of(request.dialect);
-    let mut checked = Checked::new(request.source, &dialect);
+    let mut checked = Checked::new(request.source, dialect);
     if !checked.is_rejected() {
         if let Some(program) = &checked.program {
             let outcome = execute(program, request, limits)?;
             let warnings = locate(checked.diagnostics, request.source, &checked.lines);
             return Ok(outcome.with_warnings(warnings));
         }
-        checked.diagnostics.push(nothing_to_run(request.source, &dialect));
+        checked.diagnostics.push(nothing_to_run(request.source, dialect));
     }
     let diagnostics = locate(checked.diagnostics, request.source, &checked.lines);
     Ok(Outcome::rejected(diagnostics))

@@ -134,8 +134,8 @@ fn rounding_functions_are_unknown_where_only_trunc_is_standard() {
 #[test]
 fn the_third_edition_s_types_bring_their_functions() {
     let ed2 = Dialect::of(DialectName::IRONPLC_ED2);
-    assert_eq!(function("LTIME_TO_TIME", &ed2), None);
-    assert_eq!(conversion_function_name(Ltime, Lint, &ed2), None);
+    assert_eq!(function("LTIME_TO_TIME", ed2), None);
+    assert_eq!(conversion_function_name(Ltime, Lint, ed2), None);
     assert!(named("LTIME_TO_TIME").is_some());
 }
 
@@ -157,10 +157,10 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
         let dialect = Dialect::of(name);
         for from in ElementaryType::ALL {
             for to in ElementaryType::ALL {
-                let Some(suggested) = conversion_function_name(from, to, &dialect) else {
+                let Some(suggested) = conversion_function_name(from, to, dialect) else {
                     continue;
                 };
-                let found = function(&suggested, &dialect).expect("a suggestion exists");
+                let found = function(&suggested, dialect).expect("a suggestion exists");
                 assert_eq!(found.parameter, Parameter::Exactly(from), "{suggested}");
                 assert_eq!(found.result_type(from, None), to, "{suggested}");
             }
@@ -168,10 +168,10 @@ fn a_suggested_name_is_a_function_from_and_to_these_types() {
     }
     let ed2 = Dialect::of(DialectName::IRONPLC_ED2);
     assert_eq!(
-        conversion_function_name(Dint, Int, &ed2).as_deref(),
+        conversion_function_name(Dint, Int, ed2).as_deref(),
         Some("DINT_TO_INT")
     );
-    assert_eq!(conversion_function_name(Int, Int, &ed2), None);
+    assert_eq!(conversion_function_name(Int, Int, ed2), None);
 }
 
 /// matiec with other choices.

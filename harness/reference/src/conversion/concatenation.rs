@@ -109,7 +109,7 @@ mod tests {
             for (function, _) in CONCATENATIONS {
                 let known = function == "CONCAT_DATE_TOD" || dialect.has(ElementaryType::Ltod);
                 assert_eq!(
-                    concatenation(function, &dialect).is_some(),
+                    concatenation(function, dialect).is_some(),
                     known,
                     "{name}: {function}"
                 );

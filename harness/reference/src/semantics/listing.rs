@@ -89,9 +89,9 @@ mod tests {
 
     fn checked(text: &str) -> CheckedProgram {
         let dialect = Dialect::of(DialectName::IRONPLC_ED2);
-        let (unit, diagnostics) = stickler_syntax::parse(text, &dialect);
+        let (unit, diagnostics) = stickler_syntax::parse(text, dialect);
         assert_eq!(diagnostics, []);
-        let (program, diagnostics) = check(&unit, text, &LineIndex::new(text), &dialect);
+        let (program, diagnostics) = check(&unit, text, &LineIndex::new(text), dialect);
         assert_eq!(diagnostics, []);
         program.expect("a program")
     }

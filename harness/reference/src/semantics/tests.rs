@@ -29,9 +29,9 @@ pub(super) const PLCNEXT: DialectName = DialectName::PLCNEXT;
 /// Returns the diagnostics of the checker on a text that can be read.
 pub(super) fn diagnose(name: DialectName, text: &str) -> Vec<SpannedDiagnostic> {
     let dialect = Dialect::of(name);
-    let (unit, diagnostics) = stickler_syntax::parse(text, &dialect);
+    let (unit, diagnostics) = stickler_syntax::parse(text, dialect);
     assert_eq!(diagnostics, [], "the text of a test can be read: {text}");
-    check(&unit, text, &LineIndex::new(text), &dialect).1
+    check(&unit, text, &LineIndex::new(text), dialect).1
 }
 
 /// The lines and codes that the checker says, in order: `3 P4035`.

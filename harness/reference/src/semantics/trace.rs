@@ -101,9 +101,9 @@ mod tests {
     /// Returns the uses of a program, each with the text of its expression, and the instruction before the label where it ends.
     fn uses(text: &str) -> Vec<(String, UseKind, Option<Instruction>)> {
         let dialect = Dialect::of(DialectName::IRONPLC_ED3);
-        let (unit, errors) = stickler_syntax::parse(text, &dialect);
+        let (unit, errors) = stickler_syntax::parse(text, dialect);
         assert_eq!(errors, []);
-        let (checked, _, uses) = check_traced(&unit, text, &LineIndex::new(text), &dialect);
+        let (checked, _, uses) = check_traced(&unit, text, &LineIndex::new(text), dialect);
         let code = checked.map(|checked| checked.program.code).unwrap_or_default();
         let reported = |found: TracedUse| {
             let span = unit.expressions[found.expression.0 as usize].span;

@@ -109,7 +109,7 @@ mod tests {
             Dialect::of(DialectName::MATIEC),
             Dialect::of(DialectName::PLCNEXT),
         ]
-        .map(|dialect| codes(&text, &dialect))
+        .map(|dialect| codes(&text, dialect))
     }
 
     fn only(code: Code, suffix: &str) -> Vec<(Code, String)> {

@@ -156,7 +156,7 @@ fn operands_of_which_each_stands_for_the_other_take_the_wider_type() {
 #[test]
 fn what_widens_keeps_its_value() {
     let plcnext = Dialect::of(DialectName::PLCNEXT);
-    let apply = |from, to, raw| implicit(from, to, &plcnext).map(|conversion| conversion.apply(raw));
+    let apply = |from, to, raw| implicit(from, to, plcnext).map(|conversion| conversion.apply(raw));
     assert_eq!(apply(Sint, Lint, (-1_i64).cast_unsigned()), Some(u64::MAX));
     assert_eq!(apply(Udint, Lint, 4_000_000_000), Some(4_000_000_000));
     assert_eq!(apply(Uint, Real, 65_535), Some(65_535.0_f32.to_bits().into()));

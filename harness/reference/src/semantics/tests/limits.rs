@@ -10,8 +10,8 @@ use stickler_types::dialect::Dialect;
 fn said(text: String) -> usize {
     let work = move || {
         let dialect = Dialect::of(ED3);
-        let (unit, syntax) = stickler_syntax::parse(&text, &dialect);
-        let (_, semantic) = check(&unit, &text, &LineIndex::new(&text), &dialect);
+        let (unit, syntax) = stickler_syntax::parse(&text, dialect);
+        let (_, semantic) = check(&unit, &text, &LineIndex::new(&text), dialect);
         syntax.len() + semantic.len()
     };
     let thread = std::thread::Builder::new()

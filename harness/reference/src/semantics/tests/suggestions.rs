@@ -66,8 +66,8 @@ fn each_pair_that_does_not_convert_but_has_a_function_has_a_suggestion() {
             let text = CONTEXTS[0]
                 .replace("FROM", from.name())
                 .replace("INTO", to.name());
-            let converts = crate::conversion::implicit(from, to, &dialect).is_some();
-            let function = crate::conversion::conversion_function_name(from, to, &dialect);
+            let converts = crate::conversion::implicit(from, to, dialect).is_some();
+            let function = crate::conversion::conversion_function_name(from, to, dialect);
             let suggestions: Vec<_> = diagnose(name, &text)
                 .into_iter()
                 .filter(|diagnostic| diagnostic.code.severity().is_error())

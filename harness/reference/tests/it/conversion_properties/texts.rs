@@ -154,7 +154,7 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
 fn a_text_of_the_greatest_length_is_read() {
     let dialect = Dialect::of(DialectName::MATIEC);
     let read = |name: &str, text: &str| {
-        let function = conversion::function(name, &dialect).expect(name);
+        let function = conversion::function(name, dialect).expect(name);
         let units: Vec<u16> = text.encode_utf16().collect();
         assert_eq!(units.len(), 65_535);
         function

@@ -73,12 +73,12 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
     let mut suggested = 0;
     for name in DialectName::ALL {
         let dialect = Dialect::of(name);
-        each_pair(&dialect, |from, to| {
+        each_pair(dialect, |from, to| {
             for (context, code, template) in CONTEXTS {
                 let about = format!("{}, {context}: {} to {}", name.as_str(), from.name(), to.name());
                 let source = written(template, from, to);
                 let found = errors(&source, name);
-                if implicit(from, to, &dialect).is_some() {
+                if implicit(from, to, dialect).is_some() {
                     assert_eq!(found, [], "{about}");
                     continue;
                 }
@@ -88,7 +88,7 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
                 assert_eq!(only.code.as_deref(), Some(code), "{about}");
                 let line = only.line.and_then(|line| source.lines().nth(line as usize - 1));
                 assert_eq!(line, Some("a"), "{about}");
-                match conversion_function_name(from, to, &dialect) {
+                match conversion_function_name(from, to, dialect) {
                     Some(function) => {
                         assert_eq!(only.suggestion, Some(format!("{function}(a)")), "{about}");
                         let repaired = repaired(&source, only).expect("a place");
@@ -107,7 +107,7 @@ fn contexts_follow_the_one_rule_and_suggestions_repair() {
 fn the_result_of_a_call_is_told_apart() {
     for name in DialectName::ALL {
         let dialect = Dialect::of(name);
-        each_pair(&dialect, |from, to| {
+        each_pair(dialect, |from, to| {
             let template = "FUNCTION F : FROM ; END_FUNCTION
 PROGRAM main VAR b : INTO; END_VAR b :=\nF()\n; END_PROGRAM";
             let source = written(template, from, to);
@@ -115,7 +115,7 @@ PROGRAM main VAR b : INTO; END_VAR b :=\nF()\n; END_PROGRAM";
                 .into_iter()
                 .filter_map(|found| found.code)
                 .collect();
-            let expected: &[&str] = if implicit(from, to, &dialect).is_some() {
+            let expected: &[&str] = if implicit(from, to, dialect).is_some() {
                 &[]
             } else {
                 &["P4027"]
