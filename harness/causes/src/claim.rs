@@ -150,6 +150,7 @@ mod tests {
                 got: smallest.deviation.got.clone(),
                 duration_us: 0,
                 observations: Vec::new(),
+                question: None,
                 program: Some(program.to_owned()),
                 baseline: None,
             };

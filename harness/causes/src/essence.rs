@@ -10,11 +10,12 @@ use crate::literals::valued_types;
 use crate::normal::Normal;
 use crate::numbers;
 use crate::reduction::Smallest;
-use crate::sign::Sign;
+use crate::sign::{Sign, is_of_reading};
 use crate::tokens::tokens;
 use crate::twins::value_features;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
+use stickler_types::Code;
 
 /// The properties that small programs with the same defect have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -46,11 +47,11 @@ impl Essence {
                 let mut features = program.of_mistake(normal.is_unchecked);
                 let forms = program.forms_of_literals();
                 // What is assigned to a constant, or to a part of one, does not matter.
-                if code == "S0001" {
+                if code == Code::AssignmentToConstant.as_str() {
                     features.remove(LITERAL);
                     features.insert("constant".to_owned());
                 }
-                if code.starts_with("P0") && !forms.is_empty() {
+                if is_of_reading(code) && !forms.is_empty() {
                     features.remove(LITERAL);
                     features.insert(program.place().to_owned());
                     features.extend(forms);
@@ -77,7 +78,7 @@ impl Essence {
                 // The kind of value does not matter for what else is said.
                 let mut features = program.of_mistake(false);
                 // A literal that is too large to be read is that in every place.
-                if code == "P2026" && reported.starts_with("P0") {
+                if code == Code::ConstantOverflow.as_str() && is_of_reading(reported) {
                     features = BTreeSet::from(["literal".to_owned()]);
                 } else if features.remove(LITERAL) {
                     features.insert(program.place().to_owned());

@@ -5,8 +5,9 @@ use crate::names::DeclaredNames;
 use crate::normal::Normal;
 use crate::operations::{LOOPS, operations};
 use crate::shape::{in_declarations, own_functions, path};
+use crate::sign::is_of_reading;
 use crate::statements::is_block;
-use crate::title::unimplemented;
+use crate::title::{unimplemented, unit_of};
 use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
@@ -23,9 +24,8 @@ pub(crate) const UNCHECKED: &str = "unchecked";
 /// Returns whether an engine says that it could not read a program.
 pub(crate) fn is_unread(got: &[Fact]) -> bool {
     let reported = got.iter().find_map(Fact::diagnostic);
-    reported
-        .and_then(|reported| reported.code.as_deref())
-        .is_some_and(|code| code.starts_with("P0"))
+    let code = reported.and_then(|reported| reported.code.as_deref());
+    code.is_some_and(is_of_reading)
 }
 
 /// A small program with the line that matters.
@@ -110,12 +110,11 @@ impl<'p> MarkedProgram<'p> {
     /// should not be read says its form alone.
     pub(crate) fn forms_of_literals(&self) -> BTreeSet<String> {
         let line = self.of_line();
-        let end = |token: &ProgramToken<'_>| token.text.as_ptr() as usize + token.text.len();
         let mut words: Vec<String> = Vec::new();
         for (at, token) in line.iter().enumerate() {
             let is_part =
                 token.kind != ProgramTokenKind::Sign || matches!(token.text, "." | "-" | "+" | "#" | ":");
-            let continues = at > 0 && is_part && end(&line[at - 1]) == token.text.as_ptr() as usize;
+            let continues = at > 0 && is_part && line[at - 1].end() == token.start;
             match words.last_mut().filter(|_| continues) {
                 Some(word) => word.push_str(token.text),
                 None => words.push(token.text.to_owned()),
@@ -187,11 +186,7 @@ impl<'p> MarkedProgram<'p> {
             }
             return features;
         }
-        let place = text.as_ptr() as usize - program.as_ptr() as usize;
-        let is_program = program[..place].rfind("PROGRAM ").is_some_and(|head| {
-            let others = ["END_FUNCTION", "END_PROGRAM"];
-            others.iter().all(|end| !program[head + 1..place].contains(end))
-        });
+        let is_program = unit_of(program, text).is_none();
         features.extend((!is_program).then(|| "function or function block".to_owned()));
         if is_program {
             features.extend(
@@ -412,7 +407,7 @@ fn either_way(operation: &str) -> String {
 }
 
 /// Returns whether a line passes an argument to a variable of VAR_IN_OUT by its name.
-fn passes_in_out(line: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
+pub(crate) fn passes_in_out(line: &[ProgramToken<'_>], names: &DeclaredNames) -> bool {
     line.windows(3).any(|three| {
         matches!(three[0].text, "(" | ",")
             && three[2].text == ":="

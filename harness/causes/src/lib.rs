@@ -4,9 +4,9 @@
 //! |---|---|
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`] |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `constructs`, `question` |
-//! | the normal form of each is found by asking for operands alone, plainer literals, other types and other statements | `normal`, `operands`, `statements`, `names`, `twins`, `range` |
-//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, `literals`, [`find()`] |
-//! | the claim of a case is shown with a program of which it still speaks, below a title with the line at fault; what a plainer program shows, with who promises its construct | `claim`, `promised`, `title`, `assignments` |
+//! | the normal form of each is found by asking for operands alone, plainer literals, other types and other statements | `normal`, `operands`, `statements`, `twins`, with `names` and `numbers` |
+//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause) | `essence`, `features`, `literals`, `operations`, [`find()`] |
+//! | the claim of a case is shown with a program of which it still speaks, below a title with the line at fault and what is wrong with it; what a plainer program shows, with who promises its construct | `claim`, `promised`, `title`, `assignments` |
 //!
 //! [`CauseKey`] says of one small program which cause it shows, without asking the engine: a fuzz campaign tells its findings
 //! apart by it, and from what a run has shown.

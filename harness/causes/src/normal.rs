@@ -9,6 +9,7 @@ use crate::numbers::leaves_range;
 use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
 use crate::reduction::Smallest;
+use crate::sign::{is_of_a_value, is_of_reading};
 use crate::statements::{in_two_steps, turned_round, with_one_statement, with_whole_outputs};
 use crate::tokens::{ProgramTokenKind, tokens};
 use crate::twins::{
@@ -109,7 +110,7 @@ pub(crate) fn normal_form(
         }
         Symptom::NotRejected(code) => {
             search.operands()?;
-            if matches!(code.as_str(), "P2026" | "P4022" | "P4026" | "P4027" | "P4035") {
+            if is_of_a_value(&code) {
                 search.unchecked()?;
             }
         }
@@ -363,7 +364,6 @@ fn literals(program: &str) -> BTreeSet<&str> {
 
 /// Returns whether an engine fails in the same way with another program, which may have the place or the types of another.
 fn is_same(former: &Deviation, seen: &Deviation) -> bool {
-    let of_reading = |reason: &str| reason.starts_with("P0");
     match (&former.sign.symptom, &seen.sign.symptom) {
         // Without the mistake the same is said of the same construct.
         (Symptom::OtherLine(_), Symptom::Rejected(reason)) => {
@@ -371,7 +371,7 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
             reported.is_some_and(|reported| reported.code.as_ref() == Some(reason))
         }
         (Symptom::Rejected(reason), Symptom::Rejected(other)) => {
-            reason == other || !of_reading(reason) && !of_reading(other)
+            reason == other || !is_of_reading(reason) && !is_of_reading(other)
         }
         (Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported), Symptom::Rejected(reason)) => {
             reported == reason

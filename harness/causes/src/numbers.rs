@@ -45,23 +45,22 @@ pub(crate) fn number_pattern(program: &str, deviation: &Deviation) -> Option<&'s
 
 /// Returns whether a program does nothing but convert a real number to an integer by name, and the number is outside the range of that.
 fn converts_out_of_range(program: &str, deviation: &Deviation) -> bool {
-    let is_conversion = |token: &ProgramToken<'_>| {
-        converted(token).is_some_and(|(from, into)| from.is_real() && kind(into) == Some("integer"))
-    };
     let all = tokens(program);
-    let into_unsigned =
-        |token: &ProgramToken<'_>| converted(token).is_some_and(|(_, into)| into.family() != Family::Signed);
-    let is_negative = all
-        .iter()
-        .any(|token| token.text == "-" || token.text.contains("#-"));
-    let is_greater = |token: &ProgramToken<'_>| {
-        let range = converted(token).and_then(|(_, into)| into.integer_range());
-        range.is_some_and(|(_, most)| numbers(program).iter().any(|number| *number > most as f64))
+    let is_negative = |token: &ProgramToken<'_>| token.text == "-" || token.text.contains("#-");
+    let sign = if all.iter().any(is_negative) { -1.0 } else { 1.0 };
+    let leaves = |into: ElementaryType| {
+        // Of an unsigned type the least number is 0, and a minus stands before a number.
+        let is_outside = |number: f64| {
+            let range = into.integer_range();
+            let most = range.is_some_and(|(_, most)| number > most as f64);
+            most || number * sign < 0.0 && into.family() != Family::Signed
+        };
+        leaves_range(program, deviation) || numbers(program).into_iter().any(is_outside)
     };
-    let leaves = leaves_range(program, deviation)
-        || is_negative && all.iter().any(into_unsigned)
-        || all.iter().any(is_greater);
-    all.iter().any(is_conversion) && computed(program) == 1 && leaves
+    let mut targets = all.iter().filter_map(converted);
+    let is_outside =
+        targets.any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(into));
+    computed(program) == 1 && is_outside
 }
 
 /// Returns the number of operations with which a program computes. Calls, elements, conditions and the sign of an operand are none.

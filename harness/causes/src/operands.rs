@@ -24,13 +24,12 @@ pub(crate) struct Alone {
 pub(crate) fn only_initial_values(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut text = String::new();
     let (mut until, mut own) = (0, None);
     let mut section = None;
     for (at, token) in all.iter().enumerate() {
         if token.is("END_VAR") {
-            section = Some(offset(token));
+            section = Some(token.start);
         } else if names.is_declared_at(at) && all.get(at + 1).is_some_and(|next| next.text == ":") {
             own = own.or_else(|| names.type_of(token).map(|_| token.text));
         } else if ["END_PROGRAM", "END_FUNCTION", "END_FUNCTION_BLOCK"]
@@ -43,7 +42,7 @@ pub(crate) fn only_initial_values(program: &str) -> Option<String> {
                 Some(own) => format!("\nEND_VAR\n    {own} := {own};\n"),
                 None => "\n    done : BOOL;\nEND_VAR\n    done := TRUE;\n".to_owned(),
             });
-            until = offset(token);
+            until = token.start;
         } else if token.is("END_TYPE") {
             own = None;
         }
@@ -66,15 +65,14 @@ pub(crate) fn with_fitting_operands(program: &str) -> Vec<String> {
     let Some(section) = program[start..].find("END_VAR").map(|at| start + at) else {
         return Vec::new();
     };
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut found = Vec::new();
     for (at, token) in all.iter().enumerate() {
         let ends = all
             .get(at + 1)
             .is_some_and(|next| matches!(next.text, ";" | "," | ")"));
-        let words = names.words(&all, at).filter(|_| ends && offset(token) > section);
+        let words = names.words(&all, at).filter(|_| ends && token.start > section);
         let Some(words) = words else { continue };
-        let (from, until) = (offset(token), offset(token) + token.text.len());
+        let (from, until) = (token.start, token.end());
         found.push(without_unused(&format!(
             "{}    fitting : {words};\n{}fitting{}",
             &program[..section],

@@ -2,7 +2,7 @@
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
 use crate::assignments::{computation, declaration};
-use crate::features::is_unread;
+use crate::features::{is_unread, passes_in_out};
 use crate::literals::valued_types;
 use crate::names::DeclaredNames;
 use crate::question::wrong_values;
@@ -80,15 +80,25 @@ fn specific<'f>(
     let known = |used: &FeatureUse| features.get(&used.key);
     let begins = |used: &&FeatureUse| (line.start..line.end).contains(&used.span.start);
     let of_line = uses.iter().filter(begins).filter_map(known);
-    let mut found: Vec<&Feature> = of_line.chain(passed(program, line, features)).collect();
+    let all = tokens(program);
+    let names = DeclaredNames::new(&all);
+    let words = tokens(line.text(program));
+    let in_out = features
+        .get("var-in-out")
+        .filter(|_| passes_in_out(&words, &names));
+    let mut found: Vec<&Feature> = of_line.chain(in_out).collect();
     // What an initial value is made of is told by the innermost.
-    let needed = |one: &Feature, found: &[&Feature]| found.iter().any(|other| other.needs.contains(&one.key));
-    let all = found.clone();
-    found.retain(|one| !needed(one, &all) && (!one.promised.is_empty() || !is_type(one)));
+    let needed: Vec<&String> = found.iter().flat_map(|one| &one.needs).collect();
+    found.retain(|one| !needed.contains(&&one.key) && (!one.promised.is_empty() || !is_type(one)));
     if found.is_empty() {
         let surrounds = |used: &&FeatureUse| used.span.start <= line.start && line.end <= used.span.end;
         let around = uses.iter().rfind(surrounds).and_then(known);
-        found.extend(around.or_else(|| declared_type(program, line, features)));
+        // Where nothing is done with the variables of a line, their type is at fault.
+        let declared_type = || {
+            let ty = words.iter().find_map(|token| names.type_of_operand(token))?;
+            features.get(&ty.name().to_ascii_lowercase())
+        };
+        found.extend(around.or_else(declared_type));
     }
     let place = |feature: &Feature| features.iter().position(|one| one.key == feature.key);
     let is_promised = found.iter().all(|feature| !feature.promised.is_empty());
@@ -103,26 +113,6 @@ fn specific<'f>(
 /// Returns whether a feature is an elementary type.
 fn is_type(feature: &Feature) -> bool {
     stickler_types::ElementaryType::from_name(&feature.key.to_ascii_uppercase()).is_some()
-}
-
-/// Returns the type of the variables of a line whose values are wrong though nothing is done with them.
-fn declared_type<'f>(program: &str, line: Span, features: &'f Features) -> Option<&'f Feature> {
-    let all = tokens(program);
-    let names = DeclaredNames::new(&all);
-    let line = tokens(line.text(program));
-    let ty = line.iter().find_map(|token| names.type_of_operand(token))?;
-    features.get(&ty.name().to_ascii_lowercase())
-}
-
-/// Returns the feature of a line that passes a variable to one of VAR_IN_OUT.
-fn passed<'f>(program: &str, line: Span, features: &'f Features) -> Option<&'f Feature> {
-    let all = tokens(program);
-    let names = DeclaredNames::new(&all);
-    let line = tokens(line.text(program));
-    let mut pairs = line.windows(2);
-    let passes =
-        pairs.any(|pair| pair[1].text == ":=" && names.in_outs.contains(&pair[0].text.to_ascii_uppercase()));
-    features.get("var-in-out").filter(|_| passes)
 }
 
 /// Writes who promises a construct into what the engine said of it, where that is a document.

@@ -4,6 +4,7 @@ use crate::operations::{is_comparison, operations};
 use crate::shape::{KeptTypes, in_declarations, own_functions, shape, token_at};
 use crate::tokens::{ProgramToken, tokens};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
+use stickler_types::Code;
 
 /// The number of words that are kept of a message.
 const MAX_WORDS: usize = 8;
@@ -25,7 +26,7 @@ impl Sign {
             Symptom::Rejected(reason)
             | Symptom::OtherCode { reported: reason, .. }
             | Symptom::Surplus(reason)
-                if reason.starts_with("P0") =>
+                if is_of_reading(reason) =>
             {
                 token_of(program, reason, facts.1)
             }
@@ -102,6 +103,24 @@ impl Sign {
             _ => false,
         }
     }
+}
+
+/// Returns whether a code of the registry, which adapters give to the messages of engines without codes too, says that a program cannot
+/// be read.
+pub(crate) fn is_of_reading(code: &str) -> bool {
+    code.starts_with("P0")
+}
+
+/// Returns whether a code says that a value does not fit the type of where it is given.
+pub(crate) fn is_of_a_value(code: &str) -> bool {
+    matches!(
+        code.parse(),
+        Ok(Code::ConstantOverflow
+            | Code::InitializerTypeMismatch
+            | Code::FunctionCallArgTypeMismatch
+            | Code::FunctionCallReturnTypeMismatch
+            | Code::AssignmentTypeMismatch)
+    )
 }
 
 /// Returns the operations of the statements of a program of which something is not implemented: the document speaks of all these

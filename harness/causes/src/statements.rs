@@ -13,7 +13,6 @@ use std::ops::Range;
 pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut found = Vec::new();
     for body in bodies(&all) {
         let is_instance = |token: &&ProgramToken<'_>| {
@@ -27,7 +26,7 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
             .map(|token| format!("{}();", token.text));
         let parts = body.clone().filter_map(|at| {
             let end = path(&all, at).filter(|end| *end > at + 1)?;
-            let path = &program[offset(&all[at])..offset(&all[end - 1]) + all[end - 1].text.len()];
+            let path = &program[all[at].start..all[end - 1].end()];
             Some(format!("{path} := {path};"))
         });
         let own: Vec<&str> = used.iter().map(|token| token.text).collect();
@@ -36,10 +35,7 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
         let statements = used.split(|token| token.text == ";").filter(|_| is_flat);
         let statements = statements.filter_map(|statement| {
             let (first, last) = (statement.first()?, statement.last()?);
-            Some(format!(
-                "{};",
-                &program[offset(first)..offset(last) + last.text.len()]
-            ))
+            Some(format!("{};", &program[first.start..last.end()]))
         });
         for statement in calls.chain(parts).chain(statements) {
             let is_own = tokens(&statement)
@@ -49,7 +45,7 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
             let (Some(first), Some(last)) = (used.first(), used.last()) else {
                 continue;
             };
-            let (from, until) = (offset(first), offset(last) + last.text.len());
+            let (from, until) = (first.start, last.end());
             let changed = format!("{}{statement}{}", &program[..from], &program[until..]);
             if !is_own && !found.contains(&changed) {
                 found.push(changed);
@@ -64,7 +60,6 @@ pub(crate) fn with_one_statement(program: &str) -> Vec<String> {
 pub(crate) fn in_two_steps(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     for body in bodies(&all) {
         for at in body.clone() {
             let [left, operator, right, end] = all.get(at + 1..at + 5)? else {
@@ -79,9 +74,9 @@ pub(crate) fn in_two_steps(program: &str) -> Option<String> {
             if names.type_of_operand(right) != Some(own) || target == own {
                 continue;
             }
-            let (first, from, until) = (offset(&all[body.start]), offset(left), offset(end));
+            let (first, from, until) = (all[body.start].start, left.start, end.start);
             let start = statement(&all, at);
-            let start = offset(&all[start.max(body.start)]);
+            let start = all[start.max(body.start)].start;
             return Some(format!(
                 "{}VAR\n    partial : {};\nEND_VAR\n    {}partial := {};\n    {}partial{}",
                 &program[..first],
@@ -100,7 +95,6 @@ pub(crate) fn in_two_steps(program: &str) -> Option<String> {
 pub(crate) fn turned_round(program: &str) -> Option<String> {
     let all = tokens(program);
     let names = DeclaredNames::new(&all);
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let mut comparisons = all.windows(4);
     let found = comparisons.find(|four| {
         four[0].text == ":="
@@ -118,10 +112,10 @@ pub(crate) fn turned_round(program: &str) -> Option<String> {
         same => same,
     };
     let (left, right) = (&found[1], &found[3]);
-    let end = offset(right) + right.text.len();
+    let end = right.end();
     // Behind the second operand may come a part of it, or another operation.
     program[end..].trim_start().starts_with(';').then(|| {
-        let (before, behind) = (&program[..offset(left)], &program[end..]);
+        let (before, behind) = (&program[..left.start], &program[end..]);
         format!("{before}{} {turned} {}{behind}", right.text, left.text)
     })
 }
@@ -130,7 +124,6 @@ pub(crate) fn turned_round(program: &str) -> Option<String> {
 /// a bit.
 pub(crate) fn with_whole_outputs(program: &str) -> Option<String> {
     let all = tokens(program);
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
     let arrow = all.iter().position(|token| token.text == "=>")?;
     let end = path(&all, arrow + 1)?;
     let (point, bit) = (all.get(end)?, all.get(end + 1)?);
@@ -138,12 +131,12 @@ pub(crate) fn with_whole_outputs(program: &str) -> Option<String> {
         return None;
     }
     let section = all[..arrow].iter().rfind(|token| token.is("END_VAR"))?;
-    let end = offset(section);
+    let end = section.start;
     Some(without_unused(&format!(
         "{}    received : BOOL;\n{}received{}",
         &program[..end],
-        &program[end..offset(&all[arrow + 1])],
-        &program[offset(bit) + bit.text.len()..],
+        &program[end..all[arrow + 1].start],
+        &program[bit.end()..],
     )))
 }
 

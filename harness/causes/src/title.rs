@@ -5,8 +5,10 @@ use crate::literals::line_with_number;
 use crate::operations::{LOOPS, operations_of};
 use crate::reduction::Smallest;
 use crate::shape::{in_declarations, is_fixed};
-use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, parsed, tokens};
 use stickler_run::{Fact, Symptom};
+use stickler_syntax::names::{DeclaredName, declared};
+use stickler_syntax::tree::TypeSpecificationKind;
 use stickler_types::{Code, Diagnostic, ElementaryType};
 
 /// The maximum number of characters that are shown of a line, a message or a value.
@@ -43,13 +45,13 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
     match &deviation.sign.symptom {
         Symptom::NotRejected(code) => {
             let line = line(wanted.line);
-            match code.parse::<Code>() {
+            match summary(code) {
                 // What is wrong there stands nowhere on the line.
-                Ok(known) => {
+                Some(wrong) => {
                     let code = wanted.code.map(|code| format!(" ({code})")).unwrap_or_default();
-                    format!("{line} is accepted, though {}{code}", known.summary())
+                    format!("{line} is accepted, though {wrong}{code}")
                 }
-                Err(_) => format!("{line} is accepted, not rejected"),
+                None => format!("{line} is accepted, not rejected"),
             }
         }
         Symptom::Rejected(_) => {
@@ -59,12 +61,18 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
             format!("{} is rejected: {}", line(place), said(&reported))
         }
         Symptom::NotImplemented(_) => {
-            let line = described(program, unimplemented(program, got));
-            format!("{line} is {}", clipped(&Fact::text(got)))
+            let line = unimplemented(program, got);
+            let unit = unit_of(program, line).map_or(String::new(), |unit| format!(" in {unit}"));
+            format!(
+                "{}{unit} is {}",
+                described(program, line),
+                clipped(&Fact::text(got))
+            )
         }
         Symptom::OtherCode { code, .. } => {
+            let wrong = summary(code).unwrap_or("of the mistake");
             format!(
-                "{} is rejected, but not with {code}: {}",
+                "{} is rejected, but not because {wrong} ({code}): {}",
                 line(wanted.line),
                 said(&reported)
             )
@@ -110,7 +118,9 @@ pub(crate) fn title(smallest: &Smallest, has_codes: bool) -> String {
         Symptom::Value | Symptom::Missing => wrong_value(program, expected, got),
         Symptom::NotWarned(_) => {
             let missing = warning(expected, got);
-            format!("{} is accepted without a warning", line(missing.line))
+            let wrong = missing.code.as_deref().and_then(summary);
+            let wrong = wrong.map(|wrong| format!(" that {wrong}")).unwrap_or_default();
+            format!("{} is accepted without a warning{wrong}", line(missing.line))
         }
         Symptom::Warned(_) => {
             let extra = warning(got, expected);
@@ -235,9 +245,18 @@ fn missing(code: &str, expected: &[Fact], got: &[Fact]) -> Diagnostic {
     found.cloned().unwrap_or_default()
 }
 
-/// Returns the code of an expected diagnostic; words in its place where codes are not compared.
-fn named(wanted: &Diagnostic) -> &str {
-    wanted.code.as_deref().unwrap_or("the mistake")
+/// Returns what a code of the registry says is wrong; `None` for another code.
+fn summary(code: &str) -> Option<&'static str> {
+    Some(code.parse::<Code>().ok()?.summary())
+}
+
+/// Returns what an expected diagnostic says is wrong, with its code; nothing certain where codes are not compared.
+fn named(wanted: &Diagnostic) -> String {
+    let code = wanted.code.as_deref();
+    match code.and_then(|code| Some((code, summary(code)?))) {
+        Some((code, wrong)) => format!("that {wrong} ({code})"),
+        None => code.unwrap_or("the mistake").to_owned(),
+    }
 }
 
 /// Returns the code and the message of a diagnostic.
@@ -267,10 +286,13 @@ fn described(program: &str, line: &str) -> String {
         "" => code.trim(),
         code => code,
     };
+    let unit = parsed(program);
+    let names = declared(&unit);
     let mut types = Vec::new();
-    for token in tokens(code) {
-        let declared = declared_as(program, &token).filter(|_| !declares(code, token.text));
-        if let Some(entry) = declared
+    for token in tokens(code).iter().filter(|token| !declares(code, token.text)) {
+        let is_it = |one: &&DeclaredName<'_, '_>| token.is(one.name.text) && one.group.is_some();
+        let entry = names.iter().find(is_it).and_then(|one| declared_as(program, one));
+        if let Some(entry) = entry
             && types.len() < MAX_TYPES
             && !types.contains(&entry)
         {
@@ -298,40 +320,36 @@ fn section_of<'p>(program: &'p str, line: &str) -> Option<&'p str> {
     (is_there && !matches!(head, "VAR" | "VAR_INPUT" | "END_VAR")).then_some(head)
 }
 
-/// Returns a name with the location, the type and the initial value with which a program declares it, as they are written.
-fn declared_as(program: &str, name: &ProgramToken<'_>) -> Option<String> {
-    if name.kind != ProgramTokenKind::Word || is_fixed(name.text) {
-        return None;
-    }
-    let tokens = tokens(program);
-    let at = (0..tokens.len()).find(|&at| tokens[at].is(name.text) && is_declared(&tokens, at))?;
-    let colon = at + tokens[at..].iter().position(|token| token.text == ":")?;
-    let rest = &tokens[colon + 1..];
-    let end = rest.iter().position(|token| matches!(token.text, ";" | ":="))?;
-    let mut words: Vec<&str> = rest[..end].iter().map(|token| token.text).collect();
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
-    // A plain variable is shown with the value that it begins with.
-    if let ([_], Some(behind)) = (&words[..], rest.iter().find(|token| token.text == ";")) {
-        words.push(program[offset(&rest[end])..offset(behind)].trim_end());
-    }
-    let location = match tokens[at].is_located {
-        true => &program[offset(&tokens[at]) + name.text.len()..offset(&tokens[colon])],
-        false => "",
+/// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is
+/// no plain variable the type alone, and nothing of a structure.
+fn declared_as(program: &str, declared: &DeclaredName<'_, '_>) -> Option<String> {
+    let group = declared.group?;
+    let ty = group.specification.span.text(program);
+    let value = match &group.specification.kind {
+        TypeSpecificationKind::Structure(_) => return None,
+        TypeSpecificationKind::Named(_) => group.initializer.as_ref(),
+        _ => None,
     };
-    let ty = Some(clipped(words.join(" ").trim_end()));
-    let ty = ty.filter(|ty| !ty.is_empty() && !ty.starts_with("STRUCT"))?;
-    Some(format!("{}{} : {ty}", name.text, location.trim_end()))
+    let value = value.map_or(String::new(), |value| format!(" := {}", value.span.text(program)));
+    let location = group
+        .location
+        .map_or(String::new(), |place| format!(" AT {}", place.text));
+    let ty = clipped(&format!("{ty}{value}"));
+    (!ty.is_empty()).then(|| format!("{}{location} : {ty}", declared.name.text))
 }
 
-/// Returns whether the name at this place is declared there: names with commas between them come before a colon.
-fn is_declared(tokens: &[ProgramToken<'_>], at: usize) -> bool {
-    let before = at.checked_sub(1).and_then(|before| tokens.get(before));
-    let is_head = before.is_some_and(|before| before.is("FUNCTION") || before.is("TYPE"));
-    let mut behind = tokens[at + 1..].chunks(2);
-    let end = behind.find(|pair| {
-        pair[0].text != "," || pair.get(1).is_none_or(|name| name.kind != ProgramTokenKind::Word)
-    });
-    !is_head && end.is_some_and(|end| end[0].text == ":")
+/// Returns the kind of unit that a line of a program stands in, unless that is a PROGRAM.
+pub(crate) fn unit_of(program: &str, line: &str) -> Option<&'static str> {
+    let behind = &program[line.as_ptr() as usize - program.as_ptr() as usize..];
+    let ends = [
+        ("END_PROGRAM", None),
+        ("END_FUNCTION", Some("a FUNCTION")),
+        ("END_FUNCTION_BLOCK", Some("a FUNCTION_BLOCK")),
+    ];
+    let all = tokens(behind);
+    all.iter()
+        .find_map(|token| ends.iter().find(|(end, _)| token.is(end)))?
+        .1
 }
 
 /// Returns the line of a small program that most probably matters, where the engine names none: the last of those with most to
@@ -444,7 +462,7 @@ mod tests {
     fn a_line_is_shown_with_the_types_of_its_variables() {
         assert_eq!(
             described(PROGRAM, "    a := b + f(c[1]);"),
-            "`a := b + f(c[1])` (a : REAL, b : REAL, c : ARRAY [ 1 .. 2 ] OF INT)"
+            "`a := b + f(c[1])` (a : REAL, b : REAL, c : ARRAY[1..2] OF INT)"
         );
         let located = PROGRAM.replace("a, b : REAL;", "a AT %QD1 : REAL; b : REAL;");
         assert_eq!(

@@ -3,6 +3,7 @@
 use std::sync::LazyLock;
 use stickler_syntax::source::LineIndex;
 use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::SourceUnit;
 use stickler_types::{Dialect, DialectName};
 
 /// A token with its place in the text.
@@ -10,6 +11,8 @@ use stickler_types::{Dialect, DialectName};
 pub(crate) struct ProgramToken<'t> {
     pub(crate) kind: ProgramTokenKind,
     pub(crate) text: &'t str,
+    /// The place of its first byte in the text.
+    pub(crate) start: usize,
     /// The line, from 1.
     pub(crate) line: u32,
     /// The column, from 1, in characters.
@@ -40,6 +43,11 @@ impl ProgramToken<'_> {
     pub(crate) fn is(&self, word: &str) -> bool {
         self.text.eq_ignore_ascii_case(word)
     }
+
+    /// Returns the place behind its last byte in the text.
+    pub(crate) fn end(&self) -> usize {
+        self.start + self.text.len()
+    }
 }
 
 /// Rules by which comments do not nest, so that the ends of those that stand in others are left, by which they are seen.
@@ -58,6 +66,7 @@ pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
         found.push(ProgramToken {
             kind: kind(token.kind, here),
             text: here,
+            start: token.span.start as usize,
             line: place.line,
             column: place.column,
             is_located: false,
@@ -71,6 +80,11 @@ pub(crate) fn tokens(text: &str) -> Vec<ProgramToken<'_>> {
         }
     }
     found
+}
+
+/// Returns the tree of a program of any dialect; what no dialect has is left out.
+pub(crate) fn parsed(program: &str) -> SourceUnit<'_> {
+    stickler_syntax::parse(program, Dialect::of(DialectName::IRONPLC_ED3)).0
 }
 
 /// Returns the kind of a token; one that is malformed is what it begins like.

@@ -1,8 +1,11 @@
 //! Programs that differ from another in one property: of a literal, of a type, of an operand.
 
-use crate::shape::path;
-use crate::tokens::{ProgramToken, ProgramTokenKind, tokens};
+use crate::tokens::{ProgramToken, ProgramTokenKind, parsed, tokens};
 use std::collections::BTreeSet;
+use stickler_syntax::Edits;
+use stickler_syntax::source::{LineIndex, Span};
+use stickler_syntax::tree::{Expression, ExpressionId};
+use stickler_syntax::visitor::{Context, Place, Visitor, walk};
 use stickler_types::ElementaryType;
 
 /// The numeric types in the order in which they are tried for another.
@@ -252,81 +255,48 @@ impl<'t> PlainNumber<'t> {
     }
 }
 
-/// Returns a program with quite another type in the place of what this line assigns, or else of an operand of the line: a text where
-/// a number stands, a number where a text stands.
+/// Returns a program with quite another type in the place of what this line assigns, or else of another value that it gives to something:
+/// a text where a number stands, a number where a text stands.
 pub(crate) fn with_other_operand(program: &str, line: Option<u32>) -> Vec<String> {
-    let all = tokens(program);
-    let mut found = Vec::new();
-    let offset = |token: &ProgramToken<'_>| token.text.as_ptr() as usize - program.as_ptr() as usize;
-    let mut replace = |from: usize, until: usize| {
-        let last = &all[until - 1];
-        let (from, until) = (offset(&all[from]), offset(last) + last.text.len());
-        for other in ["'a'", "T#1s"] {
-            found.push(format!("{}{other}{}", &program[..from], &program[until..]));
-        }
+    let unit = parsed(program);
+    let mut given = GivenValues {
+        lines: LineIndex::new(program),
+        line,
+        found: Vec::new(),
     };
-    for (from, until) in assigned(&all, line).into_iter().chain(arguments(&all, line)) {
-        replace(from, until);
-    }
-    for (at, token) in all.iter().enumerate() {
-        let sign = usize::from(at > 0 && all[at - 1].text == "-");
-        let is_behind = at > sign && matches!(all[at - sign - 1].text, ":=" | "(" | "[");
-        let end = path(&all, at).unwrap_or(at + 1);
-        let ends = all
-            .get(end)
-            .is_some_and(|next| matches!(next.text, ";" | ")" | "]" | ","));
-        if Some(token.line) == line && is_behind && ends && token.kind != ProgramTokenKind::Sign {
-            replace(at - sign, end);
-        }
-    }
-    found
+    walk(&unit, &mut given);
+    given.found.sort_by_key(|(place, _)| *place);
+    let others = |(_, span): &(usize, Span)| {
+        ["'a'", "T#1s"].map(|other| Edits::replacing(*span, other).apply(program))
+    };
+    given.found.iter().flat_map(others).collect()
 }
 
-/// Returns where the expression begins and ends that a statement of this line assigns.
-fn assigned(all: &[ProgramToken<'_>], line: Option<u32>) -> Option<(usize, usize)> {
-    let start = all.iter().position(|token| Some(token.line) == line)?;
-    let mut depth = 0_i32;
-    let mut sign = None;
-    for (at, token) in all.iter().enumerate().skip(start) {
-        match token.text {
-            "(" | "[" => depth += 1,
-            ")" | "]" => depth -= 1,
-            // The value of a declaration is looked at part by part.
-            ":" => return None,
-            ":=" if depth == 0 => sign = Some(at),
-            ";" => return Some((sign? + 1, at)),
-            _ => {}
-        }
-    }
-    None
+/// The values that a line gives to something, each with the rank of its place.
+struct GivenValues {
+    lines: LineIndex,
+    line: Option<u32>,
+    found: Vec<(usize, Span)>,
 }
 
-/// Returns where each argument begins and ends that is given by its name to a call on this line.
-fn arguments(all: &[ProgramToken<'_>], line: Option<u32>) -> Vec<(usize, usize)> {
-    let mut found = Vec::new();
-    let mut depth = 0_i32;
-    // The depth and the beginning of the argument that is open.
-    let mut open = None;
-    for (at, token) in all
-        .iter()
-        .enumerate()
-        .filter(|(_, token)| Some(token.line) == line)
-    {
-        match (token.text, open) {
-            ("," | ")", Some((of, from))) if of == depth => {
-                found.extend((from < at).then_some((from, at)));
-                open = None;
-            }
-            (":=", None) if depth > 0 => open = Some((depth, at + 1)),
-            _ => {}
-        }
-        depth += match token.text {
-            "(" | "[" => 1,
-            ")" | "]" => -1,
-            _ => 0,
-        };
+impl<'t, 's: 't> Visitor<'t, 's> for GivenValues {
+    fn expression(
+        &mut self,
+        (_, expression): (ExpressionId, &'t Expression<'s>),
+        place: Place,
+        _: Option<ExpressionId>,
+        _: &Context<'t, 's>,
+    ) {
+        let places = [
+            &[Place::Value][..],
+            &[Place::NamedArgument],
+            &[Place::InitialValue, Place::Argument, Place::Subscript],
+        ];
+        let rank = places.iter().position(|places| places.contains(&place));
+        let is_here = Some(self.lines.line(expression.span.start)) == self.line;
+        self.found
+            .extend(rank.filter(|_| is_here).map(|rank| (rank, expression.span)));
     }
-    found
 }
 
 /// Returns a program in which each partial access selects the first bit or byte, which are there in every type; `None` where it
@@ -343,17 +313,11 @@ pub(crate) fn with_first_parts(program: &str) -> Option<String> {
 
 /// Returns a program with each token replaced by what `with` returns for it; blanks and comments stay.
 fn replaced(program: &str, with: impl Fn(usize, &ProgramToken<'_>) -> String) -> String {
-    let mut text = String::with_capacity(program.len());
-    let start = program.as_ptr() as usize;
-    let mut end = 0;
+    let mut edits = Edits::new();
     for (place, token) in tokens(program).iter().enumerate() {
-        let at = token.text.as_ptr() as usize - start;
-        text.push_str(&program[end..at]);
-        text.push_str(&with(place, token));
-        end = at + token.text.len();
+        edits.replace(token.start..token.end(), with(place, token));
     }
-    text.push_str(&program[end..]);
-    text
+    edits.apply(program)
 }
 
 #[cfg(test)]
@@ -412,29 +376,25 @@ mod tests {
     }
 
     #[test]
-    fn an_operand_of_quite_another_type_takes_the_place_of_the_last() {
-        let found = with_other_operand("x : INT;\nx := -5;", Some(2));
-        assert_eq!(found[0], "x : INT;\nx := 'a';");
-        assert_eq!(
-            with_other_operand("a[1].f := g(5);", Some(1))[0],
-            "a[1].f := 'a';"
-        );
-        assert_eq!(with_other_operand("fb(in := -5);", Some(1))[1], "fb(in := T#1s);");
-        assert_eq!(
-            with_other_operand("fb(in := r.a[1]);", Some(1))[0],
-            "fb(in := 'a');"
-        );
-        assert_eq!(
-            with_other_operand("a : R := (f := 5);", Some(1))[0],
-            "a : R := (f := 'a');"
-        );
-        assert_eq!(
-            with_other_operand("fb(n := 1, in := NOT f(r.7));", Some(1))[2],
-            "fb(n := 1, in := 'a');"
-        );
-        assert!(with_other_operand("fb(in := );", Some(1)).is_empty());
-        assert_eq!(with_other_operand("x := y + 5;", Some(1))[0], "x := 'a';");
-        assert!(with_other_operand("g(x + y);", Some(1)).is_empty());
+    fn a_value_of_quite_another_type_takes_the_place_of_one_that_is_given() {
+        let program = |line: &str| format!("PROGRAM p\n{line}\nEND_PROGRAM");
+        let of = |statement: &str| with_other_operand(&program(statement), Some(2));
+        for (statement, place, changed) in [
+            ("x := -5;", 0, "x := 'a';"),
+            ("a[1].f := g(5);", 0, "a[1].f := 'a';"),
+            ("fb(in := -5);", 1, "fb(in := T#1s);"),
+            ("fb(in := r.a[1]);", 0, "fb(in := 'a');"),
+            ("fb(n := 1, in := NOT f(r.7));", 2, "fb(n := 1, in := 'a');"),
+            (
+                "VAR a : R := (f := 5); END_VAR",
+                0,
+                "VAR a : R := (f := 'a'); END_VAR",
+            ),
+            ("x := y + 5;", 0, "x := 'a';"),
+        ] {
+            assert_eq!(of(statement)[place], program(changed));
+        }
+        assert!(of("EXIT;").is_empty());
     }
 
     #[test]

@@ -577,7 +577,8 @@ fn a_mistake_that_is_told_twice_does_not_hide_a_valid_program() {
     assert!(found[0].symptom.starts_with("surplus"), "{:?}", titles(&found));
     let title = &found[0].title;
     assert!(
-        title.ends_with("`: P2002 is reported once more, without a place"),
+        title
+            .ends_with("`: that the subrange does not ascend (P2002) is reported once more, without a place"),
         "{title}"
     );
 }
