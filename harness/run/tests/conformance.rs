@@ -4,16 +4,12 @@
 //! `cargo test -p stickler-run --test conformance -- widening` runs the files whose path contains `widening`;
 //! the command line (`cargo run --release`) runs the same cases with reports.
 
-use libtest_mimic::{Arguments, Failed, Trial};
 use similar::TextDiff;
-use std::collections::HashMap;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 use std::path::Path;
-use std::process::ExitCode;
-use std::sync::LazyLock;
 use stickler_engines::{EngineSession, Reference};
 use stickler_run::{Fact, Grade, Judgement, Plan, RunError, Verdict, ask, judge};
-use stickler_suite::{Case, Suite, case_files};
+use stickler_suite::{Case, load_file};
 use stickler_workers::WorkerPool;
 
 /// The number of cases that a worker is given at a time.
@@ -22,41 +18,9 @@ const BATCH_LEN: usize = 64;
 /// The path of the suite from this crate's folder, in which cargo runs tests.
 const ROOT: &str = "../../conformance-cases";
 
-/// The suite, which takes long to read and is read once.
-static SUITE: LazyLock<Suite> = LazyLock::new(|| Suite::load(Path::new(ROOT)));
-
-/// The cases of each file, which come one after the other.
-static CASES: LazyLock<HashMap<&str, &[Case]>> = LazyLock::new(|| {
-    let files = SUITE.cases.chunk_by(|a, b| a.file == b.file);
-    files.map(|cases| (&*cases[0].file, cases)).collect()
-});
-
-fn main() -> ExitCode {
-    let conforms = case_files(Path::new(ROOT))
-        .into_iter()
-        .map(|file| Trial::test(file.clone(), move || conforms(&file)));
-    let trials = [Trial::test("the suite has no mistakes", no_mistakes)];
-    libtest_mimic::run(
-        &Arguments::from_args(),
-        trials.into_iter().chain(conforms).collect(),
-    )
-    .exit_code()
-}
-
-fn no_mistakes() -> Result<(), Failed> {
-    match &SUITE.errors[..] {
-        [] => Ok(()),
-        errors => Err(errors
-            .iter()
-            .map(|error| format!("{error}\n"))
-            .collect::<String>()
-            .into()),
-    }
-}
-
 /// Requires the reference to pass every case of the file, by code and line.
-fn conforms(file: &str) -> Result<(), Failed> {
-    let cases = *CASES.get(file).ok_or("the file holds no case")?;
+fn conforms(path: &Path) -> datatest_stable::Result<()> {
+    let (cases, errors) = load_file(Path::new(ROOT), path);
     let reference = Reference::new();
     let judged: Vec<Vec<Option<String>>> = WorkerPool::new(0).map(
         cases.chunks(BATCH_LEN),
@@ -68,7 +32,11 @@ fn conforms(file: &str) -> Result<(), Failed> {
                 .collect::<Result<_, RunError>>()
         },
     )?;
-    let complaints: Vec<String> = judged.into_iter().flatten().flatten().collect();
+    let mut complaints: Vec<String> = errors.iter().map(ToString::to_string).collect();
+    complaints.extend(judged.into_iter().flatten().flatten());
+    if cases.is_empty() && errors.is_empty() {
+        complaints.push("the file holds no case".to_owned());
+    }
     if complaints.is_empty() {
         return Ok(());
     }
@@ -78,8 +46,25 @@ fn conforms(file: &str) -> Result<(), Failed> {
         cases.len(),
         complaints.join("\n")
     );
-    Err(text.into())
+    Err(Box::new(Complaints(text)))
 }
+
+/// A failure that prints as lines: datatest-stable shows an error by its `Debug`, which for a text is one long line.
+struct Complaints(String);
+
+impl fmt::Debug for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl fmt::Display for Complaints {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Complaints {}
 
 /// Describes a case that does not pass.
 fn complaint(session: &mut EngineSession<'_>, case: &Case) -> Result<Option<String>, RunError> {
@@ -112,4 +97,10 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
     }
     let _ = writeln!(text, "  again: {}", Plan::default().rerun(case, "reference"));
     text
+}
+
+datatest_stable::harness! {
+    // `dialects.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite, and `recordings` holds no cases; every other file of
+    // these kinds is a case file.
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|places|sources|suite)\.toml$|recordings[/\\]).*\.(st|toml)$" },
 }

@@ -60,5 +60,5 @@ pub use model::{
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, address_of};
-pub use suite::{Suite, case_files, load_file, read_case_file};
+pub use suite::{Suite, load_file, read_case_file};
 pub use table::Generate;

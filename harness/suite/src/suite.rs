@@ -152,13 +152,6 @@ impl Suite {
     }
 }
 
-/// Lists the case files of the suite at `root` as [`Case::file`] names them, in the order in which they are read.
-#[must_use]
-pub fn case_files(root: &Path) -> Vec<String> {
-    let listing = files::list(&files::Root::new(root));
-    listing.files.into_iter().map(|file| file.shown).collect()
-}
-
 /// Reads the one case file `path` as a part of the suite at `root`; returns the cases to run and the file's mistakes.
 ///
 /// `path` may be given relative to the working folder or absolute, as test harnesses that walk `root` give it.
