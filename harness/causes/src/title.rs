@@ -326,7 +326,7 @@ fn declared_as(program: &str, declared: &DeclaredName<'_, '_>) -> Option<String>
     let group = declared.group?;
     let ty = group.specification.span.text(program);
     let value = match &group.specification.kind {
-        TypeSpecificationKind::Structure(_) => return None,
+        TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error => return None,
         TypeSpecificationKind::Named(_) => group.initializer.as_ref(),
         _ => None,
     };
