@@ -44,14 +44,7 @@ pub fn features(text: &str, dialect: &Dialect) -> BTreeSet<FeatureKey> {
 /// Returns the features that a program uses, each where it does, in the order of the text.
 #[must_use]
 pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
-    let dialect = Dialect {
-        bit_access: true,
-        partial_access: PartialAccess::UpToDoubleWords,
-        third_edition_types: ThirdEditionTypes::All,
-        lengths_in_parentheses: true,
-        ampersand_and_power: true,
-        ..dialect.clone()
-    };
+    let dialect = with_all_syntax(dialect);
     let (unit, _) = crate::parse(text, &dialect);
     let mut finder = FeatureFinder::new(text, &unit);
     walk(&unit, &mut finder);
@@ -60,6 +53,19 @@ pub fn feature_uses(text: &str, dialect: &Dialect) -> Vec<FeatureUse> {
     let mut found = finder.found;
     found.sort_by_key(|used| used.span.start);
     found
+}
+
+/// Returns the rules of a dialect with the syntax that any dialect has, for reading programs of which it does not matter whether the
+/// dialect takes them.
+pub(crate) fn with_all_syntax(dialect: &Dialect) -> Dialect {
+    Dialect {
+        bit_access: true,
+        partial_access: PartialAccess::UpToDoubleWords,
+        third_edition_types: ThirdEditionTypes::All,
+        lengths_in_parentheses: true,
+        ampersand_and_power: true,
+        ..dialect.clone()
+    }
 }
 
 /// A walk that notes features.

@@ -1,5 +1,6 @@
 //! The names that a text declares, and the places in which it uses names.
 
+use crate::features::with_all_syntax;
 use crate::parse;
 use crate::token::{Token, TokenKind, tokens};
 use crate::tree::{
@@ -9,7 +10,7 @@ use crate::tree::{
 };
 use crate::visitor::{Context, Place, Visitor, walk};
 use std::collections::HashSet;
-use stickler_types::Dialect;
+use stickler_types::{Code, Dialect};
 
 /// What a declared name names.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -84,7 +85,7 @@ pub fn used<'t, 's>(unit: &'t SourceUnit<'s>) -> Vec<UsedName<'t, 's>> {
 /// configuration or, unless `takes_locations`, with the machine.
 #[must_use]
 pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option<HashSet<String>> {
-    let (unit, diagnostics) = parse(text, dialect);
+    let (unit, diagnostics) = parse(text, &with_all_syntax(dialect));
     let tokens = tokens(text, dialect);
     let is_located = |token: &Token| !takes_locations && token.kind == TokenKind::Direct;
     let is_shared = |declaration: &Declaration<'_>| match declaration {
@@ -96,7 +97,10 @@ pub fn separable(text: &str, dialect: &Dialect, takes_locations: bool) -> Option
         Declaration::Globals(_) | Declaration::Configuration(_) => true,
     };
     let shares = tokens.list.iter().any(is_located) || unit.declarations.iter().any(is_shared);
-    if shares || tokens.has_pragma(text) || !diagnostics.is_empty() {
+    // Forms that a dialect does not have leave the rest of the program as it is.
+    let is_harmless = |code| matches!(code, Code::UnexpectedToken | Code::CStyleComment);
+    let is_whole = diagnostics.iter().all(|diagnostic| is_harmless(diagnostic.code));
+    if shares || tokens.has_pragma(text) || !tokens.is_complete || !is_whole {
         return None;
     }
     let is_known_everywhere = |one: &DeclaredName<'_, '_>| match one.kind {

@@ -254,7 +254,7 @@ fn every_command_knows_the_dialect() {
     shows(
         &["engines", "reference"],
         0,
-        "plcnext, strucpp, rusty, codesys, twincat, logix, control-expert, omron, iec-ed3, mine",
+        "ironplc-rusty-without-partial-access, mine",
     );
     shows(
         &["show", "widening/integer::assignment(SINT,INT)@mine"],
@@ -411,9 +411,8 @@ fn a_documented_system_is_one_file_its_source_and_its_cases() {
     };
     shows(
         &["conversions", "REAL_TO_INT", "2.5", "--dialect", "trial"],
-        "INT#3",
+        "2.5    3",
     );
-    shows(&["lint"], "");
     // The same with a mistake.
     let wrong = TRIAL.replace("nested-comments", "nested-coments");
     fs::write(cases_folder.join("dialects/trial.toml"), wrong).expect("a file");

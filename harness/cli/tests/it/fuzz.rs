@@ -44,7 +44,7 @@ fn finding(folder: &Path) -> String {
     let mut alone = folders.filter(|entry| {
         let json = fs::read_to_string(entry.path().join("finding.json")).unwrap_or_default();
         let json: serde_json::Value = serde_json::from_str(&json).unwrap_or_default();
-        json["rule"] == serde_json::json!(["MOD"])
+        json["rule"] == serde_json::json!(["mod"])
     });
     alone
         .next()
