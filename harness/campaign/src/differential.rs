@@ -10,7 +10,6 @@ mod evaluated;
 mod pace;
 mod pack;
 mod reduction;
-mod renumber;
 mod worker;
 
 pub(crate) use comparison::{Agreement, EngineDisagreement, JudgedProgram, compare};

@@ -19,10 +19,8 @@ mod page;
 mod page_case;
 mod paste;
 mod plcopen;
-mod program_parts;
 mod reason;
 mod record;
-mod rename;
 mod result_arrays;
 #[cfg(test)]
 mod round_trip;

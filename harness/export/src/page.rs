@@ -21,10 +21,9 @@
 use crate::encode;
 use crate::encoding::ValueEncoding;
 use crate::page_case::{PageCase, PageKind, expected};
-use crate::rename::Renaming;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
-use stickler_syntax::words;
+use stickler_syntax::{Renaming, words};
 use stickler_types::{Dialect, ElementaryType, Fnv1a, Value, counted};
 
 /// The first element of every array of results: `STK1` in ASCII.

@@ -2,11 +2,11 @@
 
 use crate::Reason;
 use crate::encoding::ValueEncoding;
-use crate::program_parts::ProgramParts;
 use std::collections::BTreeSet;
 use stickler_run::breaks_reading;
 use stickler_suite::{Acceptance, Case, ExpectedValue};
-use stickler_types::{ElementaryType, Value};
+use stickler_syntax::ProgramParts;
+use stickler_types::{Dialect, ElementaryType, Value};
 
 /// A kind of cases that an export may have beside those whose programs must be accepted.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -80,7 +80,7 @@ impl<'c> PageCase<'c> {
         };
         refuse(case)?;
         let encodings = if rejected { Vec::new() } else { encodings(case)? };
-        let parts = ProgramParts::of(&case.source, case.dialect)?;
+        let parts = ProgramParts::of(&without_marks(&case.source), Dialect::of(case.dialect))?;
         let alone = parts.units.is_empty();
         // Where such a program is rejected, no other of its page would run.
         let asks_acceptance = alone && case.observe.is_empty();
@@ -174,5 +174,32 @@ fn is_negative_zero(value: &Value) -> bool {
             raw,
         } => *raw == (-0.0_f64).to_bits(),
         _ => false,
+    }
+}
+
+/// Removes the marks of the suite from a text: comments `(*! … *)`, which do not nest.
+fn without_marks(source: &str) -> String {
+    let mut text = String::with_capacity(source.len());
+    let mut rest = source;
+    while let Some(at) = rest.find("(*!") {
+        let Some(length) = rest[at..].find("*)") else {
+            break;
+        };
+        text.push_str(&rest[..at]);
+        rest = &rest[at + length + 2..];
+    }
+    text.push_str(rest);
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    lines.join("\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_marks;
+
+    #[test]
+    fn marks_and_what_is_blank_before_them_go_and_other_comments_stay() {
+        let source = "(*!\ntitle = \"t\"\n*)\nx := 1;    (*! ok *)\n(* c *)\n(*! values\nx = INT#1\n*)\n";
+        assert_eq!(without_marks(source), "\nx := 1;\n(* c *)\n");
     }
 }

@@ -1,6 +1,7 @@
 //! The reasons for which a case is on no page.
 
 use std::fmt;
+use stickler_syntax::Indivisible;
 
 /// The reason for which a case is left out of an export.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -89,5 +90,17 @@ impl fmt::Display for Reason {
                 "must be rejected, and have POUs or types of their own in which the mistake may be"
             }
         })
+    }
+}
+
+impl From<Indivisible> for Reason {
+    fn from(reason: Indivisible) -> Reason {
+        match reason {
+            Indivisible::Shares => Reason::Shares,
+            Indivisible::NoProgram => Reason::NoProgram,
+            Indivisible::SeveralPrograms => Reason::SeveralPrograms,
+            Indivisible::Returns => Reason::Returns,
+            Indivisible::Section => Reason::Section,
+        }
     }
 }

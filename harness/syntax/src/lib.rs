@@ -10,6 +10,7 @@
 //! | the names that a text declares and uses | [`names`] |
 //! | the words and signs of a text, also of one that no dialect parses | [`tokens`], [`words`] |
 //! | the features of the language that a text uses | [`features`] |
+//! | the parts by which several programs are joined to one, and their names | [`ProgramParts`], [`Renaming`] |
 //! | a text with some of its parts replaced | [`Edits`] |
 //! | a text in its one normal spelling | [`render`] |
 //! | bytes that may be no text | [`decoding`] |
@@ -28,6 +29,8 @@ mod keyword;
 mod lexer;
 pub mod names;
 mod parser;
+mod parts;
+mod renaming;
 mod renderer;
 pub mod source;
 pub mod token;
@@ -37,5 +40,7 @@ pub mod visitor;
 pub use edits::Edits;
 pub use ending::last_token;
 pub use parser::{MAX_NESTING, parse};
+pub use parts::{DeclaredSection, Indivisible, ProgramParts};
+pub use renaming::Renaming;
 pub use renderer::render;
 pub use token::{Tokens, tokens, words};

@@ -1,19 +1,16 @@
 //! Several programs in one text, for engines whose every start costs time.
 //!
 //! Their types, functions and blocks stand side by side, and their main programs one behind the other in one, every name kept
-//! apart by a prefix. A pack that an engine agrees with acquits all its programs; one that it does not is halved until
+//! apart by a suffix. A pack that an engine agrees with acquits all its programs; one that it does not is halved until
 //! the culprits stand alone, so packing changes no verdict.
 //!
 //! Basis: harness/engines/README.md (packs).
 
 use super::comparison::JudgedProgram;
 use super::evaluated::EvaluatedProgram;
-use super::renumber::Shift;
-use stickler_generate::model::visit::bodies;
-use stickler_generate::model::visit_mut::walk_program;
-use stickler_generate::model::{DeclaredKind, MainPou, Program, Statement, StatementKind};
-use stickler_generate::writer::{Style, write};
-use stickler_types::{DialectName, Value};
+use std::fmt::Write;
+use stickler_syntax::{ProgramParts, Renaming};
+use stickler_types::{Dialect, DialectName, Value};
 
 /// Several programs as one.
 pub(super) struct Pack {
@@ -23,34 +20,34 @@ pub(super) struct Pack {
 }
 
 impl Pack {
-    /// Packs programs of one dialect; `None` where there are none.
+    /// Packs programs of one dialect that [can stand among others](packs); `None` where there are none.
     pub(super) fn of(subjects: &[&EvaluatedProgram]) -> Option<Pack> {
-        let dialect = subjects.first()?.program.dialect;
-        let mut all = Program {
-            dialect,
-            types: Vec::new(),
-            functions: Vec::new(),
-            blocks: Vec::new(),
-            main: MainPou {
-                variables: Vec::new(),
-                body: Vec::new(),
-            },
-        };
+        let name = subjects.first()?.program.dialect;
+        let dialect = Dialect::of(name);
+        let [mut units, mut sections, mut statements] = [const { String::new() }; 3];
         let mut values = Vec::new();
         for (index, subject) in subjects.iter().enumerate() {
-            let prefix = format!("p{index}_");
-            append(&mut all, subject.program.clone(), &prefix);
-            // A path begins with the name of a variable of main.
-            values.extend(
-                subject
-                    .values
-                    .iter()
-                    .map(|(name, value)| (format!("{prefix}{name}"), value.clone())),
-            );
+            let parts = ProgramParts::of(&subject.text, dialect).ok()?;
+            let suffix = format!("_p{index}");
+            let mut renaming = Renaming {
+                dialect,
+                units: (&parts.unit_names, suffix.clone()),
+                variables: None,
+            };
+            // Writing into a String does not fail.
+            let _ = writeln!(units, "{}", renaming.of(&parts.units));
+            renaming.variables = Some((&parts.variable_names, suffix));
+            for section in &parts.variables {
+                let constant = if section.constant { " CONSTANT" } else { "" };
+                let _ = writeln!(sections, "VAR{constant}\n{}\nEND_VAR", renaming.of(&section.text));
+            }
+            let _ = writeln!(statements, "{}", renaming.of(&parts.statements));
+            let own = subject.values.iter();
+            values.extend(own.map(|(name, value)| (renaming.of(name), value.clone())));
         }
         Some(Pack {
-            dialect,
-            text: write(&all, &Style::default()).text,
+            dialect: name,
+            text: format!("{units}PROGRAM main\n{sections}{statements}END_PROGRAM\n"),
             values,
         })
     }
@@ -68,45 +65,8 @@ impl Pack {
 
 /// Returns whether a program can stand among others: nothing in it is open, and its main program runs to its end.
 pub(super) fn packs(subject: &EvaluatedProgram) -> bool {
-    subject.opened.is_empty() && !returns(&subject.program.main.body)
-}
-
-/// Adds a program behind those that are there.
-fn append(all: &mut Program, mut program: Program, prefix: &str) {
-    let mut shift = Shift::behind(all);
-    walk_program(&mut shift, &mut program);
-    let rename = |name: &mut String| name.insert_str(0, prefix);
-    for declaration in &mut program.types {
-        rename(&mut declaration.name);
-        if let DeclaredKind::Enumeration(names) = &mut declaration.kind {
-            names.iter_mut().for_each(rename);
-        }
-    }
-    program
-        .functions
-        .iter_mut()
-        .for_each(|function| rename(&mut function.name));
-    program
-        .blocks
-        .iter_mut()
-        .for_each(|block| rename(&mut block.name));
-    program
-        .main
-        .variables
-        .iter_mut()
-        .for_each(|variable| rename(&mut variable.name));
-    all.types.append(&mut program.types);
-    all.functions.append(&mut program.functions);
-    all.blocks.append(&mut program.blocks);
-    all.main.variables.append(&mut program.main.variables);
-    all.main.body.append(&mut program.main.body);
-}
-
-fn returns(statements: &[Statement]) -> bool {
-    statements.iter().any(|statement| {
-        matches!(statement.kind, StatementKind::Return | StatementKind::Raw(_))
-            || bodies(statement).into_iter().any(|body| returns(body))
-    })
+    let parts = || ProgramParts::of(&subject.text, Dialect::of(subject.program.dialect));
+    subject.opened.is_empty() && parts().is_ok()
 }
 
 #[cfg(test)]

@@ -1,18 +1,18 @@
-//! Renames the names of a case, so that they differ from those of every other case of its page.
+//! Renames the names of a program, so that they differ from those of every other program in one text.
 
+use crate::token::TokenKind;
+use crate::{Edits, tokens, words};
 use std::collections::HashSet;
-use stickler_syntax::token::TokenKind;
-use stickler_syntax::{Edits, tokens, words};
 use stickler_types::Dialect;
 
-/// The suffixes for the names of a case.
-pub(crate) struct Renaming<'n> {
-    /// The dialect of the case.
-    pub(crate) dialect: &'n Dialect,
-    /// The names of the case's POUs, types and enumerated values, in capitals, and their suffix.
-    pub(crate) units: (&'n HashSet<String>, String),
-    /// The names of the case's variables, in capitals, and their suffix; `None` in the text of a POU.
-    pub(crate) variables: Option<(&'n HashSet<String>, String)>,
+/// The suffixes for the names of a program.
+pub struct Renaming<'n> {
+    /// The dialect of the program.
+    pub dialect: &'n Dialect,
+    /// The names of the program's POUs, types and enumerated values, in capitals, and their suffix.
+    pub units: (&'n HashSet<String>, String),
+    /// The names of the program's variables, in capitals, and their suffix; `None` in the text of a POU.
+    pub variables: Option<(&'n HashSet<String>, String)>,
 }
 
 impl Renaming<'_> {
@@ -20,7 +20,8 @@ impl Renaming<'_> {
     ///
     /// A name after a point is that of a field, and one before `:=` or `=>` in a call or a list of fields that of a parameter
     /// or field: neither is a variable, even where a variable has the same name.
-    pub(crate) fn of(&self, text: &str) -> String {
+    #[must_use]
+    pub fn of(&self, text: &str) -> String {
         let mut edits = Edits::new();
         let is_of = |names: &HashSet<String>, word: &str| names.contains(&word.to_ascii_uppercase());
         let (units, suffix) = &self.units;
