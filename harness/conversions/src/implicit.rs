@@ -1,8 +1,9 @@
 //! Asks an engine which types it converts implicitly.
 
+use crate::recording::program_of;
 use crate::sweep::foreign::ForeignError;
 use stickler_engines::{Engine, EngineSession, Outcome};
-use stickler_types::{DialectName, MatrixWord, TypePair};
+use stickler_types::{DialectName, MatrixWord, Question, TypePair};
 use stickler_workers::WorkerPool;
 
 /// The reaction of an engine to a value of one type in a variable of another. A crash is no
@@ -79,7 +80,8 @@ pub fn answers(
     jobs: usize,
     answered: &(dyn Fn() + Sync),
 ) -> Result<Vec<MatrixAnswer>, ForeignError> {
-    let sources: Vec<String> = pairs.iter().map(|pair| source(*pair)).collect();
+    let source = |pair: &TypePair| program_of(&Question::Implicit(*pair)).source();
+    let sources: Vec<String> = pairs.iter().map(source).collect();
     accepted(engine, dialect, &sources, jobs, answered)
 }
 
@@ -102,14 +104,6 @@ pub(crate) fn accepted(
             answered();
             Ok(answer(&outcome))
         },
-    )
-}
-
-/// Returns the program that assigns a value of one type to a variable of another.
-pub(crate) fn source((from, into): TypePair) -> String {
-    // No name of the program is a keyword of any edition, as `from` is in sequential function charts.
-    format!(
-        "PROGRAM main\nVAR\n    given : {from};\n    taken : {into};\nEND_VAR\n    taken := given;\nEND_PROGRAM\n"
     )
 }
 

@@ -8,11 +8,13 @@ use stickler_types::{ElementaryType, Value};
 /// The length, in characters, up to which a STRING of default length holds a text in every system.
 const DEFAULT_LENGTH: usize = 80;
 
-/// A source text of a program, and the variables that hold its results.
+/// A program, and the variables that hold its results.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ConversionProgram {
-    /// The source text.
-    pub source: String,
+    /// The declarations of its variables, one on each line.
+    pub declarations: String,
+    /// The statements, one on each line.
+    pub statements: String,
     /// The names of the variables that hold the results.
     pub observed: Vec<String>,
     /// The type of these variables.
@@ -20,6 +22,13 @@ pub struct ConversionProgram {
 }
 
 impl ConversionProgram {
+    /// Returns the source text.
+    #[must_use]
+    pub fn source(&self) -> String {
+        let (declarations, statements) = (&self.declarations, &self.statements);
+        format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n")
+    }
+
     /// Returns what is asked of an engine that runs the program: the values of its results at the end.
     #[must_use]
     pub fn observations(&self) -> Vec<Observation> {
@@ -68,7 +77,8 @@ pub fn listed(
         observed.push(name);
     }
     ConversionProgram {
-        source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
+        declarations,
+        statements,
         observed,
         ty: result,
     }

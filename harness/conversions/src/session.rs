@@ -124,8 +124,8 @@ impl<'e> FunctionSession<'e> {
     /// # Errors
     /// The [`Refusal`] of an engine that gives no values.
     pub fn run(&mut self, dialect: DialectName, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
-        let observe = program.observations();
-        let request = RunRequest::once(dialect, &program.source, &observe);
+        let (source, observe) = (program.source(), program.observations());
+        let request = RunRequest::once(dialect, &source, &observe);
         // An engine that cannot be started again after a crash refuses all that follows.
         let outcome = self.0.run(&request).unwrap_or_else(|error| Outcome::Crashed {
             reason: error.to_string(),
@@ -165,7 +165,7 @@ impl<'e> FunctionSession<'e> {
         let program = program::listed(function, *result, calls, literal);
         let given = self.run(dialect, &program);
         match &given {
-            Err(refusal) if refusal.kind == RefusalKind::Rejected && program.source.contains("#-") => {
+            Err(refusal) if refusal.kind == RefusalKind::Rejected && program.source().contains("#-") => {
                 let untyped = program::listed(function, *result, calls, untyped_literal);
                 self.run(dialect, &untyped).or(given)
             }
@@ -177,7 +177,7 @@ impl<'e> FunctionSession<'e> {
 /// Returns the values of the variables that a program observes from its outcome, or the reason why there are none.
 fn values(outcome: Outcome, program: &ConversionProgram) -> Result<Vec<Value>, Refusal> {
     let line = match &outcome {
-        Outcome::Rejected { diagnostics } => line_of(diagnostics, &program.source),
+        Outcome::Rejected { diagnostics } => line_of(diagnostics, &program.source()),
         _ => None,
     };
     let kind = refusal_kind(&outcome);

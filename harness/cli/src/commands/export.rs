@@ -84,7 +84,7 @@ fn question_case(question: Question, dialect: DialectName) -> Case {
             accepted: Acceptance::Observed,
             ..Expectation::default()
         }),
-        ..Case::of_program(&id, dialect, &program.source)
+        ..Case::of_program(&id, dialect, &program.source())
     }
 }
 

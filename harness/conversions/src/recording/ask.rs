@@ -49,7 +49,10 @@ impl Recording {
         match section {
             RecordedSection::Implicit | RecordedSection::Bits => {
                 let asked = questions_of(section);
-                let sources: Vec<String> = asked.iter().map(|question| program_of(question).source).collect();
+                let sources: Vec<String> = asked
+                    .iter()
+                    .map(|question| program_of(question).source())
+                    .collect();
                 let answers = implicit::accepted(engine, dialect, &sources, jobs, answered)?;
                 self.add_words(dialect, &asked, answers.into_iter().map(MatrixAnswer::as_str));
             }

@@ -131,11 +131,11 @@ mod tests {
         let mut builder = RecordingBuilder::new(&reference.identity().name, origin(), DIALECT);
         for question in all_questions(DIALECT) {
             let program = program_of(&question);
-            let observed = program.observations();
+            let (source, observed) = (program.source(), program.observations());
             let outcome = match observed.is_empty() {
-                true => session.check(DIALECT, &program.source).unwrap(),
+                true => session.check(DIALECT, &source).unwrap(),
                 false => session
-                    .run(&RunRequest::once(DIALECT, &program.source, &observed))
+                    .run(&RunRequest::once(DIALECT, &source, &observed))
                     .unwrap(),
             };
             let name = program.observed.first().map_or("", String::as_str);

@@ -1,16 +1,12 @@
 //! The questions that a recording answers, each with the program that asks it.
 
 use super::{RecordedSection, WordKey};
-use crate::implicit;
 use crate::literals::{literal, untyped_literal};
 use crate::overview;
 use crate::program::{self, ConversionProgram};
 use std::slice;
 use stickler_exact::Signature;
 use stickler_types::{ConversionCall, DialectName, ElementaryType, Family, Question, TypePair, Value};
-
-/// The name of the variable that a question observes, or whose assignment it asks for.
-const TAKEN: &str = "taken";
 
 /// Returns the questions that a recording answers in a dialect: pairs of types, then parts, then comparisons, then calls.
 #[must_use]
@@ -58,14 +54,9 @@ pub(super) fn word_key(question: &Question) -> Option<WordKey> {
 /// variable.
 #[must_use]
 pub fn program_of(question: &Question) -> ConversionProgram {
-    let asking_acceptance = |source| ConversionProgram {
-        source,
-        observed: Vec::new(),
-        ty: ElementaryType::Bool,
-    };
     match question {
-        Question::Implicit(pair) => asking_acceptance(implicit::source(*pair)),
-        Question::Part(ty, part) => asking_acceptance(part_source(*ty, part)),
+        Question::Implicit((from, into)) => taken(*from, *into, ""),
+        Question::Part(ty, part) => taken(*ty, type_of_part(part), &format!(".{part}")),
         Question::Comparison(pair) => comparisons(&[*pair]),
         Question::Call(ConversionCall {
             function,
@@ -111,18 +102,26 @@ fn parts() -> Vec<(ElementaryType, String)> {
     parts
 }
 
-/// Returns the program that reads a part of a variable.
-fn part_source(ty: ElementaryType, part: &str) -> String {
-    let taken = match part.get(..2) {
+/// Returns the type of a bit or a part of a variable.
+fn type_of_part(part: &str) -> ElementaryType {
+    match part.get(..2) {
         Some("%B") => ElementaryType::Byte,
         Some("%W") => ElementaryType::Word,
         Some("%D") => ElementaryType::Dword,
         Some("%L") => ElementaryType::Lword,
         _ => ElementaryType::Bool,
-    };
-    format!(
-        "PROGRAM main\nVAR\n    given : {ty};\n    {TAKEN} : {taken};\nEND_VAR\n    {TAKEN} := given.{part};\nEND_PROGRAM\n"
-    )
+    }
+}
+
+/// Returns the program that assigns a variable, or with an `access` a part of it, to another.
+fn taken(given: ElementaryType, into: ElementaryType, access: &str) -> ConversionProgram {
+    // No name of the program is a keyword of any edition, as `from` is in sequential function charts.
+    ConversionProgram {
+        declarations: format!("    given : {given};\n    taken : {into};\n"),
+        statements: format!("    taken := given{access};\n"),
+        observed: Vec::new(),
+        ty: into,
+    }
 }
 
 /// Returns the pairs of types that are compared: of truth values, numbers and bit strings.
@@ -168,7 +167,8 @@ pub(super) fn comparisons(pairs: &[TypePair]) -> ConversionProgram {
         observed.push(name);
     }
     ConversionProgram {
-        source: format!("PROGRAM main\nVAR\n{declarations}END_VAR\n{statements}END_PROGRAM\n"),
+        declarations,
+        statements,
         observed,
         ty: ElementaryType::Bool,
     }
@@ -189,7 +189,7 @@ mod tests {
     fn questions_have_names_and_programs_of_their_own() {
         let questions = all_questions(DialectName::CODESYS);
         for text in [Question::to_string, |question: &Question| {
-            program_of(question).source
+            program_of(question).source()
         }] {
             let texts: BTreeSet<String> = questions.iter().map(text).collect();
             assert_eq!(texts.len(), questions.len());

@@ -160,7 +160,7 @@ impl Recording {
             "columns = [\"id\", \"declared\", \"done\", {target}\"recorded\"]\nrows = ["
         );
         for (id, program, recorded) in rows {
-            let (declared, done) = parts(program);
+            let (declared, done) = (one_line(&program.declarations), one_line(&program.statements));
             let target = match targets {
                 true => format!("{}, ", quoted(program.ty.name())),
                 false => String::new(),
@@ -198,20 +198,10 @@ fn accepted_or_not(answer: MatrixAnswer) -> PromotedAnswer {
     }
 }
 
-/// Returns the declarations of a program and its statements, each on one line.
-fn parts(program: &ConversionProgram) -> (String, String) {
-    let one_line = |text: &str| {
-        let lines: Vec<&str> = text
-            .lines()
-            .map(str::trim)
-            .filter(|line| !line.is_empty())
-            .collect();
-        lines.join(" ")
-    };
-    let body = program.source.split_once("VAR\n").map_or("", |(_, body)| body);
-    let (declared, done) = body.split_once("END_VAR\n").unwrap_or((body, ""));
-    let done = done.trim_end().strip_suffix("END_PROGRAM").unwrap_or(done);
-    (one_line(declared), one_line(done))
+/// Returns declarations or statements on one line.
+fn one_line(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim).collect();
+    lines.join(" ")
 }
 
 fn quoted(text: &str) -> String {

@@ -380,13 +380,6 @@ impl MatrixExpander<'_, '_> {
             }
             None => title.fill(&mut self.scratch, &texts),
         };
-        let question = match probe.question(&mut self.scratch, &texts, cell.line) {
-            Ok(question) => question,
-            Err(mistake) => {
-                self.wrong(mistake);
-                return Ok(());
-            }
-        };
         let group = DialectGroup {
             id,
             title,
@@ -394,7 +387,7 @@ impl MatrixExpander<'_, '_> {
             line: cell.line,
             source,
             assembly,
-            question,
+            question: probe.question(&mut self.scratch, &texts, cell.line)?,
             cell: Some(&cell.place),
             placement: probe.placement.as_ref(),
         };

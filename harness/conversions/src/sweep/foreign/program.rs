@@ -18,17 +18,21 @@ pub fn summed(signature: &Signature, counting: &Counting, places: &Range<u64>) -
     } else {
         format!("        {making}\n")
     };
-    let source = format!(
-        "PROGRAM main\nVAR\n{}    given  : {result};\n    passed : DINT := DINT#0;\n{}END_VAR\n    REPEAT\n\
-         {making}        given := {function}(operand);\n{}        passed := passed + DINT#1;\n        \
-         IF passed < DINT#{inputs} THEN\n            {advancing}\n        END_IF;\n    \
-         UNTIL passed >= DINT#{inputs}\n    END_REPEAT;\nEND_PROGRAM\n",
+    let declarations = format!(
+        "{}    given  : {result};\n    passed : DINT := DINT#0;\n{}",
         counting.counter.declarations(places.start),
         counting.checksum.declarations(),
+    );
+    let statements = format!(
+        "    REPEAT\n\
+         {making}        given := {function}(operand);\n{}        passed := passed + DINT#1;\n        \
+         IF passed < DINT#{inputs} THEN\n            {advancing}\n        END_IF;\n    \
+         UNTIL passed >= DINT#{inputs}\n    END_REPEAT;\n",
         counting.checksum.statements(),
     );
     ConversionProgram {
-        source,
+        declarations,
+        statements,
         observed: vec!["total".to_owned()],
         ty: ElementaryType::Lint,
     }
@@ -42,27 +46,24 @@ pub fn unrolled(signature: &Signature, counting: &Counting, places: &Range<u64>)
     let observed: Vec<String> = (1..=places.end - places.start)
         .map(|number| format!("given{number}"))
         .collect();
-    let mut source = format!(
-        "PROGRAM main\nVAR\n{}",
-        counting.counter.declarations(places.start)
-    );
+    let mut declarations = counting.counter.declarations(places.start);
+    let mut statements = String::new();
     // Writing to a String cannot fail, here and below.
     for name in &observed {
-        let _ = writeln!(source, "    {name} : {result};");
+        let _ = writeln!(declarations, "    {name} : {result};");
     }
-    source.push_str("END_VAR\n");
     for (index, name) in observed.iter().enumerate() {
         if index > 0 {
-            let _ = writeln!(source, "    {advancing}");
+            let _ = writeln!(statements, "    {advancing}");
         }
         if !making.is_empty() {
-            let _ = writeln!(source, "    {making}");
+            let _ = writeln!(statements, "    {making}");
         }
-        let _ = writeln!(source, "    {name} := {function}(operand);");
+        let _ = writeln!(statements, "    {name} := {function}(operand);");
     }
-    source.push_str("END_PROGRAM\n");
     ConversionProgram {
-        source,
+        declarations,
+        statements,
         observed,
         ty: *result,
     }

@@ -106,11 +106,11 @@ fn a_wrong_bit_changes_the_sum_in_st_too() {
         let places = 1..9;
         let mut program = program::summed(&sweep[0].signature, &counting, &places);
         let call = format!("{function}(operand)");
-        assert!(program.source.contains(&call));
-        program.source = program.source.replace(&call, wrong);
+        assert!(program.statements.contains(&call));
+        program.statements = program.statements.replace(&call, wrong);
         let exact = super::worker::total(&sweep[0], &counting, places);
         let Ok(summed) = session.run(dialect, &program) else {
-            panic!("{function}: {}", program.source)
+            panic!("{function}: {}", program.source())
         };
         assert_ne!(summed, [exact], "{wrong}");
     }
