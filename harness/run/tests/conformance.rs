@@ -100,7 +100,7 @@ fn describe(case: &Case, judgement: &Judgement) -> String {
 }
 
 datatest_stable::harness! {
-    // `dialects.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite, and `recordings` holds no cases; every other file of
-    // these kinds is a case file.
-    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|places|sources|suite)\.toml$|recordings[/\\]).*\.(st|toml)$" },
+    // The files `dialects.toml`, `features.toml`, `places.toml`, `sources.toml` and `suite.toml` describe the suite, and the folders
+    // `dialects` and `recordings` hold no cases; every other file of these kinds is a case file.
+    { test = conforms, root = ROOT, pattern = r"^(?!(dialects|features|places|sources|suite)\.toml$|(dialects|recordings)[/\\]).*\.(st|toml)$" },
 }
