@@ -56,8 +56,6 @@ mod specification;
 mod standard;
 mod statements;
 mod suggestion;
-#[cfg(test)]
-mod tests;
 mod trace;
 mod types;
 mod variables;

@@ -2,6 +2,9 @@
 
 mod conversion_properties;
 mod dialects;
-mod programs;
+mod documents;
+mod hostile;
+mod limits;
 mod registry;
+mod requests;
 mod syntax_mutations;
