@@ -42,34 +42,3 @@ fn is_of_finite_real(signature: &Signature, operands: &[Value]) -> bool {
         && signature.takes(operands)
         && matches!(real::decode(raw, from), real::Real::Finite { .. })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::stated_by_vendor;
-    use crate::signatures;
-    use stickler_types::{DialectName, Value};
-
-    fn stated(function: &str, operand: &str, dialect: DialectName) -> Option<String> {
-        let signature = &signatures(function, dialect)[0];
-        let operand = Value::parse(operand).expect("a literal");
-        let stated = stated_by_vendor(signature, &[operand], dialect);
-        stated.map(|(value, _)| value.to_string())
-    }
-
-    #[test]
-    fn the_page_of_codesys_ignores_the_first_bytes_of_a_number_outside_the_range() {
-        let codesys = |function, operand| stated(function, operand, DialectName::CODESYS);
-        assert_eq!(
-            codesys("LREAL_TO_DINT", "LREAL#-3.0E9"),
-            Some("DINT#1294967296".to_owned())
-        );
-        assert_eq!(
-            codesys("LREAL_TO_DINT", "LREAL#3.0E9"),
-            Some("DINT#-1294967296".to_owned())
-        );
-        assert_eq!(codesys("REAL_TO_INT", "REAL#-1.5"), Some("INT#-2".to_owned()));
-        assert_eq!(codesys("REAL_TO_INT", "REAL#NaN"), None);
-        assert_eq!(codesys("DINT_TO_INT", "DINT#70000"), None);
-        assert_eq!(stated("REAL_TO_INT", "REAL#-1.5", DialectName::TWINCAT), None);
-    }
-}

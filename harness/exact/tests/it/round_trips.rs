@@ -1,7 +1,7 @@
 //! Tests that written texts read back, that the literals of the types crate are read alike, and that texts keep their
 //! limit.
 
-use stickler_exact::{choices_of, signatures, value};
+use stickler_exact::{choices_of, expected, signatures, value};
 use stickler_types::{
     BitStringText, ConversionChoices, DialectName, ElementaryType, Family, RealText, SplitMix64, TextReading,
     Value, literal,
@@ -190,5 +190,34 @@ fn no_text_is_too_long() {
     ] {
         let given = call(&format!("STRING_TO_{ty}"), &string(&text), &choices);
         assert_eq!(given, Value::parse(result).unwrap(), "{ty}");
+    }
+}
+
+#[test]
+fn joining_and_taking_apart_are_inverse() {
+    let choices = choices_of(DIALECT);
+    for step in -200..=200_i64 {
+        // A prime number of nanoseconds, so that all kinds of days and times come up.
+        let nanoseconds = step * 45_999_999_999_999_997;
+        let moment = Value::plain(ElementaryType::Ldt, nanoseconds.cast_unsigned());
+        let parts = ["LDT_TO_LDATE", "LDT_TO_LTOD"].map(|function| call(function, &moment, &choices));
+        let join = &signatures("CONCAT_LDATE_LTOD", DIALECT)[0];
+        assert_eq!(value(join, &parts, &choices), moment);
+    }
+}
+
+#[test]
+fn operands_that_do_not_fit_give_the_default() {
+    let literal = |text: &str| Value::parse(text).expect("a typed literal");
+    let signature = &signatures("INT_TO_DINT", DIALECT)[0];
+    for operands in [
+        vec![],
+        vec![literal("REAL#5.0")],
+        vec![literal("INT#5"), literal("INT#5")],
+        vec![Value::enumerated("COLOR", "RED")],
+    ] {
+        let given = value(signature, &operands, &choices_of(DIALECT));
+        assert_eq!(given, Value::plain(ElementaryType::Dint, 0));
+        assert_eq!(expected(signature, &operands, DIALECT).basis, None);
     }
 }
