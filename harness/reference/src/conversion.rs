@@ -28,8 +28,6 @@
 
 mod bcd;
 mod catalogue;
-#[cfg(test)]
-mod catalogue_tests;
 mod concatenation;
 #[cfg(test)]
 mod exactness;

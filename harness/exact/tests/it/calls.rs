@@ -1,7 +1,7 @@
 //! The rows of `tests/calls`, which the tests of the reference use too.
 //!
-//! - `calls` is followed by a dialect and by choices that differ from its own, such as `rounding=up`; a row is a call with typed
-//!   literals, and its result. Where a function gives several types, `: INT` says which is meant.
+//! - `calls` is followed by dialects and by choices that differ from theirs, such as `rounding=up`; a row is a call with typed
+//!   literals, and its result, or a dash where no function takes this. Where a function gives several types, `: INT` says which is meant.
 //! - `basis` is followed by dialects; a row has a source for each of them, by its name in the block `names`.
 //! - `defined` defines a dialect of this name with other choices than `ironplc-ed3`; a row has a result and a source.
 //! - `stated`: what the page of a vendor says. `implicit`: what a value becomes as another type.
@@ -13,7 +13,7 @@ use stickler_exact::{
     ImplicitResult, Signature, expected, implicit_result, signatures, stated_by_vendor, value,
 };
 use stickler_mdtest::{Block, Difference, same};
-use stickler_types::{Dialect, DialectName, ElementaryType, RealText, Value};
+use stickler_types::{Dialect, DialectKind, DialectName, ElementaryType, RealText, Rounding, Value};
 
 #[test]
 fn every_call_gives_what_its_row_says() {
@@ -30,6 +30,8 @@ fn every_call_gives_what_its_row_says() {
             "defined" => defined(block, &names.borrow()),
             "stated" => block.rows(|call, result| stated(block, call, result)),
             "implicit" => block.rows(implicit),
+            "widening" => block
+                .rows(|types, word| dialects(block).try_for_each(|dialect| widening(types, word, dialect))),
             "functions" => block.rows(|name, forms| {
                 let differs = |dialect: DialectName| same(self::forms(name, dialect), forms.to_owned());
                 dialects(block).try_for_each(differs)
@@ -52,6 +54,11 @@ fn with_choices<'b>(dialect: Dialect, choices: impl Iterator<Item = &'b str>) ->
     choices.fold(dialect, |mut dialect, word| match word.split_once('=') {
         Some(("digits", count)) => {
             dialect.conversions.real_text = RealText::SignificantDigits(count.parse().expect("a number"));
+            dialect
+        }
+        Some(("rounding", word)) if dialect.kind != DialectKind::Custom => {
+            let rounding = Rounding::from_word(word).expect("a rounding");
+            dialect.conversions = dialect.conversions.with_rounding(rounding);
             dialect
         }
         Some((key, choice)) => {
@@ -87,19 +94,24 @@ fn read(call: &str, dialect: DialectName) -> Result<(Signature, Vec<Value>), Str
 }
 
 fn calls(block: &Block) -> Vec<Difference> {
-    let mut words = block.options();
-    let name: DialectName = words.next().expect("a dialect").parse().expect("a dialect");
-    let dialect = with_choices(Dialect::of(name).clone(), words);
-    let own = dialect.conversions == Dialect::of(dialect.name).conversions;
-    block.rows(|call, result| {
-        let (signature, operands) = read(call, dialect.name)?;
-        let given = if own {
-            expected(&signature, &operands, dialect.name).value
-        } else {
-            value(&signature, &operands, &dialect.conversions)
-        };
-        same(given, Value::parse(result).map_err(|error| error.to_string())?)
-    })
+    let (choices, names): (Vec<&str>, Vec<&str>) = block.options().partition(|word| word.contains('='));
+    let mut found = Vec::new();
+    for name in names {
+        let name: DialectName = name.parse().expect("a dialect");
+        let dialect = with_choices(Dialect::of(name).clone(), choices.iter().copied());
+        found.extend(block.rows(|call, result| {
+            let Ok((signature, operands)) = read(call, name) else {
+                return same("-", result);
+            };
+            let given = if choices.is_empty() {
+                expected(&signature, &operands, name).value
+            } else {
+                value(&signature, &operands, &dialect.conversions)
+            };
+            same(given, Value::parse(result).map_err(|error| error.to_string())?)
+        }));
+    }
+    found
 }
 
 fn bases(block: &Block, call: &str, sources: &str, names: &HashMap<String, String>) -> Result<(), String> {
@@ -172,6 +184,13 @@ fn implicit(row: &str, result: &str) -> Result<(), String> {
     };
     let wanted = Value::parse(result).map_or_else(|_| result.to_owned(), |value| value.to_string());
     same(given, wanted)
+}
+
+fn widening(types: &str, word: &str, dialect: DialectName) -> Result<(), String> {
+    let (from, to) = types.split_once(" : ").ok_or("a row has two types")?;
+    let [from, to] = [from, to.trim()].map(ElementaryType::from_name);
+    let said = stickler_exact::implicit(from.ok_or("no such type")?, to.ok_or("no such type")?, dialect);
+    same(said.as_str(), word)
 }
 
 /// Returns the forms of a function as a row has them.

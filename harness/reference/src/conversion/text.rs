@@ -31,18 +31,3 @@ pub fn between(units: &[u16], to: ElementaryType) -> Vec<u16> {
         .map(|&unit| character(unit.into(), to) as u16)
         .collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn units(text: &str) -> Vec<u16> {
-        text.encode_utf16().collect()
-    }
-
-    #[test]
-    fn a_character_that_string_lacks_is_replaced() {
-        assert_eq!(between(&units("aé€"), ElementaryType::String), units("aé?"));
-        assert_eq!(between(&units("aé€"), ElementaryType::Wstring), units("aé€"));
-    }
-}

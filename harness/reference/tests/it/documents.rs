@@ -287,8 +287,9 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
     assert!(count > 400, "only {count} were repaired");
 }
 
-/// Runs an expression, and compares what it gives: a row of `expressions`.
-fn expression_gives(block: &Block, expression: &str, value: &str) -> Result<(), String> {
+/// Runs an expression, and compares what it gives: a row of `expressions`, `declarations | expression = value`.
+fn expression_gives(block: &Block, row: &str, value: &str) -> Result<(), String> {
+    let (variables, expression) = row.split_once('|').unwrap_or(("", row));
     let ty = match Value::parse(value) {
         Ok(value) => value.type_name().to_owned(),
         Err(_) => "LREAL".to_owned(),
@@ -297,7 +298,9 @@ fn expression_gives(block: &Block, expression: &str, value: &str) -> Result<(), 
         Some(fault) => format!("(*! fault {fault} *)"),
         None => format!("(*! values\nresult = {value}\n*)"),
     };
-    let text = format!("PROGRAM main VAR result : {ty}; END_VAR result := {expression}; END_PROGRAM {mark}");
+    let text = format!(
+        "PROGRAM main VAR {variables} result : {ty}; END_VAR result := {expression}; END_PROGRAM {mark}"
+    );
     Options::of(block)
         .dialects
         .into_iter()
