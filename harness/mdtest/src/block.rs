@@ -1,5 +1,6 @@
 //! A block of a test file, and its lines.
 
+use crate::Marks;
 use std::fmt::Display;
 
 /// A fenced block of a test file.
@@ -12,6 +13,36 @@ pub struct Block {
     pub text: String,
     /// The line of the file on which the text begins, from 1.
     pub line: usize,
+}
+
+/// A program of a block.
+pub struct Program {
+    /// Its text.
+    pub text: String,
+    /// The line of the block on which it stands alone, from 1.
+    row: Option<usize>,
+}
+
+impl Program {
+    /// Reads the marks of the program. A program on a line of its own may be wrong on any line of its frame.
+    ///
+    /// # Errors
+    /// What is wrong with a mark.
+    pub fn marks(&self) -> Result<Marks, Difference> {
+        let marks = Marks::of(&self.text).map_err(|wrong| self.place(Difference::new(1, wrong)))?;
+        Ok(if self.row.is_some() {
+            marks.on_any_line()
+        } else {
+            marks
+        })
+    }
+
+    /// Returns a difference on a line of the program as one on a line of the block.
+    #[must_use]
+    pub fn place(&self, difference: Difference) -> Difference {
+        let line = self.row.unwrap_or(difference.line);
+        Difference { line, ..difference }
+    }
 }
 
 /// Something that is not as a block says.
@@ -47,10 +78,8 @@ impl Block {
     }
 
     fn words(&self) -> impl Iterator<Item = &str> {
-        let info = self
-            .info
-            .split_once(EACH_LINE)
-            .map_or(&*self.info, |(before, _)| before);
+        let info = self.info.split(EACH_LINE).next().unwrap_or_default();
+        let info = info.split(" in ").next().unwrap_or_default();
         info.split_whitespace()
     }
 
@@ -62,26 +91,37 @@ impl Block {
             .map(|(index, line)| (index + 1, line))
     }
 
-    /// Returns the programs of the block, each with the number of the line before it.
+    /// Returns the programs of the block: its text, or one for each line, in the frame that the fence may name, in which a pilcrow
+    /// begins a new line.
     #[must_use]
-    pub fn programs(&self) -> Vec<(usize, String)> {
+    pub fn programs(&self) -> Vec<Program> {
         let Some((_, frame)) = self.info.split_once(EACH_LINE) else {
-            return vec![(0, self.text.clone())];
+            let text = self.text.clone();
+            return vec![Program { text, row: None }];
         };
         let frame = frame.trim().strip_prefix("in ").unwrap_or("…");
-        let framed = |(number, line): (usize, &str)| (number - 1, frame.replace('…', line.trim()));
+        let framed = |(number, line): (usize, &str)| Program {
+            text: frame.replace('¶', "\n").replace('…', line.trim()),
+            row: Some(number),
+        };
         self.lines().map(framed).collect()
     }
 
-    /// Hands each row `question = answer` to a function, which says what is wrong with it.
+    /// Puts the question of a row in the frame that the fence names: `features in PROGRAM p … END_PROGRAM`.
+    #[must_use]
+    pub fn framed(&self, question: &str) -> String {
+        let frame = self.info.split_once(" in ").map_or("…", |(_, frame)| frame);
+        frame.replace('¶', "\n").replace('…', question)
+    }
+
+    /// Hands each row `question = answer` to a function, which says what is wrong with it. An arrow may stand for the equals sign,
+    /// and a pilcrow begins a new line.
     pub fn rows(&self, mut row: impl FnMut(&str, &str) -> Result<(), String>) -> Vec<Difference> {
         let mut differences = Vec::new();
         for (number, line) in self.lines() {
-            let result = match line
-                .rsplit_once(" = ")
-                .or_else(|| Some((line.strip_suffix(" =")?, "")))
-            {
-                Some((question, answer)) => row(question.trim(), answer.trim()),
+            let parts = line.rsplit_once(" → ").or_else(|| line.rsplit_once(" = "));
+            let result = match parts {
+                Some((question, answer)) => row(&question.trim().replace('¶', "\n"), answer.trim()),
                 None => Err("a row has the form `question = answer`".to_owned()),
             };
             differences.extend(

@@ -23,7 +23,7 @@
 //! Two kinds of blocks are alike wherever they are used:
 //!
 //! - **programs** are ST, with the [marks](marks) of the conformance cases in comments. A block is one program, or a program on
-//!   `each line`, which may stand `in` another text: `st each line in PROGRAM p x := …; END_PROGRAM`.
+//!   `each line`, which may stand `in` another text: `st each line in PROGRAM p¶x := …;¶END_PROGRAM`.
 //! - **rows** are lines `question = answer`, each on its own. A line that begins with a number sign and a space is a comment.
 //!
 //! [`check`] reads a folder, hands each block to a function, and reports all differences with file, line and heading.
@@ -35,7 +35,7 @@ mod folder;
 mod marks;
 mod reported;
 
-pub use block::{Block, Difference, same};
+pub use block::{Block, Difference, Program, same};
 pub use folder::check;
 pub use marks::{Marks, Value};
 pub use reported::{Reported, differences};

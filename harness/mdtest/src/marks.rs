@@ -41,7 +41,7 @@ pub struct Value {
 /// A diagnostic that must be reported.
 #[derive(PartialEq, Eq, Default, Debug)]
 pub struct DiagnosticMark {
-    /// The line on which it begins, from 1.
+    /// The line on which it begins, from 1; 0 for any.
     pub line: u32,
     /// `error` or `warning`.
     pub severity: String,
@@ -70,6 +70,11 @@ impl Marks {
             rest = end;
         }
         Ok(marks)
+    }
+
+    pub(crate) fn on_any_line(mut self) -> Marks {
+        self.diagnostics.iter_mut().for_each(|mark| mark.line = 0);
+        self
     }
 
     fn read(&mut self, mark: &str, line: usize) -> Result<(), String> {

@@ -49,7 +49,8 @@ impl fmt::Display for DiagnosticMark {
 impl DiagnosticMark {
     fn is_met_by(&self, reported: &Reported) -> bool {
         let suggestion = reported.suggestion.as_deref().unwrap_or_default();
-        (self.line, &*self.severity, &self.code) == (reported.line, reported.severity, &reported.code)
+        [0, reported.line].contains(&self.line)
+            && (&*self.severity, &self.code) == (reported.severity, &reported.code)
             && self.at.as_ref().is_none_or(|at| *at == reported.at)
             && self.suggests.as_ref().is_none_or(|text| text == suggestion)
             && self

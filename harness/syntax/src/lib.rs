@@ -22,11 +22,15 @@
 
 pub mod decoding;
 pub mod diagnostic;
+#[cfg(test)]
+mod documents;
 mod edits;
 mod ending;
 pub mod features;
 mod keyword;
 mod lexer;
+#[cfg(test)]
+mod limits;
 pub mod names;
 mod parser;
 mod parts;

@@ -1,8 +1,6 @@
 //! Tokens → syntax tree: recursive descent, one function a production, named after it. Parsing never fails: what
 //! cannot be read is diagnosed once, where a person would look for it, and left out of the tree.
 
-#[cfg(test)]
-mod block_tests;
 mod blocks;
 mod configuration;
 mod cursor;
@@ -18,8 +16,5 @@ mod statements;
 mod types;
 mod unsupported;
 mod variables;
-
-#[cfg(test)]
-mod testing;
 
 pub use state::{MAX_NESTING, parse};

@@ -159,49 +159,4 @@ mod tests {
         let constant: Vec<bool> = parts.variables.iter().map(|section| section.constant).collect();
         assert_eq!(constant, [true, false]);
     }
-
-    #[test]
-    fn a_part_of_a_variable_is_taken_apart_like_any_other_program() {
-        let source = "PROGRAM main VAR w : WORD; b : BYTE; END_VAR b := w.%B1; END_PROGRAM";
-        let parts = ProgramParts::of(source, Dialect::of(DialectName::CODESYS)).expect("parts");
-        assert_eq!(parts.statements, "b := w.%B1;");
-        assert!(parts.unit_names.is_empty());
-    }
-
-    #[test]
-    fn what_cannot_be_joined_is_told_with_its_reason() {
-        for (source, reason) in [
-            ("FUNCTION f : INT f := 1; END_FUNCTION", Indivisible::NoProgram),
-            (
-                "PROGRAM p END_PROGRAM PROGRAM main END_PROGRAM",
-                Indivisible::SeveralPrograms,
-            ),
-            (
-                "PROGRAM main VAR x : BOOL; END_VAR IF x THEN RETURN; END_IF; END_PROGRAM",
-                Indivisible::Returns,
-            ),
-            (
-                "PROGRAM main VAR_TEMP x : BOOL; END_VAR x := TRUE; END_PROGRAM",
-                Indivisible::Section,
-            ),
-            (
-                "PROGRAM main VAR RETAIN x : BOOL; END_VAR x := TRUE; END_PROGRAM",
-                Indivisible::Section,
-            ),
-            (
-                "PROGRAM main VAR x AT %IX0.0 : BOOL; END_VAR END_PROGRAM",
-                Indivisible::Shares,
-            ),
-            (
-                "VAR_GLOBAL x : INT; END_VAR PROGRAM main END_PROGRAM",
-                Indivisible::Shares,
-            ),
-        ] {
-            assert_eq!(
-                ProgramParts::of(source, Dialect::of(DialectName::IRONPLC_RUSTY)),
-                Err(reason),
-                "{source}"
-            );
-        }
-    }
 }

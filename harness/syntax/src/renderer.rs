@@ -7,7 +7,4 @@ mod names;
 mod statements;
 mod writer;
 
-#[cfg(test)]
-mod tests;
-
 pub use writer::render;

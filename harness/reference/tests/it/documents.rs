@@ -70,15 +70,16 @@ impl Options {
 fn programs(block: &Block) -> Vec<Difference> {
     let options = Options::of(block);
     let mut found = Vec::new();
-    for (before, text) in block.programs() {
-        let marks = match Marks::of(&text) {
+    for one in block.programs() {
+        let marks = match one.marks() {
             Ok(marks) => marks,
-            Err(wrong) => return vec![Difference::new(before + 1, wrong)],
+            Err(wrong) => return vec![wrong],
         };
         for &dialect in &options.dialects {
-            let shift =
-                |one: Difference| Difference::new(before + one.line, format!("{dialect}: {}", one.what));
-            found.extend(program(&text, &marks, dialect, &options).into_iter().map(shift));
+            let of_dialect =
+                |other: Difference| Difference::new(other.line, format!("{dialect}: {}", other.what));
+            let differences = program(&one.text, &marks, dialect, &options).into_iter();
+            found.extend(differences.map(|other| one.place(of_dialect(other))));
         }
     }
     found
@@ -208,8 +209,8 @@ fn pairs(block: &Block) -> Vec<Difference> {
             errors_only: true,
             ..Options::default()
         };
-        for (before, text) in block.programs() {
-            let text = text.replace("FROM", from.name()).replace("INTO", to.name());
+        for one in block.programs() {
+            let text = one.text.replace("FROM", from.name()).replace("INTO", to.name());
             let text = text.replace(
                 "FUNCTION(",
                 &format!("{}(", function.as_deref().unwrap_or("FUNCTION")),
@@ -222,8 +223,9 @@ fn pairs(block: &Block) -> Vec<Difference> {
                     mark.suggests = Some(String::new());
                 }
             }
-            let about =
-                |one: Difference| Difference::new(before + 1, format!("{dialect}: {text}\n{}", one.what));
+            let about = |other: Difference| {
+                one.place(Difference::new(1, format!("{dialect}: {text}\n{}", other.what)))
+            };
             found.extend(program(&text, &marks, dialect, &options).into_iter().map(about));
         }
     }

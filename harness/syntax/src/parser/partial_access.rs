@@ -97,76 +97,14 @@ fn form_and_index(kind: TokenKind, text: &str) -> (AccessForm, u64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parser::testing::codes;
-    use stickler_types::{Dialect, DialectName};
-
-    fn said(suffix: &str) -> [Vec<(Code, String)>; 5] {
-        let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
-        [
-            Dialect::of(DialectName::IRONPLC_ED2),
-            Dialect::of(DialectName::IRONPLC_ED3),
-            Dialect::of(DialectName::IRONPLC_RUSTY),
-            Dialect::of(DialectName::MATIEC),
-            Dialect::of(DialectName::PLCNEXT),
-        ]
-        .map(|dialect| codes(&text, dialect))
-    }
-
-    fn only(code: Code, suffix: &str) -> Vec<(Code, String)> {
-        vec![(code, suffix.to_owned())]
-    }
-
-    #[test]
-    fn the_short_form_is_a_syntax_error_only_where_there_is_no_bit_access() {
-        assert_eq!(
-            said(".3"),
-            [vec![], vec![], vec![], only(Code::SyntaxError, ".3"), vec![]]
-        );
-    }
-
-    #[test]
-    fn the_bit_form_belongs_to_the_third_edition() {
-        for suffix in [".%X3", ".%x3", ".%3"] {
-            let disabled = only(Code::PartialAccessSyntaxDisabled, suffix);
-            assert_eq!(
-                said(suffix),
-                [disabled, vec![], vec![], only(Code::SyntaxError, suffix), vec![]]
-            );
-        }
-    }
-
-    #[test]
-    fn the_wider_forms_are_enabled_in_rusty_up_to_double_words() {
-        for suffix in [".%B1", ".%w0", ".%D0", ".%D1.%W1.%B1.%X1"] {
-            let text = format!("PROGRAM p x := y + a{suffix}; END_PROGRAM");
-            assert_eq!(codes(&text, Dialect::of(DialectName::RUSTY)), [], "{suffix}");
-        }
-        let text = "PROGRAM p x := y + a.%L0; END_PROGRAM";
-        assert_eq!(
-            codes(text, Dialect::of(DialectName::RUSTY)),
-            only(Code::UnexpectedToken, ".%L0")
-        );
-    }
-
-    #[test]
-    fn the_wider_forms_are_enabled_nowhere_else() {
-        for suffix in [".%B1", ".%w0", ".%D0", ".%l0"] {
-            let disabled = only(Code::PartialAccessSyntaxDisabled, suffix);
-            let unmatched = only(Code::UnexpectedToken, suffix);
-            let syntax = only(Code::SyntaxError, suffix);
-            assert_eq!(
-                said(suffix),
-                [disabled, unmatched.clone(), unmatched.clone(), syntax, unmatched]
-            );
-        }
-    }
 
     #[test]
     fn the_index_is_read_whatever_its_length() {
         assert_eq!(form_and_index(TokenKind::Integer, "1_0"), (AccessForm::Short, 10));
         assert_eq!(form_and_index(TokenKind::Partial, "%x63"), (AccessForm::Bit, 63));
+        let nines = "9".repeat(1000);
         assert_eq!(
-            form_and_index(TokenKind::Integer, &"9".repeat(1000)),
+            form_and_index(TokenKind::Integer, &nines),
             (AccessForm::Short, u64::MAX)
         );
     }
