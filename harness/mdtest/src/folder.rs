@@ -77,11 +77,11 @@ mod tests {
 
     #[test]
     fn each_line_is_put_in_its_place() {
-        let blocks = blocks("```st ed2 each line in P … Q\na\nb\n```\n");
-        assert_eq!(
-            blocks[0].programs(),
-            [(0, "P a Q".to_owned()), (1, "P b Q".to_owned())]
-        );
+        let blocks = blocks("```st ed2 each line in P … ¶Q\na\nb\n```\n");
+        let programs = blocks[0].programs();
+        let texts: Vec<_> = programs.iter().map(|program| &*program.text).collect();
+        assert_eq!(texts, ["P a \nQ", "P b \nQ"]);
+        assert_eq!(programs[1].place(Difference::new(7, "")), Difference::new(2, ""));
         assert!(blocks[0].options().eq(["ed2"]));
     }
 
