@@ -46,44 +46,14 @@ fn out_of_range(literal: &str) -> Option<Value> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use ElementaryType as E;
 
     #[test]
-    fn what_64_bits_do_not_hold_is_another_value_and_spelled_in_nanoseconds() {
-        const BEYOND: i128 = 1 << 63;
-        for (ty, nanoseconds, spelled) in [
-            (E::Time, BEYOND - 1, "TIME#9223372036854.775807ms"),
-            (E::Time, BEYOND, "TIME#9223372036854775808ns"),
-            (E::Ltime, -BEYOND - 1, "LTIME#-9223372036854775809ns"),
-            (E::Dt, BEYOND * 1_000_000_000, "DT#9223372036854775808000000000ns"),
-            (E::Date, BEYOND + 1, "DATE#9223372036854775809ns"),
-            (E::Tod, -BEYOND * 2, "TOD#-18446744073709551616ns"),
-        ] {
-            let value = Value::of_nanoseconds(ty, nanoseconds);
-            assert_eq!(value.to_string(), spelled);
-            assert_eq!(Value::parse_observed(spelled), Ok(value));
-            assert_eq!(
-                Value::parse(spelled).is_ok(),
-                nanoseconds < BEYOND && ty == E::Time
-            );
+    fn what_64_bits_do_not_hold_is_another_value() {
+        for (nanoseconds, is_literal) in [((1 << 63) - 1, true), (1 << 63, false), (-(1 << 63) - 1, false)] {
+            let value = Value::of_nanoseconds(ElementaryType::Time, nanoseconds);
+            assert_eq!(Value::parse(&value.to_string()).is_ok(), is_literal);
+            assert_eq!(Value::parse_observed(&value.to_string()), Ok(value));
         }
-        let ms = Value::parse_observed("TIME#-9223372036854775808ms").unwrap();
-        assert_eq!(ms.to_string(), "TIME#-9223372036854775808000000ns");
-        assert_ne!(ms, Value::parse_observed("TIME#-9223372036854775807ms").unwrap());
-    }
-
-    #[test]
-    fn nothing_else_is_read_than_what_is_out_of_range() {
-        for literal in [
-            "DATE#5ns",
-            "INT#9223372036854775808ns",
-            "TIME#9223372036854775808",
-            "TIME#",
-            "DT#999999999999999999999999999999999999999999999999999999s",
-        ] {
-            assert!(Value::parse_observed(literal).is_err(), "{literal}");
-        }
-        assert_eq!(Value::parse_observed("INT#5"), Value::parse("INT#5"));
     }
 
     #[test]

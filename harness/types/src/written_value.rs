@@ -37,38 +37,3 @@ impl WrittenValue {
         })
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_literal_lacks_its_type_where_the_language_lets_it() {
-        for (typed, literal) in [
-            ("WORD#16#ff", "16#00FF"),
-            ("INT#-5", "-5"),
-            ("BOOL#TRUE", "TRUE"),
-            ("STRING#'a'", "'a'"),
-            ("TIME#1s500ms", "TIME#1500ms"),
-            ("COLOR#RED", "COLOR#RED"),
-        ] {
-            assert_eq!(&*WrittenValue::of(Value::parse(typed).unwrap()).literal, literal);
-        }
-    }
-
-    #[test]
-    fn a_literal_is_kept_as_it_is_spelled() {
-        for (ty, literal, value) in [
-            (ElementaryType::Real, "16777217.0", "REAL#16777216.0"),
-            (ElementaryType::Time, "TIME#1.5ms", "TIME#1.5ms"),
-            (ElementaryType::Word, "16#ff", "WORD#16#00FF"),
-        ] {
-            let written = WrittenValue::parse(ty, literal).unwrap();
-            assert_eq!(
-                (&*written.literal, written.value.to_string().as_str()),
-                (literal, value)
-            );
-        }
-        assert!(WrittenValue::parse(ElementaryType::Sint, "128").is_err());
-    }
-}

@@ -2,4 +2,5 @@
 
 mod dates_and_times;
 mod elementary_types;
+mod literals;
 mod values;

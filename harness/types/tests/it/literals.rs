@@ -1,0 +1,134 @@
+//! The rows of `tests/literals`: a text, and what it stands for or where it goes wrong.
+//!
+//! The word behind the fence names the function that reads the text (`values`: a typed literal, written back in its canonical
+//! spelling; `integer`, `date`, …: the number), or writes a number (`write-…`). A dash means that the text is none.
+
+use std::fmt;
+use stickler_mdtest::{Difference, same};
+use stickler_types::literal::{self, LiteralError};
+use stickler_types::{ElementaryType, Question, Value, WrittenValue};
+
+#[test]
+fn every_text_is_read_as_its_row_says() {
+    stickler_mdtest::check(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/literals"), |block| {
+        let Some(answer) = answers(block.kind()) else {
+            return vec![Difference::new(1, "no test reads such a block")];
+        };
+        block.rows(|text, expected| same(answer(text), expected.to_owned()))
+    });
+}
+
+fn answers(kind: &str) -> Option<fn(&str) -> String> {
+    Some(match kind {
+        "values" => |text| read(Value::parse(text)),
+        "unsigned" => |text| read(literal::unsigned_integer(text)),
+        "integer" => |text| read(literal::integer(text)),
+        "real" => |text| real(text, ElementaryType::Real),
+        "lreal" => |text| real(text, ElementaryType::Lreal),
+        "duration" => |text| read(literal::duration(text)),
+        "date" => |text| read(literal::date(text)),
+        "time-of-day" => |text| read(literal::time_of_day(text)),
+        "date-and-time" => |text| read(literal::date_and_time(text)),
+        "text" => |text| match literal::text(text) {
+            Ok(units) if units.is_empty() => "-".to_owned(),
+            Ok(units) => units
+                .iter()
+                .map(|unit| format!("{unit:X}"))
+                .collect::<Vec<_>>()
+                .join(" "),
+            Err(error) => described(error),
+        },
+        "write-milliseconds" => |number| written(literal::write_milliseconds, number),
+        "write-time-of-day" => |number| written(literal::write_time_of_day, number),
+        "write-date-and-time" => |number| written(literal::write_date_and_time, number),
+        "write-text" => |units| written_text(units, false),
+        "write-wide-text" => |units| written_text(units, true),
+        "questions" => |text| {
+            text.parse::<Question>()
+                .map_or_else(|_| "-".to_owned(), |one| one.to_string())
+        },
+        "observed" => {
+            |text| Value::parse_observed(text).map_or_else(|_| "-".to_owned(), |one| one.to_string())
+        }
+        "written" => |text| {
+            WrittenValue::of(Value::parse(text).expect("a literal"))
+                .literal
+                .to_string()
+        },
+        "spelled" => spelled,
+        _ => return None,
+    })
+}
+
+fn read<T: fmt::Display>(result: Result<T, LiteralError>) -> String {
+    result.map_or_else(described, |value| value.to_string())
+}
+
+/// The kind of an error, and the byte at which it is found.
+fn described(error: LiteralError) -> String {
+    let kind = match error {
+        LiteralError::Malformed { .. } => "malformed",
+        LiteralError::Overflow { .. } => "overflow",
+        LiteralError::Escape { .. } => "escape",
+        LiteralError::Character { .. } => "character",
+    };
+    format!("{kind} at {}", error.offset())
+}
+
+/// Reads a real number, and writes it in its canonical spelling.
+fn real(text: &str, ty: ElementaryType) -> String {
+    literal::real(text, ty).map_or_else(described, |raw| {
+        let mut out = String::new();
+        literal::write_real(&mut out, raw, ty).expect("a text takes everything");
+        out
+    })
+}
+
+fn written(write: fn(&mut String, i64) -> fmt::Result, number: &str) -> String {
+    let mut out = String::new();
+    write(&mut out, number.parse().expect("a number")).expect("a text takes everything");
+    out
+}
+
+fn written_text(units: &str, wide: bool) -> String {
+    let units: Vec<u16> = units
+        .split(' ')
+        .map(|unit| u16::from_str_radix(unit, 16).expect("a unit"))
+        .collect();
+    let mut out = String::new();
+    literal::write_text(&mut out, &units, wide).expect("a text takes everything");
+    out
+}
+
+/// Reads a literal of a type, as it stands in a program: `REAL 1.5`.
+fn spelled(text: &str) -> String {
+    let (ty, literal) = text.split_once(' ').expect("a type and a literal");
+    let written = WrittenValue::parse(ElementaryType::from_name(ty).expect("a type"), literal);
+    written.map_or_else(
+        |_| "-".to_owned(),
+        |one| format!("{} | {}", one.literal, one.value),
+    )
+}
+
+#[test]
+fn a_literal_may_have_any_length() {
+    let (nines, zeros) = ("9".repeat(100_000), "0".repeat(100_000));
+    assert_eq!(read(literal::unsigned_integer(&nines)), "overflow at 0");
+    assert_eq!(read(literal::unsigned_integer(&zeros)), "0");
+    assert_eq!(read(literal::date(&format!("{nines}-01-01"))), "overflow at 0");
+    let duration = format!("{nines}d{nines}h{nines}.{nines}m");
+    assert_eq!(read(literal::duration(&duration)), "overflow at 0");
+    assert_eq!(read(literal::duration(&format!("0.{nines}s"))), "999999999");
+    let zeros = "0".repeat(1_000_000);
+    for (text, expected) in [
+        (format!("{zeros}1.5{zeros}"), "1.5"),
+        (format!("0.{zeros}1E1000001"), "1.0"),
+        (format!("-1{zeros}.0E-1_000_001"), "-0.1"),
+        (format!("1.{zeros}E{zeros}2"), "100.0"),
+        (format!("-0.{zeros}E9{zeros}"), "-0.0"),
+        (format!("1.0E-9{zeros}"), "0.0"),
+        (format!("1.0E9{zeros}"), "overflow at 0"),
+    ] {
+        assert_eq!(real(&text, ElementaryType::Lreal), expected);
+    }
+}
