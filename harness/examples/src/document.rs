@@ -269,10 +269,7 @@ fn plain(cell: &str) -> String {
 pub(crate) fn with_last_cell(line: &str, text: &str) -> String {
     let text = text.replace('|', "\\|").replace('\n', "⏎");
     let inside = line.trim_end().strip_suffix('|').unwrap_or(line);
-    let bars = inside.match_indices('|').map(|(at, _)| at);
-    let last = bars
-        .filter(|&at| !inside[..at].ends_with('\\'))
-        .last()
-        .unwrap_or(0);
+    let mut bars = inside.match_indices('|').map(|(at, _)| at);
+    let last = bars.rfind(|&at| !inside[..at].ends_with('\\')).unwrap_or(0);
     format!("{}| {text} |", &inside[..last])
 }
