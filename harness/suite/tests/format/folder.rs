@@ -200,3 +200,12 @@ fn a_program_may_have_carriage_returns_a_byte_order_mark_and_no_last_line_break(
     let suite = load(&[("a/f.st", &text)]);
     assert_eq!(suite.cases[0].expectation.values[0].value.to_string(), "INT#1");
 }
+
+#[test]
+fn many_variables_are_observed_once_each_like_few() {
+    let marks: String = (0..100)
+        .map(|at| format!("(*! observe v{at} : INT *)\n"))
+        .collect();
+    let suite = load(&[("a/f.st", &format!("{PROGRAM}{marks}{marks}"))]);
+    assert_eq!(suite.cases[0].observe.len(), 100);
+}
