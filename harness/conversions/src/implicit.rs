@@ -124,27 +124,10 @@ pub(crate) fn answer(outcome: &Outcome) -> MatrixAnswer {
 
 #[cfg(test)]
 mod tests {
-    use super::{MatrixAnswer, answer, answers};
+    use super::{MatrixAnswer, answers};
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use stickler_engines::{Outcome, Reference};
+    use stickler_engines::Reference;
     use stickler_types::{DialectName, ElementaryType};
-
-    #[test]
-    fn a_crash_is_no_rejection() {
-        let reason = String::new;
-        assert_eq!(answer(&Outcome::ACCEPTED), MatrixAnswer::Accepts);
-        let diagnostics = Vec::new();
-        assert_eq!(answer(&Outcome::Rejected { diagnostics }), MatrixAnswer::Rejects);
-        let unsupported = Outcome::Unsupported { reason: reason() };
-        assert_eq!(answer(&unsupported), MatrixAnswer::Unsupported);
-        let not_implemented = Outcome::NotImplemented { reason: reason() };
-        assert_eq!(answer(&not_implemented), MatrixAnswer::Unsupported);
-        assert_eq!(
-            answer(&Outcome::Crashed { reason: reason() }),
-            MatrixAnswer::Fails
-        );
-        assert_eq!(answer(&Outcome::TimedOut { after_ms: 1 }), MatrixAnswer::Fails);
-    }
 
     #[test]
     fn each_pair_gets_its_own_answer_however_many_are_asked_at_once() {

@@ -17,6 +17,8 @@ pub mod recording;
 mod session;
 pub mod sweep;
 pub mod table;
+#[cfg(test)]
+mod tests;
 
 pub use functions::{
     FunctionDialects, NoSuchFunction, all_functions, dialect_list, find_function, short_names,

@@ -3,7 +3,7 @@
 //! [`calls`] chooses the values, [`gather`] asks the engines, and [`OverviewPage`] and [`write_json`] show the [`SignatureResults`].
 //! [`Statements`] are what documents say of many functions and of implicit conversion, without asking an engine.
 
-mod choices;
+pub(crate) mod choices;
 mod inputs;
 mod json;
 mod page;
@@ -22,3 +22,6 @@ pub use results::{
 };
 pub use statements::{CaseStatement, Statements, StatementsBuilder};
 pub use values::{CallOperands, ValueError, calls};
+
+#[cfg(test)]
+pub(crate) use {recorded::accepted, values::read as read_operand};

@@ -268,22 +268,15 @@ fn key(signature: &Signature) -> String {
 #[cfg(test)]
 mod tests {
     use super::{RecordedSection, Recording, RecordingOrigin};
-    use crate::implicit::MatrixAnswer;
-    use crate::session::RefusalKind;
     use stickler_engines::Reference;
-    use stickler_types::{DialectName, ElementaryType, Value};
+    use stickler_types::DialectName;
 
     const ORIGIN: &str =
         "[recording]\nproduct = \"p\"\nversion = \"1\"\nplatform = \"l\"\ndate = \"2026-11-24\"\n";
-    const ANSWERS: &str = "[[answers]]\ndialects = [\"matiec\"]\n";
-
-    fn parsed(text: &str) -> Result<Recording, String> {
-        Recording::parse("reference.toml", text).map_err(|error| error.to_string())
-    }
 
     #[test]
     fn what_was_written_is_read_again() {
-        let origin = parsed(ORIGIN).unwrap().origin;
+        let origin = Recording::parse("reference.toml", ORIGIN).unwrap().origin;
         let with_commit = RecordingOrigin {
             commit: Some("a\"b".to_owned()),
             ..origin
@@ -294,142 +287,9 @@ mod tests {
         let recording = Recording::ask(&reference, with_commit, &dialects, sections, 0, &|| {}).unwrap();
         let mut text = Vec::new();
         recording.write(&mut text).unwrap();
-        let mut read = parsed(std::str::from_utf8(&text).unwrap()).unwrap();
+        let mut read = Recording::parse("reference.toml", std::str::from_utf8(&text).unwrap()).unwrap();
         read.dialects
             .sort_by_key(|dialect| *dialect != DialectName::MATIEC);
         assert_eq!(read, recording);
-    }
-
-    #[test]
-    fn what_an_older_recording_knows_stays_where_the_new_one_has_no_answer() {
-        let of = |answers: &str| parsed(&format!("{ORIGIN}{ANSWERS}{answers}")).unwrap();
-        let mut new = of("[answers.bits]\nINT = { accepts = \"0\" }\n\
-             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"]]\n");
-        new.complete_from(of("[answers.bits]\nINT = { rejects = \"0 16\" }\n\
-             [answers.comparisons]\nINT = { false = \"UINT\", \"timed out\" = \"REAL\" }\n\
-             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"7\"], [\"2\", \"2\"]]\n"));
-        let expected = of("[answers.bits]\nINT = { accepts = \"0\", rejects = \"16\" }\n\
-             [answers.comparisons]\nINT = { false = \"UINT\", \"timed out\" = \"REAL\" }\n\
-             [answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"], [\"2\", \"2\"]]\n");
-        assert_eq!(new, expected);
-        let mut new = of("[answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = [[\"1\", \"1\"]]\n");
-        new.complete_from(of(
-            "[answers.functions]\n\"INT_TO_SINT(INT) : SINT\" = \"rejected\"\n",
-        ));
-        let signature = &stickler_exact::signatures("INT_TO_SINT", DialectName::MATIEC)[0];
-        let calls = [["INT#1"], ["INT#0"]].map(|call| call.map(|text| Value::parse(text).unwrap()).to_vec());
-        let results = new.results(DialectName::MATIEC, signature, &calls);
-        let results = results
-            .into_iter()
-            .map(|result| result.map_err(|refusal| refusal.kind));
-        assert!(results.eq([Ok(Value::parse("SINT#1").unwrap()), Err(RefusalKind::Rejected)]));
-    }
-
-    #[test]
-    fn a_call_that_was_not_recorded_has_no_answer() {
-        let text = format!(
-            "{ORIGIN}{ANSWERS}[answers.implicit]\nINT = {{ accepts = \"INT DINT\" }}\n\
-             [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"3\"], [\"NaN\", \"crashed\"]]\n\
-             \"INT_TO_BOOL(INT) : BOOL\" = \"rejected\"\n"
-        );
-        let recording = parsed(&text).unwrap();
-        let implicit = |into| recording.implicit(DialectName::MATIEC, (ElementaryType::Int, into));
-        assert_eq!(implicit(ElementaryType::Dint), Some(MatrixAnswer::Accepts));
-        assert_eq!(implicit(ElementaryType::Real), None);
-        let results = |function, operands: &[&str]| -> Vec<Result<Value, RefusalKind>> {
-            let signature = &stickler_exact::signatures(function, DialectName::MATIEC)[0];
-            let call = |literal: &&str| vec![Value::parse(literal).unwrap()];
-            let calls: Vec<Vec<Value>> = operands.iter().map(call).collect();
-            let results = recording.results(DialectName::MATIEC, signature, &calls);
-            let kind = |result: Result<Value, crate::Refusal>| result.map_err(|refusal| refusal.kind);
-            results.into_iter().map(kind).collect()
-        };
-        assert_eq!(
-            results("REAL_TO_INT", &["REAL#2.5", "REAL#NaN", "REAL#7.5"]),
-            [
-                Ok(Value::parse("INT#3").unwrap()),
-                Err(RefusalKind::Crashed),
-                Err(RefusalKind::NotAsked)
-            ]
-        );
-        assert_eq!(results("INT_TO_BOOL", &["INT#7"]), [Err(RefusalKind::Rejected)]);
-        assert_eq!(results("INT_TO_DINT", &["INT#7"]), [Err(RefusalKind::NotAsked)]);
-    }
-
-    #[test]
-    fn a_mistake_is_refused_with_its_line_and_what_to_do() {
-        let row = |kind: &str, row: &str| format!("{ORIGIN}{ANSWERS}[answers.{kind}]\n{row}\n");
-        let function = |row_text: &str| row("functions", row_text);
-        for (text, line, part) in [
-            (
-                ORIGIN.replace("product = \"p\"\n", ""),
-                1,
-                "missing field `product`; a recording says",
-            ),
-            (
-                ORIGIN.replace("version = \"1\"\n", ""),
-                1,
-                "missing field `version`; a recording says",
-            ),
-            (
-                ORIGIN.replace("\"1\"", "\" \""),
-                1,
-                "`version` is empty; say there",
-            ),
-            (format!("{ORIGIN}prodct = \"p\"\n"), 6, "unknown field `prodct`"),
-            (
-                format!("{ORIGIN}{}", ANSWERS.replace("matiec", "mattiec")),
-                6,
-                "mattiec",
-            ),
-            (
-                row("implicit", "INTT = { accepts = \"INT\" }"),
-                9,
-                "`INTT` is no elementary type",
-            ),
-            (
-                row("implicit", "INT = { likes = \"INT\" }"),
-                9,
-                "`likes` is no answer of a compiler; one of accepts, ",
-            ),
-            (
-                function("\"REAL_TO_INT\" = \"rejected\""),
-                9,
-                "is no signature such as",
-            ),
-            (function("\"F(INT) : INT\" = \"sad\""), 9, "`sad` is neither"),
-            (
-                function("\"F(INT) : INT\" = [[\"1\", \"99999\"]]"),
-                9,
-                "`99999` is neither",
-            ),
-            (
-                function("\"F(INT) : INT\" = [[\"x\", \"1\"]]"),
-                9,
-                "`x` is no value of type INT",
-            ),
-            (function("\"F(INT) : INT\" = [[\"1\"]]"), 9, "a list of 2 texts"),
-            (
-                row("bits", "INT = { accepts = \"0 %Q1\" }"),
-                9,
-                "`%Q1` is no bit or part such as `7`, `%X7` or `%B1`",
-            ),
-            (
-                row("comparisons", "INT = { maybe = \"DINT\" }"),
-                9,
-                "`maybe` is neither `true` nor `false` nor one of unsupported, ",
-            ),
-            (
-                ORIGIN.replace("2026-11-24", "24.11.2026"),
-                1,
-                "`24.11.2026` is no date such as 2026-11-24",
-            ),
-        ] {
-            let message = parsed(&text).unwrap_err();
-            assert!(
-                message.starts_with(&format!("reference.toml:{line}: ")) && message.contains(part),
-                "{message}\nfor {text}"
-            );
-        }
     }
 }

@@ -320,6 +320,3 @@ fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     let wrong = |wanted: &Fact| got.iter().any(|reported| differ(wanted, reported));
     expected.iter().any(wrong).then_some(Symptom::Value)
 }
-
-#[cfg(test)]
-mod tests;

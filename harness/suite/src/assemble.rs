@@ -264,18 +264,3 @@ fn body_lines(text: &str) -> Vec<Box<str>> {
     let end = lines.iter().rposition(filled).map_or(first, |last| last + 1);
     lines[first..end].iter().map(|&line| line.into()).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_body_is_trimmed_line_by_line() {
-        let lines = body_lines("\n  a;\r\n\n\tb; \n\n");
-        assert_eq!(
-            lines.iter().map(|line| &**line).collect::<Vec<_>>(),
-            ["a;", "", "b;"]
-        );
-        assert!(body_lines(" \n ").is_empty());
-    }
-}

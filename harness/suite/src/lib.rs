@@ -45,6 +45,8 @@ mod sources;
 mod suite;
 mod table;
 mod template;
+#[cfg(test)]
+mod tests;
 mod toml_text;
 mod unmarked;
 

@@ -85,31 +85,3 @@ fn signature(function: &str, types: &[&str], to: ElementaryType, dialect: Dialec
     };
     signatures(function, dialect).into_iter().find(fits)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ElementaryType::{Dint, Int, Real};
-
-    #[test]
-    fn a_call_knows_what_it_gives_and_who_says_so() {
-        let operand = WrittenValue::parse(Dint, "100000").unwrap();
-        let call = Call::new("DINT_TO_INT", vec![operand], Int).unwrap();
-        let matiec = call.expected(DialectName::MATIEC).unwrap();
-        assert_eq!(matiec.value.to_string(), "INT#-31072");
-        assert_eq!(
-            matiec.basis,
-            Some("forgeiec-conversion-functions: Range and precision")
-        );
-        assert_eq!(call.expected(DialectName::PLCNEXT).unwrap().basis, None);
-    }
-
-    #[test]
-    fn a_function_that_a_dialect_lacks_gives_nothing_there() {
-        let operand = || vec![WrittenValue::parse(Real, "0.5").unwrap()];
-        let call = Call::new("ROUND", operand(), Dint).unwrap();
-        assert!(call.expected(DialectName::IRONPLC_ED3).is_some());
-        assert_eq!(call.expected(DialectName::MATIEC), None);
-        assert_eq!(Call::new("REAL_TO_DNIT", operand(), Dint), None);
-    }
-}

@@ -78,19 +78,3 @@ fn made(literal: &str) -> &'static str {
         _ => "huge * huge - huge * huge",
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_literal_gets_its_type_unless_it_has_one() {
-        for (ty, literal, expected) in [
-            (ElementaryType::Word, "16#00FF", "WORD#16#00FF"),
-            (ElementaryType::Time, "TIME#999us", "TIME#999us"),
-            (ElementaryType::String, "'INT#5'", "STRING#'INT#5'"),
-        ] {
-            assert_eq!(typed(&WrittenValue::parse(ty, literal).unwrap()), expected);
-        }
-    }
-}

@@ -126,7 +126,7 @@ impl<'r> RecordedColumn<'r> {
     }
 }
 
-fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> ComparedAnswer {
+pub(crate) fn accepted(answer: MatrixAnswer, word: Option<MatrixWord>) -> ComparedAnswer {
     let said = match answer {
         MatrixAnswer::Accepts if word == Some(MatrixWord::Warn) => "no warning",
         MatrixAnswer::Accepts => "accepted",
@@ -162,31 +162,4 @@ fn called(compared: ComparedResult) -> Option<ComparedAnswer> {
         Ok(_) if compared.expected.basis.is_some() => ComparedAnswer::Met,
         _ => ComparedAnswer::Open(said),
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{ComparedAnswer, accepted};
-    use crate::implicit::MatrixAnswer;
-    use stickler_types::MatrixWord;
-
-    #[test]
-    fn an_answer_is_met_open_or_another_one() {
-        let open = |text: &str| ComparedAnswer::Open(text.to_owned());
-        let other = |text: &str| ComparedAnswer::Other(text.to_owned());
-        for (answer, word, expected) in [
-            (MatrixAnswer::Accepts, Some(MatrixWord::Yes), ComparedAnswer::Met),
-            (MatrixAnswer::Warns, Some(MatrixWord::Yes), open("warned")),
-            (MatrixAnswer::Warns, Some(MatrixWord::Warn), ComparedAnswer::Met),
-            (MatrixAnswer::Accepts, Some(MatrixWord::Warn), other("no warning")),
-            (MatrixAnswer::Warns, Some(MatrixWord::No), other("warned")),
-            (MatrixAnswer::Accepts, Some(MatrixWord::No), other("accepted")),
-            (MatrixAnswer::Rejects, Some(MatrixWord::Same), other("rejected")),
-            (MatrixAnswer::Rejects, Some(MatrixWord::Open), open("rejected")),
-            (MatrixAnswer::Unsupported, None, other("unsupported")),
-            (MatrixAnswer::Fails, Some(MatrixWord::Open), other("crashed")),
-        ] {
-            assert_eq!(accepted(answer, word), expected, "{answer:?} {word:?}");
-        }
-    }
 }

@@ -86,7 +86,7 @@ pub struct AssertedResult {
 impl ExpectedResult {
     /// Returns the expected result of a call: by exact arithmetic where a document has a rule for it, otherwise the one that a case asserts,
     /// for single values that were recorded or printed.
-    pub(super) fn of(
+    pub(crate) fn of(
         signature: &Signature,
         call: &[Value],
         dialect: DialectName,
@@ -212,70 +212,4 @@ pub fn gather(
         }
     }
     Ok(all)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{ComparedResult, ExpectedResult};
-    use crate::session::{Refusal, RefusalKind};
-    use stickler_exact::signatures;
-    use stickler_types::{DialectName, Value};
-
-    fn compared(got: Result<Value, Refusal>, basis: Option<&'static str>) -> ComparedResult {
-        let value = Value::parse("INT#5").unwrap();
-        ComparedResult {
-            got,
-            expected: ExpectedResult {
-                value,
-                basis: basis.map(Into::into),
-                otherwise: None,
-            },
-        }
-    }
-
-    fn refused(kind: RefusalKind) -> Result<Value, Refusal> {
-        Err(Refusal {
-            kind,
-            detail: String::new(),
-            line: None,
-        })
-    }
-
-    #[test]
-    fn only_what_a_document_says_can_be_contradicted() {
-        let basis = Some("iec-61131-3: Table 22");
-        let right = || Ok(Value::parse("INT#5").unwrap());
-        let wrong = || Ok(Value::parse("INT#6").unwrap());
-        assert!(!compared(right(), basis).contradicts());
-        assert!(compared(wrong(), basis).contradicts());
-        assert!(!compared(wrong(), None).contradicts());
-        assert!(compared(refused(RefusalKind::Crashed), basis).contradicts());
-        assert!(!compared(refused(RefusalKind::Unsupported), basis).contradicts());
-    }
-
-    #[test]
-    fn a_case_is_asked_where_no_document_has_a_rule() {
-        let [operand, recorded] = ["REAL#2.5", "INT#7"].map(|literal| Value::parse(literal).unwrap());
-        let source = "codesys-recording: fixtures/x.ts".into();
-        let of = |dialect| {
-            let signature = &signatures("REAL_TO_INT", dialect)[0];
-            let call = std::slice::from_ref(&operand);
-            ExpectedResult::of(signature, call, dialect, Some((&recorded, &source)))
-        };
-        let codesys = of(DialectName::CODESYS);
-        assert_eq!(
-            (codesys.value, codesys.basis),
-            (recorded.clone(), Some(source.clone()))
-        );
-        // The page of the vendor rounds as was not recorded here.
-        let page = codesys.otherwise.expect("another statement");
-        assert_eq!(
-            (page.value.to_string().as_str(), &*page.basis),
-            ("INT#3", "codesys-real-to: Conversions: REAL, LREAL")
-        );
-        let matiec = of(DialectName::MATIEC);
-        assert_eq!(matiec.otherwise, None);
-        assert_eq!(matiec.value.to_string(), "INT#2");
-        assert!(matiec.basis.is_some_and(|basis| basis.starts_with("forgeiec")));
-    }
 }

@@ -124,7 +124,7 @@ fn misfit(call: &[String], rows: &[(Signature, Vec<CallOperands>)], bare_text: b
 
 /// Parses a value of a type from a typed or untyped literal. A real may be written without its point, and a text without its
 /// quotes where `bare_text` says so. The error is a fragment.
-fn read(text: &str, ty: ElementaryType, bare_text: bool) -> Result<Value, String> {
+pub(crate) fn read(text: &str, ty: ElementaryType, bare_text: bool) -> Result<Value, String> {
     let typed = text
         .split_once('#')
         .and_then(|(prefix, rest)| Some((ElementaryType::from_literal_prefix(prefix)?, rest)));
@@ -191,82 +191,5 @@ fn with_point(text: &str) -> String {
     match text.find(['E', 'e']) {
         Some(at) => format!("{}.0{}", &text[..at], &text[at..]),
         None => format!("{text}.0"),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{calls, read};
-    use stickler_types::{DialectName, ElementaryType, Value};
-
-    fn reads(text: &str, ty: ElementaryType, literal: &str) {
-        assert_eq!(
-            read(text, ty, true).unwrap(),
-            Value::parse(literal).unwrap(),
-            "{text}"
-        );
-    }
-
-    #[test]
-    fn a_value_may_be_written_as_people_write_it() {
-        reads("1E10", ElementaryType::Real, "REAL#1.0E10");
-        reads("-5", ElementaryType::Lreal, "LREAL#-5.0");
-        reads("-Infinity", ElementaryType::Real, "REAL#-Infinity");
-        reads("REAL#2.5", ElementaryType::Real, "REAL#2.5");
-        reads("16#FF", ElementaryType::Int, "INT#255");
-        reads("T#5ms", ElementaryType::Time, "TIME#5ms");
-        reads("2024-02-29", ElementaryType::Date, "DATE#2024-02-29");
-        reads("it's $5", ElementaryType::String, "STRING#'it$'s $$5'");
-        reads("a", ElementaryType::Char, "CHAR#'a'");
-        reads("a", ElementaryType::Wchar, "WCHAR#\"a\"");
-        reads("'it$'s'", ElementaryType::String, "STRING#'it$'s'");
-    }
-
-    #[test]
-    fn a_value_that_does_not_fit_is_told_with_the_reason() {
-        let wrong = |text, ty| read(text, ty, true).unwrap_err();
-        assert_eq!(
-            wrong("128", ElementaryType::Sint),
-            "its values go from -128 to 127"
-        );
-        assert_eq!(wrong("-1", ElementaryType::Word), "its values go from 0 to 65535");
-        assert_eq!(wrong("1.5", ElementaryType::Dint), "it is no whole number");
-        assert_eq!(wrong("REAL#2.5", ElementaryType::Sint), "it is one of type REAL");
-        let long = "x".repeat(70_000);
-        assert!(wrong(&long, ElementaryType::Dint).len() < 100);
-        assert_eq!(wrong("1e5", ElementaryType::Dint), "expected a digit at `e5`");
-        assert_eq!(wrong("", ElementaryType::Dint), "expected a digit at its end");
-        assert_eq!(
-            wrong("1E39", ElementaryType::Real),
-            "it is outside the range of REAL"
-        );
-    }
-
-    #[test]
-    fn a_value_that_is_given_twice_is_asked_for_once() {
-        let signatures = stickler_exact::signatures("INT_TO_DINT", DialectName::MATIEC);
-        let texts = ["5", "7", "INT#5"].map(str::to_owned);
-        let rows = calls(&texts, signatures).unwrap();
-        let value = |literal| vec![Value::parse(literal).unwrap()];
-        assert_eq!(rows[0].1, [value("INT#5"), value("INT#7")]);
-    }
-
-    #[test]
-    fn a_typed_value_chooses_among_the_signatures_of_an_overloaded_name() {
-        let signatures = stickler_exact::signatures("TO_INT", DialectName::IRONPLC_ED3);
-        let chosen = calls(&["REAL#2.5".to_owned()], signatures.clone()).unwrap();
-        assert_eq!(chosen.len(), 1);
-        assert_eq!(chosen[0].0.operands, [ElementaryType::Real]);
-        let error = calls(&["2.5.5".to_owned()], signatures).unwrap_err().to_string();
-        assert!(error.contains("`2.5.5`") && error.contains("REAL"), "{error}");
-    }
-
-    #[test]
-    fn values_of_a_call_with_two_come_in_pairs() {
-        let signatures = || stickler_exact::signatures("CONCAT_DATE_TOD", DialectName::MATIEC);
-        let texts = ["2024-02-29".to_owned(), "12:00:00".to_owned()];
-        assert_eq!(calls(&texts, signatures()).unwrap()[0].1.len(), 1);
-        let error = calls(&texts[..1], signatures()).unwrap_err().to_string();
-        assert!(error.contains("2 values a call (DATE, TOD)"), "{error}");
     }
 }

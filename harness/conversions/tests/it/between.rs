@@ -45,18 +45,14 @@ impl<F: Fn(&mut dyn Session, &RunRequest<'_>) -> Outcome> Session for BetweenSes
 }
 
 /// Returns the reference with a function replaced: `body` assigns `Wrong` from `x`, and may say `RIGHT` for the right result.
-pub fn wrong(
-    function: &'static str,
-    from: &'static str,
-    to: &'static str,
-    body: &'static str,
-) -> impl Engine {
+pub fn wrong(function: &str, from: &str, to: &str, body: &str) -> impl Engine + use<> {
     let body = body.replace("RIGHT", &format!("{function}(x)"));
+    let call = format!(":= {function}(");
     let declared = format!("FUNCTION Wrong : {to}\nVAR_INPUT x : {from}; END_VAR\n{body}\nEND_FUNCTION\n");
     Between {
         reference: Reference::new(),
         answer: move |session: &mut dyn Session, request: &RunRequest<'_>| {
-            let source = request.source.replace(&format!(":= {function}("), ":= Wrong(");
+            let source = request.source.replace(&call, ":= Wrong(");
             session.run(&RunRequest {
                 source: &format!("{declared}{source}"),
                 ..*request

@@ -1,6 +1,7 @@
 //! Tests the inputs that a sweep goes through.
 
 use stickler_conversions::sweep::{Domain, Sampling};
+use stickler_examples::check;
 use stickler_types::{ElementaryType, Value, literal};
 
 fn domain(ty: ElementaryType, inputs: u64) -> Domain {
@@ -37,95 +38,20 @@ fn a_small_source_is_swept_in_the_order_of_its_bits() {
 }
 
 #[test]
-fn a_real_source_passes_both_infinities_and_every_nan() {
-    let domain = Domain::of(&[ElementaryType::Real], Sampling::default());
-    assert_eq!(domain.len(), 1 << 32);
-    let at = |place: u64| domain.operands(place)[0].to_string();
-    assert_eq!(
-        [
-            0x7F80_0000,
-            0x7F80_0001,
-            0x7FFF_FFFF,
-            0x8000_0000,
-            0xFF80_0000,
-            0xFFFF_FFFF
-        ]
-        .map(at),
-        [
-            "REAL#Infinity",
-            "REAL#NaN",
-            "REAL#NaN",
-            "REAL#-0.0",
-            "REAL#-Infinity",
-            "REAL#NaN"
-        ]
-    );
-}
-
-#[test]
-fn the_neighbourhoods_hold_what_conversions_get_wrong() {
-    for (ty, literals) in [
-        (
-            ElementaryType::Lint,
-            &[
-                "LINT#-9223372036854775808",
-                "LINT#0",
-                "LINT#-1",
-                "LINT#32768",
-                "LINT#9007199254740993",
-                "LINT#99",
-            ][..],
-        ),
-        (
-            ElementaryType::Ulint,
-            &["ULINT#18446744073709551615", "ULINT#9223372036854775807"],
-        ),
-        (
-            ElementaryType::Lreal,
-            &[
-                "LREAL#0.5",
-                "LREAL#-2.5",
-                "LREAL#32767.5",
-                "LREAL#-32768.5",
-                "LREAL#0.49999999999999994",
-                "LREAL#-0.0",
-                "LREAL#9007199254740993.0",
-                "LREAL#4.9E-324",
-                "LREAL#NaN",
-                "LREAL#-Infinity",
-                "LREAL#1.7976931348623157E308",
-                "LREAL#9223372036854775808.0",
-            ],
-        ),
-        (
-            ElementaryType::Time,
-            &["TIME#-1ms", "TIME#0.5ms", "TIME#32768ms", "TIME#-0.999999ms"],
-        ),
-        (
-            ElementaryType::Date,
-            &[
-                "DATE#1970-01-01",
-                "DATE#2024-02-29",
-                "DATE#1969-12-31",
-                "DATE#2262-04-11",
-                "DATE#2100-03-01",
-            ],
-        ),
-        (ElementaryType::Tod, &["TOD#00:00:00", "TOD#23:59:59.999999999"]),
-        (
-            ElementaryType::Dt,
-            &["DT#1969-12-31-23:59:59", "DT#2000-02-29-00:00:00"],
-        ),
-        (
-            ElementaryType::String,
-            &["STRING#''", "STRING#'12abc'", "STRING#'16#FF'"],
-        ),
-    ] {
-        let domain = domain(ty, 0);
-        for literal in literals {
-            assert!(holds(&domain, literal), "{literal}");
+fn golden_domains() {
+    check("tests/examples/domains.md", |example| {
+        let ty = ElementaryType::from_name(example.text("type")).expect("a type");
+        if let Some(place) = example.get("place") {
+            let place = u64::from_str_radix(&place.replace('_', ""), 16).expect("a place");
+            return Domain::of(&[ty], Sampling::default()).operands(place)[0].to_string();
         }
-    }
+        let domain = domain(ty, 0);
+        let missing = example
+            .text("holds")
+            .split_whitespace()
+            .filter(|literal| !holds(&domain, literal));
+        missing.map(|literal| format!("without {literal} ")).collect()
+    });
 }
 
 #[test]

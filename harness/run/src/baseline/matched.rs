@@ -165,34 +165,3 @@ fn numbers(version: &str) -> Option<Version> {
     };
     Some(Version::new(next()?, next()?, next()?))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_numbers_of_a_version_are_found_in_the_words_of_an_engine() {
-        for (words, version) in [
-            ("0.239.0", "0.239.0"),
-            ("0.1", "0.1.0"),
-            ("v2", "2.0.0"),
-            ("iec2c 0.6.1-dirty, 2026", "0.6.1"),
-            ("1.2.3.4", "1.2.3"),
-        ] {
-            assert_eq!(numbers(words).unwrap().to_string(), version, "{words}");
-        }
-        for words in ["", "unknown", "git abc"] {
-            assert_eq!(numbers(words), None, "{words}");
-        }
-    }
-
-    #[test]
-    fn an_entry_that_names_versions_says_so_where_the_engine_has_none() {
-        let text = "[[expected]]\ncase = \"x\"\nverdict = \"fail\"\nreason = \"r\"\nversions = \"<1\"\n";
-        let baseline = Baseline::read(text, "b.toml", "b").unwrap();
-        let state = EntryState::of(&baseline.entries[0], "nightly", Date::default());
-        assert_eq!(state, EntryState::UnknownVersion("nightly".to_owned()));
-        let why = state.outdated(&baseline.entries[0], true).unwrap();
-        assert!(why.contains("`nightly`"), "{why}");
-    }
-}

@@ -69,29 +69,3 @@ fn first_word(line: &str) -> &str {
     let end = line.find(|character: char| !(character.is_ascii_alphanumeric() || character == '_'));
     &line[..end.unwrap_or(line.len())]
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bodies_of_all_pous_are_found_and_nothing_else() {
-        let text = concat!(
-            "TYPE\n    t : INT;\nEND_TYPE\n\n",
-            "FUNCTION f : INT\n    VAR_INPUT\n        a : INT;\n    END_VAR\n",
-            "    VAR\n        v : INT;\n    END_VAR\n    f := a;\nEND_FUNCTION\n\n",
-            "PROGRAM main\n    IF f(1) = 1 THEN\n        ;\n    END_IF;\n    program_x := 2;\nEND_PROGRAM\n",
-            "CONFIGURATION c\n    RESOURCE r ON plc\n        PROGRAM inst WITH t : main;\n",
-            "    END_RESOURCE\nEND_CONFIGURATION\nvar_global\n    g : INT;\nend_var\n",
-        );
-        let bodies = ["f := a;", "IF f(1) = 1 THEN", ";", "END_IF;", "program_x := 2;"];
-        assert_eq!(rendered_bodies(text), bodies);
-    }
-
-    #[test]
-    fn a_body_may_be_empty_or_never_end() {
-        assert_eq!(rendered_bodies("PROGRAM main\nEND_PROGRAM\n"), [""; 0]);
-        assert_eq!(rendered_bodies("program main\n  x := 1;"), ["x := 1;"]);
-        assert_eq!(rendered_bodies(""), [""; 0]);
-    }
-}

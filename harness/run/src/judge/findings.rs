@@ -45,20 +45,3 @@ impl Findings {
         (verdict, self.got)
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_not_met_fails_whatever_else_was_unsupported() {
-        let mut findings = Findings::default();
-        findings.unsupported();
-        findings.require(true);
-        assert_eq!(findings.finish().0, Verdict::Unsupported);
-        let mut findings = Findings::default();
-        findings.unsupported();
-        findings.require(false);
-        assert_eq!(findings.finish().0, Verdict::Fail);
-    }
-}

@@ -185,28 +185,3 @@ fn means_the_same(run: &Outcome, rerun: &Outcome) -> bool {
         _ => run == rerun,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{bits, renders_bit_access};
-    use crate::Fact;
-
-    #[test]
-    fn accesses_of_bits_are_found_in_rendered_lines() {
-        let found = |line: &str| bits(line).join(" ");
-        assert_eq!(found("r := a [ i ].0 ;"), "0");
-        assert_eq!(found("v1.%X63 := NOT s.f.3 ;"), "%X63 3");
-        assert_eq!(found("x := 1.5 + s.field;"), "");
-    }
-
-    #[test]
-    fn what_is_rendered_is_bound_by_a_document_in_its_bits_only() {
-        let rendered = |line: &str| {
-            let lines = vec![line.to_owned()];
-            vec![Fact::Rendered { lines }]
-        };
-        let keeps = |got: &str| renders_bit_access(&rendered("v.3 := TRUE;"), &rendered(got));
-        assert!(keeps("v .3 := BOOL#TRUE ;"));
-        assert!(!keeps("v.%X3 := TRUE;") && !keeps("v.4 := TRUE;") && !keeps("v := TRUE;"));
-    }
-}

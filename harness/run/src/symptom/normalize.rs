@@ -61,30 +61,3 @@ const fn closing(opening: char) -> Option<char> {
         _ => None,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::normalize_message;
-
-    #[test]
-    fn what_differs_from_program_to_program_is_left_out() {
-        for (message, left) in [
-            ("Cannot assign USINT to INT", "Cannot assign to"),
-            ("Cannot assign DATE_AND_TIME to TIME", "Cannot assign to"),
-            ("no such date", "no such date"),
-            (
-                "POUS.c:22:1: error: no matching function",
-                "error: no matching function",
-            ),
-            ("error: ‘BCD_TO_INT’ was not declared", "error: was not declared"),
-            ("no “r” here, don't know 's'", "no here, don't know"),
-            ("it ended (signal: 11 (SIGSEGV))", "it ended"),
-            ("no match for SEL(g, (a), 'b)') here.", "no match for SEL here"),
-            ("not closed (at line", "not closed"),
-            ("first line: \nsecond", "first line"),
-            ("", ""),
-        ] {
-            assert_eq!(normalize_message(message), left, "{message}");
-        }
-    }
-}

@@ -1,60 +1,21 @@
 //! Tests of runs with stored answers: engines are not asked again what they answered before, and the events are the same.
 
-use crate::fixtures::{Puppet, case, executed, suite, timeless_run};
-use std::collections::HashMap;
+use crate::fixtures::{Book, Puppet, case, numbered, suite, timeless_run, with_jobs};
+use crate::words::outcome;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
 use stickler_engines::{Engine, Outcome, RunRequest};
 use stickler_run::{AnswerStore, Event, Plan, RunSummary, run_with};
 use stickler_suite::{Case, Suite};
 use stickler_types::{ClockSetting, DialectName, Observation, Setting, Value};
 use stickler_workers::Cancellation;
 
-/// An answer store that lasts as long as the test.
-#[derive(Default)]
-struct Book {
-    /// The answers that were stored before the run began.
-    before: HashMap<String, String>,
-    now: Mutex<HashMap<String, String>>,
-}
-
-impl Book {
-    /// Returns the store for the next run.
-    fn turned(self) -> Book {
-        let mut before = self.before;
-        before.extend(self.now.into_inner().unwrap());
-        Book {
-            before,
-            now: Mutex::default(),
-        }
-    }
-}
-
-impl AnswerStore for Book {
-    fn get(&self, question: &str) -> Option<&str> {
-        self.before.get(question).map(String::as_str)
-    }
-
-    fn put(&self, question: &str, answers: &str) {
-        let mut now = self.now.lock().unwrap();
-        now.insert(question.to_owned(), answers.to_owned());
-    }
-}
-
-fn numbered(numbers: std::ops::Range<usize>) -> Suite {
-    suite(numbers.map(|number| case(&format!("area/{number}"))).collect())
-}
-
 /// Answers so that of ten programs one is rejected, one crashes the engine, and the others are executed.
 fn moody(request: &RunRequest<'_>) -> Outcome {
     match request.source.bytes().last() {
-        Some(b'0') => Outcome::Rejected {
-            diagnostics: Vec::new(),
-        },
-        Some(b'1') => Outcome::Crashed {
-            reason: "a one".to_owned(),
-        },
-        _ => executed(&["x = INT#1"]),
+        Some(b'0') => outcome("rejected"),
+        Some(b'1') => outcome("crashed: a one"),
+        _ => outcome("executed\nx = INT#1"),
     }
 }
 
@@ -65,11 +26,7 @@ fn go(
     memory: Option<&dyn AnswerStore>,
     jobs: usize,
 ) -> (RunSummary, Vec<Event>) {
-    let plan = Plan {
-        jobs,
-        ..Plan::default()
-    };
-    timeless_run(&plan, suite, &[engine], &[memory])
+    timeless_run(&with_jobs(jobs), suite, &[engine], &[memory])
 }
 
 #[test]

@@ -1,15 +1,14 @@
 //! Fixtures: cases made by hand, and an engine whose answers the test states.
 
+use crate::words::expecting;
+use std::collections::HashMap;
+use std::ops::Range;
 use std::path::Path;
-use std::sync::{Arc, LazyLock};
-use stickler_engines::{
-    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NamedValue, Outcome, RunRequest, Session,
-};
-use stickler_run::{AnswerStore, Event, Plan, RunSummary, run_with};
-use stickler_suite::{
-    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue, Suite,
-};
-use stickler_types::{DialectName, Observation, Value};
+use std::sync::{LazyLock, Mutex};
+use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
+use stickler_run::{AnswerStore, Answers, Event, Footer, Plan, Rendering, RunSummary, run_with};
+use stickler_suite::{Case, Sources, Suite};
+use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Shard};
 
 /// The cases of this repository, which take seconds to load.
@@ -55,101 +54,81 @@ pub fn timeless_run(
 /// Returns a case that expects nothing but to be accepted.
 pub fn case(id: &str) -> Case {
     Case {
-        title: "A title".into(),
-        basis: "a-source: A section".into(),
-        file: "conformance-cases/area/file.st".into(),
-        area: "area".into(),
-        ..Case::of_program(id, DialectName::MATIEC, id)
+        id: id.into(),
+        source: id.into(),
+        ..expecting("")
     }
 }
 
-/// Returns a case with this expectation, which observes all the values that it asserts.
-pub fn expecting(expectation: Expectation) -> Case {
-    let observe = |value: &ExpectedValue| Observation {
-        name: value.name.clone(),
-        type_name: value.value.type_name().into(),
-        after: value.after,
+/// Returns a suite of so many cases, each with its number at the end of its id, which is its program.
+pub fn numbered(numbers: Range<usize>) -> Suite {
+    suite(numbers.map(|number| case(&format!("area/{number}"))).collect())
+}
+
+/// Returns the number at the end of the id of a case of [`numbered`].
+pub fn number(source: &str) -> usize {
+    source.rsplit('/').next().unwrap().parse().unwrap()
+}
+
+/// Returns the sources of Stickler's own suite.
+pub fn sources() -> Sources {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    Suite::load_files(&cases, &[], |_, _| false).sources
+}
+
+/// Returns the plan of so many workers.
+pub fn with_jobs(jobs: usize) -> Plan {
+    Plan {
+        jobs,
+        ..Plan::default()
+    }
+}
+
+/// Returns the ids, dialects and engines of the cases among some events.
+pub fn ids(events: &[Event]) -> Vec<String> {
+    let id = |event: &Event| match event {
+        Event::Case(case) => Some(format!("{}@{} {}", case.id, case.dialect, case.engine)),
+        Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
     };
-    let observe: Arc<[Observation]> = expectation.values.iter().map(observe).collect();
-    Case {
-        observe,
-        expectation: Arc::new(expectation),
-        ..case("area/file")
+    events.iter().filter_map(id).collect()
+}
+
+/// Returns the footer of a whole run.
+pub fn footer(events: &[Event]) -> Option<&Footer> {
+    match events.last() {
+        Some(Event::Footer(footer)) => Some(footer),
+        _ => None,
     }
 }
 
-/// Returns the expectation of a rejection at these places, `6 P4035`.
-pub fn rejection(places: &[&str]) -> Expectation {
-    let place = |place: &&str| {
-        let (line, code) = place.split_once(' ').unwrap();
-        ExpectedDiagnostic {
-            line: line.parse().unwrap(),
-            code: code.parse().unwrap(),
+/// An answer store that lasts as long as the test.
+#[derive(Default)]
+pub struct Book {
+    /// The answers that were stored before the run began.
+    pub before: HashMap<String, String>,
+    pub now: Mutex<HashMap<String, String>>,
+}
+
+impl Book {
+    /// Returns the store for the next run.
+    pub fn turned(self) -> Book {
+        let mut before = self.before;
+        before.extend(self.now.into_inner().unwrap());
+        Book {
+            before,
+            now: Mutex::default(),
         }
-    };
-    Expectation {
-        accepted: Acceptance::Rejected,
-        diagnostics: places.iter().map(place).collect(),
-        ..Expectation::default()
     }
 }
 
-/// Returns the expectation of these values, `q = INT#1`.
-pub fn values(values: &[&str]) -> Expectation {
-    let value = |(name, value): NamedValue| ExpectedValue {
-        name: name.into(),
-        after: None,
-        value,
-        line: 9,
-    };
-    Expectation {
-        values: named(values).into_iter().map(value).collect(),
-        ..Expectation::default()
+impl AnswerStore for Book {
+    fn get(&self, question: &str) -> Option<&str> {
+        self.before.get(question).map(String::as_str)
     }
-}
 
-/// Returns the expectation of a fault, `9 division-by-zero`.
-pub fn fault(place: &str) -> Expectation {
-    let (line, fault) = place.split_once(' ').unwrap();
-    let fault = ExpectedFault {
-        fault: fault.parse().unwrap(),
-        line: line.parse().unwrap(),
-    };
-    Expectation {
-        fault: Some(fault),
-        ..Expectation::default()
-    }
-}
-
-/// Returns values as an engine gives them, from `q = INT#1`.
-pub fn named(values: &[&str]) -> Vec<NamedValue> {
-    let value = |text: &&str| {
-        let (name, literal) = text.split_once(" = ").unwrap();
-        (name.to_owned(), Value::parse(literal).unwrap())
-    };
-    values.iter().map(value).collect()
-}
-
-/// Returns the outcome of an execution that ends with these values.
-pub fn executed(values: &[&str]) -> Outcome {
-    Outcome::executed(named(values))
-}
-
-/// Returns the outcome of a rejection with diagnostics at these places: `6 P4035`, `6 -` without a code, `- P4035` without a
-/// line.
-pub fn rejected(places: &[&str]) -> Outcome {
-    let diagnostic = |place: &&str| {
-        let (line, code) = place.split_once(' ').unwrap();
-        let code = (code != "-").then(|| code.to_owned());
-        Diagnostic {
-            line: line.parse().ok(),
-            code,
-            message: "told".to_owned(),
-            ..Diagnostic::default()
-        }
-    };
-    Outcome::Rejected {
-        diagnostics: places.iter().map(diagnostic).collect(),
+    fn put(&self, question: &str, answers: &str) {
+        let mut now = self.now.lock().unwrap();
+        now.insert(question.to_owned(), answers.to_owned());
     }
 }
 
@@ -161,19 +140,21 @@ pub fn suite(cases: Vec<Case>) -> Suite {
     suite
 }
 
-type Answer = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;
+type Run = Box<dyn Fn(&RunRequest<'_>) -> Outcome + Send + Sync>;
+type Render = Box<dyn Fn(&str) -> Outcome + Send + Sync>;
 
-/// An engine whose answers to `run` the test states.
+/// An engine whose answers the test states.
 pub struct Puppet {
-    identity: Identity,
-    answer: Answer,
+    pub identity: Identity,
+    run: Run,
+    render: Render,
     /// The function that is called whenever a session is opened.
     pub open: Box<dyn Fn() -> Result<(), EngineError> + Send + Sync>,
 }
 
 impl Puppet {
-    /// Creates an engine with this name that supports all dialects.
-    pub fn new(name: &str, answer: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static) -> Puppet {
+    /// Creates an engine with this name that supports all dialects, and renders every program as it is.
+    pub fn new(name: &str, run: impl Fn(&RunRequest<'_>) -> Outcome + Send + Sync + 'static) -> Puppet {
         let identity = Identity {
             name: name.to_owned(),
             version: "1".to_owned(),
@@ -184,8 +165,34 @@ impl Puppet {
         };
         Puppet {
             identity,
-            answer: Box::new(answer),
+            run: Box::new(run),
+            render: Box::new(|source| Outcome::Rendered {
+                text: source.to_owned(),
+            }),
             open: Box::new(|| Ok(())),
+        }
+    }
+
+    /// Creates an engine that gives these answers about any case.
+    pub fn answering(name: &str, answers: Answers) -> Puppet {
+        let Answers { run, rendering } = answers;
+        let Some(Rendering { first, again, rerun }) = rendering else {
+            return Puppet::new(name, move |_| run.clone());
+        };
+        let is_rendered =
+            |source: &str, first: &Outcome| matches!(first, Outcome::Rendered { text } if text == source);
+        let of_run = first.clone();
+        let engine = Puppet::new(name, move |request| match &rerun {
+            Some(rerun) if is_rendered(request.source, &of_run) => rerun.clone(),
+            _ => run.clone(),
+        });
+        let render = move |source: &str| match &again {
+            Some(again) if is_rendered(source, &first) => again.clone(),
+            _ => first.clone(),
+        };
+        Puppet {
+            render: Box::new(render),
+            ..engine
         }
     }
 
@@ -211,7 +218,7 @@ struct PuppetSession<'e>(&'e Puppet);
 
 impl Session for PuppetSession<'_> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        (self.0.answer)(request)
+        (self.0.run)(request)
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
@@ -219,8 +226,6 @@ impl Session for PuppetSession<'_> {
     }
 
     fn render(&mut self, _: DialectName, source: &str) -> Outcome {
-        Outcome::Rendered {
-            text: source.to_owned(),
-        }
+        (self.0.render)(source)
     }
 }

@@ -1,13 +1,13 @@
 //! Tests of runs in which an engine is given several programs at a time: only the duration may change.
 
 use crate::fixtures::{
-    Puppet, case, events_of_a_twentieth, executed, rejected, rejection, suite, timeless_events,
+    Puppet, events_of_a_twentieth, footer, ids, number, numbered, timeless_events, with_jobs,
 };
+use crate::words::{expecting, outcome};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use stickler_engines::{Engine, EngineError, Identity, Outcome, Packed, Reference, RunRequest, Session};
 use stickler_run::{Event, Plan, run};
-use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
 
@@ -120,28 +120,6 @@ impl<E> Session for PackingSession<'_, E> {
     }
 }
 
-/// Returns the events of a run by so many workers.
-fn events(suite: &Suite, engines: &[&dyn Engine], jobs: usize) -> Vec<Event> {
-    timeless_events(
-        &Plan {
-            jobs,
-            ..Plan::default()
-        },
-        suite,
-        engines,
-    )
-}
-
-/// Returns the number at the end of a case's id, which is the program that the puppets get.
-fn number(request: &RunRequest<'_>) -> usize {
-    request.source.rsplit('/').next().unwrap().parse().unwrap()
-}
-
-fn numbered(count: usize, make: impl Fn(usize, Case) -> Case) -> Suite {
-    let case = |number| make(number, case(&format!("area/{number}")));
-    suite((0..count).map(case).collect())
-}
-
 #[test]
 fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
     let unpacked = events_of_a_twentieth(&Reference::new(), 0);
@@ -160,36 +138,29 @@ fn packed_and_unpacked_runs_of_the_suite_are_the_same() {
 
 #[test]
 fn a_culprit_is_found_in_few_packs_and_asked_alone() {
-    let puppet = Puppet::new("puppet", |request| match number(request) {
-        77 => rejected(&["1 P4035"]),
-        _ => executed(&[]),
+    let puppet = Puppet::new("puppet", |request| match number(request.source) {
+        77 => outcome("rejected\n1 P4035"),
+        _ => outcome("executed"),
     });
     let packing = Packing::new(puppet, 128, of_all_or_none);
-    let events = events(&numbered(4096, |_, case| case), &[&packing], 1);
+    let events = timeless_events(&with_jobs(1), &numbered(0..4096), &[&packing]);
     let (_, _, alone) = packing.asked();
     // The culprit, its neighbour of the last pack, and those at the end, where batches are small.
     assert!((2..30).contains(&alone), "{alone} alone");
-    let Some(Event::Footer(footer)) = events.last() else {
-        panic!("no footer")
-    };
+    let footer = footer(&events).unwrap();
     assert_eq!((footer.totals.pass, footer.totals.fail), (4095, 1));
 }
 
 #[test]
 fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() {
-    let rejected_by = |code: &str| rejection(&[&format!("1 {code}")]);
-    let make = |number: usize, case: Case| Case {
-        expectation: match number % 4 {
-            0 | 1 => case.expectation.clone(),
-            2 => Arc::new(rejected_by("P4035")),
-            _ => Arc::new(rejected_by("P0002")),
-        },
-        ..case
-    };
-    let puppet = Puppet::new("puppet", |request| match number(request) % 4 {
-        0 | 1 => executed(&[]),
-        2 => rejected(&["1 P4035"]),
-        _ => rejected(&["1 P0002"]),
+    let mut suite = numbered(0..64);
+    for (number, case) in suite.cases.iter_mut().enumerate() {
+        case.expectation = expecting(["", "", "error 1 P4035", "error 1 P0002"][number % 4]).expectation;
+    }
+    let puppet = Puppet::new("puppet", |request| match number(request.source) % 4 {
+        0 | 1 => outcome("executed"),
+        2 => outcome("rejected\n1 P4035"),
+        _ => outcome("rejected\n1 P0002"),
     });
     let packing = Packing::new(puppet, 8, |outcomes| {
         let rejected = |outcome: &Outcome| matches!(outcome, Outcome::Rejected { .. });
@@ -197,29 +168,22 @@ fn accepted_and_rejected_programs_do_not_meet_and_unreadable_ones_stand_alone() 
         assert!(outcomes.iter().all(|outcome| rejected(outcome) == first));
         vec![true; outcomes.len()]
     });
-    let suite = numbered(64, make);
-    let events = events(&suite, &[&packing], 1);
+    let events = timeless_events(&with_jobs(1), &suite, &[&packing]);
     let (packs, largest, alone) = packing.asked();
     assert!(packs >= 6 && largest == 8, "{packs} packs of up to {largest}");
     assert!((16..24).contains(&alone), "{alone} alone");
-    let ids: Vec<&str> = events
-        .iter()
-        .filter_map(|event| match event {
-            Event::Case(case) => Some(&*case.id),
-            _ => None,
-        })
-        .collect();
-    assert!(ids.iter().copied().eq(suite.cases.iter().map(|case| &*case.id)));
+    let expected = (0..64).map(|number| format!("area/{number}@matiec puppet"));
+    assert!(ids(&events).into_iter().eq(expected));
 }
 
 #[test]
 fn an_unpacked_run_asks_about_each_program_alone() {
-    let packing = Packing::new(Puppet::new("puppet", |_| executed(&[])), 16, of_all_or_none);
+    let packing = Packing::new(Puppet::new("puppet", |_| outcome("executed")), 16, of_all_or_none);
     let plan = Plan {
         unpacked: true,
         ..Plan::default()
     };
-    let suite = numbered(64, |_, case| case);
+    let suite = numbered(0..64);
     run(&plan, &suite, &[&packing], &mut drop, &Cancellation::new()).unwrap();
     assert_eq!(packing.asked(), (0, 0, 64));
 }
@@ -227,20 +191,18 @@ fn an_unpacked_run_asks_about_each_program_alone() {
 #[test]
 fn an_engine_that_panics_over_a_pack_or_answers_too_little_is_asked_alone() {
     for sure in [(|_| panic!("broken")) as Sure, |_| Vec::new(), |_| vec![true]] {
-        let packing = Packing::new(Puppet::new("puppet", |_| executed(&[])), 16, sure);
-        let events = events(&numbered(64, |_, case| case), &[&packing], 2);
-        let Some(Event::Footer(footer)) = events.last() else {
-            panic!("no footer")
-        };
+        let packing = Packing::new(Puppet::new("puppet", |_| outcome("executed")), 16, sure);
+        let events = timeless_events(&with_jobs(2), &numbered(0..64), &[&packing]);
+        let footer = footer(&events).unwrap();
         assert_eq!(footer.totals.pass, 64);
     }
 }
 
 #[test]
 fn an_engine_that_packs_and_one_that_does_not_share_a_run() {
-    let packing = Packing::new(Puppet::new("packs", |_| executed(&[])), 16, of_all_or_none);
-    let single = Puppet::new("single", |_| executed(&[]));
-    let events = events(&numbered(200, |_, case| case), &[&packing, &single], 2);
+    let packing = Packing::new(Puppet::new("packs", |_| outcome("executed")), 16, of_all_or_none);
+    let single = Puppet::new("single", |_| outcome("executed"));
+    let events = timeless_events(&with_jobs(2), &numbered(0..200), &[&packing, &single]);
     let engines: Vec<&str> = events
         .iter()
         .filter_map(|event| match event {
@@ -259,16 +221,16 @@ fn a_run_that_is_cancelled_within_a_pack_gives_a_prefix() {
     let flag = Arc::clone(&cancel);
     let puppet = Puppet::new("puppet", move |request| {
         // In the midst of halving, so that some of the pack are settled and others are not.
-        if number(request) == 900 {
+        if number(request.source) == 900 {
             flag.request();
         }
-        match number(request) % 7 {
-            0 => rejected(&["1 P4035"]),
-            _ => executed(&[]),
+        match number(request.source) % 7 {
+            0 => outcome("rejected\n1 P4035"),
+            _ => outcome("executed"),
         }
     });
     let packing = Packing::new(puppet, 64, of_all_or_none);
-    let cases = numbered(5000, |_, case| case);
+    let cases = numbered(0..5000);
     let plan = Plan {
         jobs: 2,
         ..Plan::default()

@@ -1,21 +1,14 @@
 //! Tests of whole runs over engines that only pretend.
 
-use crate::fixtures::{Puppet, case, executed, suite};
+use crate::fixtures::{Puppet, case, footer, ids, number, numbered, suite, timeless_events, with_jobs};
+use crate::words::outcome;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Condvar, Mutex};
-use stickler_engines::{Engine, EngineError, Outcome};
-use stickler_run::{Event, Fact, Footer, Plan, RunError, RunSummary, Verdict, run};
+use stickler_engines::{Engine, EngineError};
+use stickler_run::{Event, Fact, Plan, RunError, RunSummary, Verdict, run};
 use stickler_suite::{Case, Suite};
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
-
-fn numbered(count: usize) -> Suite {
-    suite((0..count).map(|number| case(&format!("area/{number}"))).collect())
-}
-
-fn number(source: &str) -> usize {
-    source.rsplit('/').next().unwrap().parse().unwrap()
-}
 
 fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary, RunError>, Vec<Event>) {
     let mut events = Vec::new();
@@ -29,49 +22,15 @@ fn go(plan: &Plan, suite: &Suite, engines: &[&dyn Engine]) -> (Result<RunSummary
     (outcome, events)
 }
 
-fn with_jobs(jobs: usize) -> Plan {
-    Plan {
-        jobs,
-        ..Plan::default()
-    }
-}
-
-/// Sets all durations of a stream of events to zero.
-fn timeless(mut events: Vec<Event>) -> Vec<Event> {
-    for event in &mut events {
-        match event {
-            Event::Header(_) | Event::Cause(_) => {}
-            Event::Case(case) => case.duration_us = 0,
-            Event::Footer(footer) => footer.duration_ms = 0,
-        }
-    }
-    events
-}
-
-fn ids(events: &[Event]) -> Vec<String> {
-    let id = |event: &Event| match event {
-        Event::Case(case) => Some(format!("{}@{} {}", case.id, case.dialect, case.engine)),
-        Event::Header(_) | Event::Cause(_) | Event::Footer(_) => None,
-    };
-    events.iter().filter_map(id).collect()
-}
-
-fn footer(events: &[Event]) -> Option<&Footer> {
-    match events.last() {
-        Some(Event::Footer(footer)) => Some(footer),
-        _ => None,
-    }
-}
-
 #[test]
 fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
-    let engine = Puppet::new("puppet", |_| executed(&[]));
+    let engine = Puppet::new("puppet", |_| outcome("executed"));
     let plan = Plan {
         started: "today".to_owned(),
         command: "stickler".to_owned(),
         ..with_jobs(3)
     };
-    let (summary, events) = go(&plan, &numbered(300), &[&engine]);
+    let (summary, events) = go(&plan, &numbered(0..300), &[&engine]);
     let Event::Header(header) = &events[0] else {
         panic!("no header")
     };
@@ -94,18 +53,14 @@ fn a_run_is_a_header_the_cases_in_order_and_a_footer() {
 #[test]
 fn events_do_not_depend_on_the_number_of_workers_nor_on_an_earlier_run() {
     let moody = |request: &stickler_engines::RunRequest<'_>| match number(request.source) % 50 {
-        0 => Outcome::Unsupported {
-            reason: "a zero".to_owned(),
-        },
+        0 => outcome("unsupported: a zero"),
         1 => panic!("a one"),
-        2..25 => Outcome::Rejected {
-            diagnostics: Vec::new(),
-        },
-        _ => executed(&["x = INT#1"]),
+        2..25 => outcome("rejected"),
+        _ => outcome("executed\nx = INT#1"),
     };
     let engine = Puppet::new("puppet", moody);
-    let cases = numbered(500);
-    let stream = |jobs| timeless(go(&with_jobs(jobs), &cases, &[&engine]).1);
+    let cases = numbered(0..500);
+    let stream = |jobs| timeless_events(&with_jobs(jobs), &cases, &[&engine]);
     let alone = stream(1);
     assert_eq!(footer(&alone).unwrap().totals.crash, 10);
     for jobs in [1, 2, 7] {
@@ -126,9 +81,9 @@ fn a_slow_first_case_does_not_change_the_order() {
         while number(request.source) == 0 && *count < 100 {
             count = more.wait(count).unwrap();
         }
-        executed(&[])
+        outcome("executed")
     });
-    let (_, events) = go(&with_jobs(2), &numbered(200), &[&engine]);
+    let (_, events) = go(&with_jobs(2), &numbered(0..200), &[&engine]);
     let expected: Vec<String> = (0..200)
         .map(|number| format!("area/{number}@matiec puppet"))
         .collect();
@@ -141,13 +96,13 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
     let count = Arc::clone(&opened);
     let mut engine = Puppet::new("puppet", |request| match number(request.source) {
         3 | 5 => panic!("broken string"),
-        _ => executed(&[]),
+        _ => outcome("executed"),
     });
     engine.open = Box::new(move || {
         count.fetch_add(1, Ordering::Relaxed);
         Ok(())
     });
-    let (_, events) = go(&with_jobs(1), &numbered(10), &[&engine]);
+    let (_, events) = go(&with_jobs(1), &numbered(0..10), &[&engine]);
     let totals = footer(&events).unwrap().totals;
     assert_eq!((totals.pass, totals.crash), (8, 2));
     let Event::Case(crashed) = &events[4] else {
@@ -162,8 +117,8 @@ fn a_panicking_engine_is_a_crash_and_gets_a_new_session() {
 
 #[test]
 fn every_engine_runs_the_dialects_that_it_speaks() {
-    let first = Puppet::new("first", |_| executed(&[]));
-    let second = Puppet::new("second", |_| Outcome::TimedOut { after_ms: 1 }).only(DialectName::PLCNEXT);
+    let first = Puppet::new("first", |_| outcome("executed"));
+    let second = Puppet::new("second", |_| outcome("timed out: 1")).only(DialectName::PLCNEXT);
     let plcnext = Case {
         dialect: DialectName::PLCNEXT,
         ..case("area/1")
@@ -191,22 +146,22 @@ fn every_engine_runs_the_dialects_that_it_speaks() {
 
 #[test]
 fn nothing_selected_is_an_error_before_any_event() {
-    let silent = Puppet::new("puppet", |_| executed(&[])).only(DialectName::PLCNEXT);
-    let (outcome, events) = go(&with_jobs(1), &numbered(3), &[&silent]);
+    let silent = Puppet::new("puppet", |_| outcome("executed")).only(DialectName::PLCNEXT);
+    let (outcome, events) = go(&with_jobs(1), &numbered(0..3), &[&silent]);
     assert!(matches!(outcome, Err(RunError::NoCaseSelected)));
     assert_eq!(events, []);
 }
 
 #[test]
 fn an_engine_that_cannot_be_opened_ends_the_run_without_a_footer() {
-    let mut engine = Puppet::new("puppet", |_| executed(&[]));
+    let mut engine = Puppet::new("puppet", |_| outcome("executed"));
     engine.open = Box::new(|| {
         Err(EngineError::NotStarted {
             engine: "puppet".into(),
             reason: "no strings".into(),
         })
     });
-    let (outcome, events) = go(&with_jobs(2), &numbered(10_000), &[&engine]);
+    let (outcome, events) = go(&with_jobs(2), &numbered(0..10_000), &[&engine]);
     assert_eq!(
         outcome.unwrap_err().to_string(),
         "engine puppet could not be started: no strings"
@@ -216,7 +171,7 @@ fn an_engine_that_cannot_be_opened_ends_the_run_without_a_footer() {
 
 #[test]
 fn a_cancelled_run_gives_a_prefix_and_no_footer() {
-    let engine = Puppet::new("puppet", |_| executed(&[]));
+    let engine = Puppet::new("puppet", |_| outcome("executed"));
     let cancel = Cancellation::new();
     let mut events = Vec::new();
     let mut sink = |event: Event| {
@@ -225,7 +180,7 @@ fn a_cancelled_run_gives_a_prefix_and_no_footer() {
             cancel.request();
         }
     };
-    let cases = numbered(50_000);
+    let cases = numbered(0..50_000);
     let summary = run(&with_jobs(2), &cases, &[&engine], &mut sink, &cancel).unwrap();
     assert!(summary.cancelled);
     assert_eq!(footer(&events), None);
@@ -245,7 +200,7 @@ fn a_run_cancelled_before_it_begins_runs_nothing() {
     let mut events = 0;
     let summary = run(
         &with_jobs(2),
-        &numbered(10),
+        &numbered(0..10),
         &[&engine],
         &mut |_| events += 1,
         &cancel,

@@ -132,26 +132,3 @@ fn is_path(section: &str) -> bool {
     let is_name = |part: &str| !part.is_empty() && part != ".." && !part.contains(char::is_whitespace);
     section.contains(['/', '.']) && section.split('/').all(is_name)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_anchor_is_the_words_of_a_heading() {
-        assert_eq!(anchor("TRUNC vs. ROUND"), "trunc-vs-round");
-        assert_eq!(anchor("Byte / Word (short)"), "byte-word-short");
-    }
-
-    #[test]
-    fn headings_of_the_second_level_are_read_outside_code() {
-        let text = "# Title\n## one\n```\n## no heading\n```\n### deeper\n##  two \n";
-        assert_eq!(headings(text), [("one".to_owned(), 2), ("two".to_owned(), 7)]);
-    }
-
-    #[test]
-    fn a_path_has_no_empty_part_and_leads_nowhere_else() {
-        assert!(is_path("tests/lit/to_num.st") && is_path("README.md"));
-        assert!(!is_path("a heading") && !is_path("tests//x.st") && !is_path("../x.st"));
-    }
-}

@@ -1,6 +1,6 @@
 //! The cases of a dialect that was defined: taken over, but for what its definition states.
 
-use crate::common::folder;
+use crate::folders::folder;
 use std::collections::BTreeMap;
 use stickler_suite::{Acceptance, Case, Suite};
 use stickler_types::{Code, Dialect, DialectName, ElementaryType, MatrixWord};

@@ -1,10 +1,10 @@
 //! The suite that ships with Stickler is sound.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::Path;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
-use stickler_suite::{Acceptance, Suite};
+use stickler_suite::{Acceptance, Case, Role, Suite};
 use stickler_types::{Dialect, DialectName};
 
 /// The keywords of the standard that the reference takes for names, since what they begin is not implemented there.
@@ -144,4 +144,111 @@ fn every_feature_of_a_case_is_in_the_list() {
         .filter(|(key, _)| SHIPPED.features.get(key).is_none())
         .collect();
     assert_eq!(unlisted, BTreeSet::new());
+}
+
+/// The pairs of places of some cases.
+fn pairs<'a>(
+    cases: &[&'a Case],
+    pair: fn(&'a Case) -> Option<(&'a str, &'a str)>,
+) -> BTreeSet<(&'a str, &'a str)> {
+    cases.iter().copied().filter_map(pair).collect()
+}
+
+#[test]
+fn the_shipped_rejections_cover_the_places() {
+    let shipped = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let suite = Suite::load_files(&shipped, &[], |id, _| id == "widening/contexts");
+    // Dialects of one compiler take the programs that they have in common in turn.
+    let ironplc = suite.dialects.resolve("ironplc").unwrap();
+    let compiler = |dialect: DialectName| match ironplc.contains(&dialect) {
+        true => "ironplc",
+        false => dialect.as_str(),
+    };
+    let mut by_compiler: BTreeMap<&str, Vec<&Case>> = BTreeMap::new();
+    let cases = suite
+        .cases
+        .iter()
+        .filter(|case| case.id.starts_with("widening/contexts::placed-rejected"));
+    for case in cases {
+        assert_eq!(case.expectation.accepted, Acceptance::Rejected);
+        by_compiler.entry(compiler(case.dialect)).or_default().push(case);
+    }
+    assert!(by_compiler.keys().eq(&["ironplc", "matiec", "plcnext"]));
+    let dialects: BTreeSet<DialectName> = by_compiler["ironplc"].iter().map(|case| case.dialect).collect();
+    assert!(dialects.iter().eq(&ironplc), "{dialects:?}");
+    for (compiler, cases) in by_compiler {
+        let target = |case: &&Case| case.placement.as_ref().unwrap().target.clone();
+        let targets: BTreeSet<_> = cases.iter().map(target).collect();
+        // The line tells cells of different matrices apart.
+        let mut of_cell: BTreeMap<(u32, &str, &str), BTreeSet<_>> = BTreeMap::new();
+        for case in &cases {
+            let cell = case.cell.as_deref().unwrap();
+            of_cell
+                .entry((case.line, &cell.row, &cell.column))
+                .or_default()
+                .insert(target(case));
+        }
+        for (cell, met) in of_cell {
+            let stands = |target: &&Arc<str>| {
+                let mut places = suite.places.of(Role::Target).iter();
+                let place = places.find(|place| place.name() == &***target).unwrap();
+                place.stands(cases[0].dialect, (cell.1, cell.2), true)
+            };
+            let standing: BTreeSet<_> = targets.iter().filter(stands).cloned().collect();
+            assert_eq!(met, standing, "{cell:?} of {compiler}");
+        }
+        let together = pairs(&cases, |case| {
+            let placed = case.placement.as_ref()?;
+            Some((&*placed.source, &*placed.target))
+        });
+        // A global variable stands in a program, and the parameters of a block in the block.
+        let sources = [
+            "variable",
+            "parentheses",
+            "array-element",
+            "field",
+            "path",
+            "function-result",
+            "block-output",
+        ];
+        for target in [
+            "assignment",
+            "array-element",
+            "field",
+            "path",
+            "argument",
+            "block-input",
+            "external",
+        ] {
+            for source in sources {
+                assert!(
+                    together.contains(&(source, target)),
+                    "{source} into {target} of {compiler}"
+                );
+            }
+        }
+        let around = pairs(&cases, |case| {
+            let placed = case.placement.as_ref()?;
+            Some((&*placed.target, &*placed.surrounding))
+        });
+        for surrounding in [
+            "program",
+            "function",
+            "function-block",
+            "if",
+            "elsif",
+            "else",
+            "case",
+            "for",
+            "while",
+            "repeat",
+        ] {
+            for target in ["assignment", "array-element", "field", "argument"] {
+                assert!(
+                    around.contains(&(target, surrounding)),
+                    "{target} in {surrounding} of {compiler}"
+                );
+            }
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! The tables of `conformance-cases/conversion` hold what exact arithmetic gives.
 
 mod by_hand;
+mod examples;
 mod folder;
 
 use std::path::{Path, PathBuf};

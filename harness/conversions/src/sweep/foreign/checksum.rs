@@ -11,8 +11,6 @@
 //! A real number is taken apart by comparisons and by products with powers of two, which are exact in every format and
 //! by every rounding of IEC 60559 that holds the number at all; no sum of real numbers is formed, so nothing is lost.
 
-use crate::literals::power_of_two;
-use std::fmt::Write;
 use stickler_types::{ElementaryType, Family};
 
 const FACTOR: u64 = 1_234_567_891;
@@ -95,118 +93,39 @@ impl Checksum {
     pub fn statements(self) -> String {
         use ElementaryType::{Bool, Lint, Lreal, Lword, Real, Ulint};
         let ty = self.result;
+        let part = |part: &str| format!("        part := {part};\n{STEP}");
         match ty {
-            Bool => lines(&[
-                "IF given THEN",
-                "    part := LINT#1;",
-                "ELSE",
-                "    part := LINT#0;",
-                "END_IF;",
-                &step("part"),
-            ]),
-            Lint => halves_of_signed(),
-            Ulint => lines(&["whole := given;"]) + &halves_of_unsigned(),
-            Lword => lines(&["whole := LWORD_TO_ULINT(given);"]) + &halves_of_unsigned(),
-            Real => lines(&["number := REAL_TO_LREAL(given);"]) + &digits(),
-            Lreal => lines(&["number := given;"]) + &digits(),
-            _ if ty.is_signed() => {
-                let limit = 1_u64 << (ty.bits() - 1);
-                lines(&[
-                    &format!("part := {ty}_TO_LINT(given) + LINT#{limit};"),
-                    &step("part"),
-                ])
-            }
-            _ => lines(&[&format!("part := {ty}_TO_LINT(given);"), &step("part")]),
+            Bool => include_str!("checksum/bool.st").to_owned(),
+            Lint => include_str!("checksum/lint.st").to_owned(),
+            Ulint => format!("        whole := given;\n{HALVES}"),
+            Lword => format!("        whole := LWORD_TO_ULINT(given);\n{HALVES}"),
+            Real => format!("        number := REAL_TO_LREAL(given);\n{DIGITS}"),
+            Lreal => format!("        number := given;\n{DIGITS}"),
+            _ if ty.is_signed() => part(&format!(
+                "{ty}_TO_LINT(given) + LINT#{}",
+                1_u64 << (ty.bits() - 1)
+            )),
+            _ => part(&format!("{ty}_TO_LINT(given)")),
         }
     }
 }
+
+/// The statement that adds `part` to the sum; a test holds that its numbers are those of Rust.
+const STEP: &str = "        total := (total * LINT#1234567891 + part) MOD LINT#1999999973;\n";
+
+/// The statements that split a ULINT into its halves and add them. A signed LINT is split in `lint.st`, the low half never negative, whatever
+/// the sign of the engine's `MOD` of a negative number.
+const HALVES: &str = include_str!("checksum/ulint.st");
+
+/// The statements that split `number` into sign, exponent and mantissa. Products with powers of two, each of them
+/// exact, bring its magnitude between 1 and 2; the mantissa is then a whole number of 53 bits. A NaN passes every comparison
+/// as false.
+const DIGITS: &str = include_str!("checksum/lreal.st");
 
 /// The least of the biased exponents that the program can tell apart: from that of 2^-255 up to, and without, that of 2^128.
 /// All exponents of REALs are in that range, and no other is ever expected.
 const LEAST_EXPONENT: u64 = 1023 - 255;
 const GREATEST_EXPONENT: u64 = 1023 + 128;
-
-fn step(part: &str) -> String {
-    format!("total := (total * LINT#{FACTOR} + {part}) MOD LINT#{MODULUS};")
-}
-
-fn lines(lines: &[&str]) -> String {
-    lines.iter().map(|line| format!("        {line}\n")).collect()
-}
-
-/// Returns the ST statements that split a signed LINT into its high and its low half, the low one never negative, whatever the
-/// sign of the engine's `MOD` of a negative number.
-fn halves_of_signed() -> String {
-    lines(&[
-        &format!("high := given / LINT#{HALF};"),
-        &format!("low := given MOD LINT#{HALF};"),
-        "IF low < LINT#0 THEN",
-        &format!("    low := low + LINT#{HALF};"),
-        "    high := high - LINT#1;",
-        "END_IF;",
-        &format!("part := high + LINT#{};", HALF / 2),
-        &step("part"),
-        &step("low"),
-    ])
-}
-
-fn halves_of_unsigned() -> String {
-    lines(&[
-        &format!("part := ULINT_TO_LINT(whole / ULINT#{HALF});"),
-        &step("part"),
-        &format!("part := ULINT_TO_LINT(whole MOD ULINT#{HALF});"),
-        &step("part"),
-    ])
-}
-
-/// Returns the ST statements that split `number` into sign, exponent and mantissa. Products with powers of two, each of them
-/// exact, bring its magnitude between 1 and 2; the mantissa is then a whole number of 53 bits. A NaN passes every comparison
-/// as false.
-fn digits() -> String {
-    let one = power_of_two(0);
-    let mut text = lines(&[
-        "exponent := LINT#1023;",
-        "negative := LINT#0;",
-        "IF number < LREAL#0.0 THEN",
-        "    negative := LINT#1;",
-        "    number := -number;",
-        "END_IF;",
-    ]);
-    let two = power_of_two(1);
-    // Writing to a String cannot fail.
-    let _ = writeln!(text, "        IF number >= {two} THEN");
-    for power in [64, 32, 16, 8, 4, 2, 1] {
-        scaled(&mut text, &format!(">= {}", power_of_two(power)), -power);
-    }
-    let _ = writeln!(text, "        ELSIF number < {one} AND number > LREAL#0.0 THEN");
-    for power in [128, 64, 32, 16, 8, 4, 2, 1] {
-        scaled(&mut text, &format!("< {}", power_of_two(1 - power)), power);
-    }
-    text + &lines(&[
-        "END_IF;",
-        "mantissa := LINT#0;",
-        "part := LINT#1;",
-        &format!("IF number >= {one} AND number < {two} THEN"),
-        &format!("    mantissa := LREAL_TO_LINT(number * {});", power_of_two(52)),
-        "    part := (exponent + LINT#1) * LINT#2 + negative;",
-        "ELSIF number = LREAL#0.0 THEN",
-        "    part := LINT#0;",
-        "END_IF;",
-        &step("part"),
-        &step("mantissa"),
-    ])
-}
-
-/// Appends the ST statement that multiplies `number` by a power of two where the comparison holds, and adjusts `exponent`.
-fn scaled(text: &mut String, comparison: &str, power: i32) {
-    let product = power_of_two(power);
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        text,
-        "            IF number {comparison} THEN\n                number := number * {product};\n                \
-         exponent := exponent - LINT#{power};\n            END_IF;"
-    );
-}
 
 #[cfg(test)]
 mod tests {

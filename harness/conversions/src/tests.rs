@@ -1,0 +1,251 @@
+//! The parts of this crate one by one: each makes texts of texts, which stand in files in `tests/examples`.
+
+use crate::functions::{dialect_list, find_function};
+use crate::implicit::{self, MatrixAnswer};
+use crate::literals::{has_literal, literal};
+use crate::overview::{
+    ComparedResult, ExpectedResult, accepted, boundary_calls, calls, choices, read_operand,
+};
+use crate::recording::{Recording, all_questions, extreme, program_of};
+use crate::session::{Refusal, RefusalKind};
+use std::sync::Arc;
+use stickler_engines::Outcome;
+use stickler_exact::{Signature, signatures};
+use stickler_examples::{Example, check};
+use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, Value};
+
+fn dialects(text: &str) -> Vec<DialectName> {
+    match text {
+        "all" => DialectName::ALL.to_vec(),
+        names => names
+            .split_whitespace()
+            .map(|name| name.parse().unwrap())
+            .collect(),
+    }
+}
+
+fn signature(example: &Example) -> Signature {
+    signatures(example.text("function"), dialects(example.text("dialects"))[0]).remove(0)
+}
+
+fn ty(name: &str) -> ElementaryType {
+    ElementaryType::from_name(name).unwrap_or_else(|| panic!("`{name}` is no type"))
+}
+
+fn values(example: &Example, name: &str) -> Vec<Vec<Value>> {
+    let values = example.text(name).split_whitespace();
+    values
+        .map(|literal| vec![Value::parse_observed(literal).unwrap()])
+        .collect()
+}
+
+fn joined(items: impl Iterator<Item = impl ToString>) -> String {
+    items.map(|item| item.to_string()).collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn golden_functions() {
+    check("tests/examples/functions.md", |example| match example.wanted() {
+        "in one line" => dialect_list(&dialects(example.text("dialects"))),
+        "choices" => {
+            let dialects = dialects(example.text("dialects"));
+            let mut bytes = Vec::new();
+            choices::write(&signature(example), &dialects, &mut bytes).unwrap();
+            anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
+        }
+        "boundary values" => joined(boundary_calls(&signature(example)).iter().map(|call| &call[0])),
+        _ => find_function(example.text("function"), &dialects(example.text("dialects"))).map_or_else(
+            |error| error.to_string(),
+            |found| {
+                format!(
+                    "{}; not in {}",
+                    joined(found.having.iter()),
+                    joined(found.lacking.iter())
+                )
+            },
+        ),
+    });
+}
+
+#[test]
+fn golden_values() {
+    check("tests/examples/values.md", |example| match example.wanted() {
+        "literal" => {
+            let value = Value::parse(example.text("value")).unwrap();
+            if has_literal(&value) {
+                literal(&value)
+            } else {
+                "none".to_owned()
+            }
+        }
+        "read" => {
+            let read = read_operand(example.text("text"), ty(example.text("type")), true);
+            read.map_or_else(|message| message, |value| value.to_string())
+        }
+        "extreme" => extreme(ty(example.text("type"))).to_string(),
+        "parts" => {
+            let asked = all_questions(DialectName::CODESYS).into_iter();
+            joined(asked.filter_map(|question| match question {
+                Question::Part(of, part) if of == ty(example.text("type")) => Some(part),
+                _ => None,
+            }))
+        }
+        _ => {
+            let texts: Vec<String> = example
+                .text("texts")
+                .split_whitespace()
+                .map(str::to_owned)
+                .collect();
+            let all = signatures(example.text("function"), dialects(example.text("dialects"))[0]);
+            let shown = |(signature, calls): &(Signature, Vec<Vec<Value>>)| {
+                let operands = calls.iter().map(|call| joined(call.iter()));
+                format!(
+                    "{}: {}",
+                    signature.operands[0],
+                    operands.collect::<Vec<_>>().join("; ")
+                )
+            };
+            calls(&texts, all).map_or_else(|error| error.to_string(), |rows| joined(rows.iter().map(shown)))
+        }
+    });
+}
+
+/// Returns the outcome of a word.
+fn outcome(word: &str) -> Outcome {
+    let reason = String::new();
+    match word {
+        "accepted" => Outcome::ACCEPTED,
+        "rejected" => Outcome::Rejected {
+            diagnostics: Vec::new(),
+        },
+        "unsupported" => Outcome::Unsupported { reason },
+        "not implemented" => Outcome::NotImplemented { reason },
+        "crashed" => Outcome::Crashed { reason },
+        _ => Outcome::TimedOut { after_ms: 1 },
+    }
+}
+
+#[test]
+fn golden_answers() {
+    check("tests/examples/answers.md", |example| match example.wanted() {
+        "answer" => implicit::answer(&outcome(example.text("outcome")))
+            .as_str()
+            .to_owned(),
+        "compared" => {
+            let answer = MatrixAnswer::from_word(example.text("answer")).unwrap();
+            format!(
+                "{:?}",
+                accepted(answer, MatrixWord::from_word(example.text("word")))
+            )
+        }
+        "contradicts" => {
+            let got = example.text("got");
+            let got = Value::parse(got).map_err(|_| Refusal {
+                kind: RefusalKind::from_word(got).unwrap(),
+                detail: String::new(),
+                line: None,
+            });
+            let expected = ExpectedResult {
+                value: Value::parse("INT#5").unwrap(),
+                basis: example
+                    .get("basis")
+                    .filter(|basis| !basis.is_empty())
+                    .map(Arc::from),
+                otherwise: None,
+            };
+            ComparedResult { got, expected }.contradicts().to_string()
+        }
+        _ => {
+            let dialect = dialects(example.text("dialects"))[0];
+            let (recorded, source) = (
+                Value::parse(example.text("recorded")).unwrap(),
+                example.text("source").into(),
+            );
+            let call = &values(example, "operand")[0];
+            let expected = ExpectedResult::of(&signature(example), call, dialect, Some((&recorded, &source)));
+            let other = expected
+                .otherwise
+                .map(|other| format!(", but {} by {}", other.value, other.basis));
+            format!(
+                "{} by {}{}",
+                expected.value,
+                expected.basis.as_deref().unwrap_or("nobody"),
+                other.unwrap_or_default()
+            )
+        }
+    });
+}
+
+/// Returns the recording of a block.
+fn recording(example: &Example, name: &str) -> Result<Recording, String> {
+    Recording::parse("recordings/mine.toml", example.text(name)).map_err(|error| error.to_string())
+}
+
+#[test]
+fn golden_recordings() {
+    check("tests/examples/recordings.md", |example| {
+        let mut read = match recording(example, "recording.toml") {
+            Ok(read) => read,
+            Err(mistake) => return mistake,
+        };
+        match example.wanted() {
+            "completed" => {
+                read.complete_from(recording(example, "older.toml").unwrap());
+                let mut text = Vec::new();
+                read.write(&mut text).unwrap();
+                String::from_utf8(text).unwrap()
+            }
+            "answer" => {
+                let pair = (ty(example.text("from")), ty(example.text("to")));
+                read.implicit(DialectName::MATIEC, pair)
+                    .map_or("none", MatrixAnswer::as_str)
+                    .to_owned()
+            }
+            "results" => {
+                let signature = &signatures(example.text("function"), DialectName::MATIEC)[0];
+                let results = read.results(DialectName::MATIEC, signature, &values(example, "operands"));
+                let shown = |result: Result<Value, Refusal>| {
+                    result.map_or_else(
+                        |refusal| refusal.kind.word().to_owned(),
+                        |value| value.to_string(),
+                    )
+                };
+                joined(results.into_iter().map(shown))
+            }
+            _ => {
+                let made = read.case_tables(DialectName::CODESYS, "my-plc");
+                let tables = made
+                    .tables
+                    .iter()
+                    .map(|table| format!("{}: {} rows\n{}", table.section.as_str(), table.rows, table.text));
+                let left_out = made
+                    .left_out
+                    .iter()
+                    .map(|(reason, number)| format!("{number} left out: {reason}\n"));
+                tables.chain(left_out).collect()
+            }
+        }
+    });
+}
+
+#[test]
+fn questions_have_names_and_programs_of_their_own() {
+    let questions = all_questions(DialectName::CODESYS);
+    for text in [Question::to_string, |question: &Question| {
+        program_of(question).source()
+    }] {
+        let texts: std::collections::BTreeSet<String> = questions.iter().map(text).collect();
+        assert_eq!(texts.len(), questions.len());
+    }
+    for question in questions {
+        assert_eq!(question.to_string().parse(), Ok(question));
+    }
+}
+
+#[test]
+fn no_function_is_listed_twice() {
+    let names = crate::all_functions();
+    let once: std::collections::BTreeSet<&String> = names.iter().collect();
+    assert_eq!(once.len(), names.len());
+    assert!(names.len() > 500, "{}", names.len());
+}

@@ -1,0 +1,422 @@
+//! The tests that are tables and files in `tests/examples`.
+
+use crate::fixtures::{Book, Puppet, sources, suite};
+use crate::words::{expecting, outcome, shown};
+use std::time::Duration;
+use stickler_engines::{Engine, EngineSession, Identity, Outcome};
+use stickler_examples::{Example, check};
+use stickler_run::{
+    Answers, Baseline, CaseEvent, CaseJudge, EngineRun, Event, Fact, Filter, Grade, Judgement, Plan,
+    Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run,
+};
+use stickler_suite::{Case, FileKind};
+use stickler_types::{Code, DialectName};
+use stickler_workers::Cancellation;
+
+/// Returns the grade of the column `strict`; the code where there is none.
+fn strict(example: &Example) -> Grade {
+    match example.text("strict") {
+        "rejected" => Grade::Rejected,
+        "line" => Grade::Line,
+        _ => Grade::Code,
+    }
+}
+
+/// Returns a rendered program: one with this body, if the text is no whole program and no other outcome.
+fn rendered(text: &str) -> Outcome {
+    match ["accepted", "rejected", "unsupported", "crashed"]
+        .iter()
+        .any(|word| text.starts_with(word))
+    {
+        true => outcome(text),
+        false if text.starts_with("PROGRAM") => Outcome::Rendered {
+            text: text.to_owned(),
+        },
+        false => Outcome::Rendered {
+            text: format!("PROGRAM main\n    VAR\n        r : BOOL;\n    END_VAR\n    {text}\nEND_PROGRAM\n"),
+        },
+    }
+}
+
+/// Returns the answers of the columns `does`, `rendered`, `again` and `rerun`.
+fn answers(example: &Example) -> Answers {
+    let run = outcome(example.get("does").unwrap_or("executed"));
+    let rendering = example.get("rendered").map(|first| {
+        let has_text = matches!(rendered(first), Outcome::Rendered { .. });
+        let rerun = || example.get("rerun").map_or_else(|| run.clone(), outcome);
+        Rendering {
+            first: rendered(first),
+            again: has_text.then(|| rendered(example.get("again").unwrap_or(first))),
+            rerun: has_text.then(rerun),
+        }
+    });
+    Answers { run, rendering }
+}
+
+fn judged(example: &Example) -> Judgement {
+    judge(
+        &expecting(example.text("expects")),
+        &answers(example),
+        strict(example),
+    )
+}
+
+#[test]
+fn golden_judgements() {
+    check("tests/examples/judging.md", |example| match example.wanted() {
+        "is open" => expecting(example.text("expects")).is_open().to_string(),
+        "bodies" => rendered_bodies(example.text("rendered")).join("\n"),
+        "expected" => Fact::text(&judged(example).expected),
+        _ => shown(&judged(example)),
+    });
+}
+
+#[test]
+fn golden_symptoms() {
+    check("tests/examples/symptoms.md", |example| {
+        let mut judgement = judged(example);
+        if let Some(got) = example.get("got") {
+            judgement.got = serde_json::from_str(got).unwrap();
+        }
+        let facts = (&judgement.expected[..], &judgement.got[..]);
+        let symptom = Symptom::of_facts(judgement.verdict, facts, strict(example));
+        match example.wanted() {
+            "sentence" => symptom.to_string(),
+            _ => symptom.word(),
+        }
+    });
+}
+
+#[test]
+fn golden_facts() {
+    check("tests/examples/facts.md", |example| {
+        let fact: Fact = match serde_json::from_str(example.text("json")) {
+            Ok(fact) => fact,
+            Err(error) => return error.to_string(),
+        };
+        let value: serde_json::Value = serde_json::from_str(example.text("json")).unwrap();
+        assert_eq!(
+            serde_json::to_value(&fact).unwrap(),
+            value,
+            "{}",
+            example.heading()
+        );
+        fact.to_string()
+    });
+}
+
+#[test]
+fn golden_filters() {
+    check("tests/examples/filters.md", |example| {
+        let filter = Filter::new(example.text("filter"));
+        let (id, dialect) = example
+            .text("case")
+            .split_once('@')
+            .unwrap_or((example.text("case"), ""));
+        let holds = match example.wanted() {
+            "fits" => filter.fits(id, dialect),
+            "names" => filter.names(id, dialect),
+            "may fit table" => filter.may_fit_file(id, FileKind::Table),
+            "may fit program" => filter.may_fit_file(id, FileKind::Program),
+            _ => {
+                return filter
+                    .dialect()
+                    .map_or_else(String::new, |dialect| dialect.to_string());
+            }
+        };
+        if holds { "yes" } else { "no" }.to_owned()
+    });
+}
+
+#[test]
+fn golden_stored_answers() {
+    check("tests/examples/stored.md", |example| {
+        let expects = if example.get("rendered").is_some() {
+            "rendered x"
+        } else {
+            ""
+        };
+        let case = expecting(expects);
+        let told = answers(example);
+        let engine = Puppet::answering("puppet", told.clone());
+        let mut session = EngineSession::new(&engine);
+        let mut book = Book::default();
+        if let Some(stored) = example.get("stored") {
+            book.before.insert(question(&case), stored.to_owned());
+            let engine = Puppet::new("other", |_| outcome("crashed: asked"));
+            let known = ask_stored(&mut EngineSession::new(&engine), &case, Some(&book)).unwrap();
+            return if known == told { "known" } else { "asked again" }.to_owned();
+        }
+        assert_eq!(ask_stored(&mut session, &case, Some(&book)).unwrap(), told);
+        let book = book.turned();
+        let Some(stored) = book.before.values().next() else {
+            return "not kept".to_owned();
+        };
+        assert!(!stored.contains('\n'), "{stored}");
+        // What was kept is read as it was, without the engine.
+        let silent = Puppet::new("silent", |_| panic!("asked again"));
+        assert_eq!(
+            ask_stored(&mut EngineSession::new(&silent), &case, Some(&book)).unwrap(),
+            told
+        );
+        stored.clone()
+    });
+}
+
+/// Returns the baseline of an example, of the engine `iron` unless the column `engine` names another.
+fn baseline(example: &Example, engine: &str) -> Result<Baseline, String> {
+    let path = format!("b/{engine}.toml");
+    Baseline::read(example.text("baseline"), &path, engine).map_err(|error| error.to_string())
+}
+
+#[test]
+fn golden_bindings() {
+    let sources = sources();
+    check("tests/examples/binding.md", |example| {
+        let name = example.text("engine");
+        let plan = Plan {
+            strict: example.get("strict").map(|_| strict(example)),
+            strict_rules: example.text("rules") == "bind",
+            baselines: example
+                .get("baseline")
+                .map(|_| baseline(example, name).unwrap())
+                .into_iter()
+                .collect(),
+            ..Plan::default()
+        };
+        let codes: Vec<Code> = example
+            .text("lacks")
+            .split_whitespace()
+            .map(|code| code.parse().unwrap())
+            .collect();
+        let puppet = Puppet::answering(name, answers(example));
+        let engine = Identity {
+            lacks: codes,
+            ..puppet.identity().clone()
+        };
+        let case = Case {
+            basis: example.text("basis").into(),
+            dialect: DialectName::IRONPLC_ED3,
+            ..expecting(example.get("expects").unwrap_or("q = INT#1"))
+        };
+        let mut suite = suite(vec![case.clone()]);
+        suite.sources = sources.clone();
+        let matched = plan.matched_baseline(&suite, &engine);
+        let judge = CaseJudge {
+            plan: &plan,
+            sources: &sources,
+            engine: &engine,
+            baseline: matched.as_ref(),
+        };
+        let event = judge.event(&case, &answers(example), Duration::ZERO);
+        let verdict = event.verdict;
+        match example.wanted() {
+            "verdict" => verdict.to_string(),
+            "verdict and basis" => format!("{verdict} by {}", event.basis),
+            "verdict and facts" => format!("{verdict}: {}", Fact::text(&event.got)),
+            _ => {
+                let mut run = EngineRun::new(engine_header(name));
+                run.take(&event);
+                let baseline = &plan.baselines[0];
+                let blessing = bless(example.text("baseline"), baseline, &run, &suite, plan.today);
+                let changes = blessing
+                    .changes
+                    .iter()
+                    .map(|change| format!("\n{:?} {}", change.kind, change.why));
+                format!("{verdict}{}", changes.collect::<String>())
+            }
+        }
+    });
+}
+
+fn engine_header(name: &str) -> stickler_run::EngineHeader {
+    stickler_run::EngineHeader {
+        name: name.to_owned(),
+        version: "1.2".to_owned(),
+        dialects: vec!["ironplc-ed2".to_owned(), "ironplc-ed3".to_owned()],
+        strict: Grade::Code,
+        rerun: String::new(),
+        commands: std::collections::BTreeMap::new(),
+    }
+}
+
+/// Returns the case of a line `id` or `id@dialect`; its program is its id.
+fn case_of(line: &str) -> Case {
+    let (id, dialect) = line.split_once('@').unwrap_or((line, "matiec"));
+    Case {
+        id: id.into(),
+        source: id.into(),
+        dialect: dialect.parse().unwrap(),
+        ..expecting("q = INT#1")
+    }
+}
+
+/// Runs the cases of an example on an engine that passes those whose ids end in `good`, crashes over those in `bad`, does not support those
+/// in `odd`, and fails the rest. Shows the verdict and the entry of each case, the entries that are out of date, and how many cases are not
+/// as expected.
+fn run_with_baseline(example: &Example) -> String {
+    let mut engine = Puppet::new("iron", |request| {
+        outcome(match request.source {
+            good if good.ends_with("good") => "executed\nq = INT#1",
+            bad if bad.ends_with("bad") => "crashed: dead",
+            odd if odd.ends_with("odd") => "unsupported: cannot",
+            _ => "executed\nq = INT#2",
+        })
+    });
+    engine.identity.version = example.get("version").unwrap_or("1").to_owned();
+    let plan = Plan {
+        baselines: vec![match baseline(example, example.get("engine").unwrap_or("iron")) {
+            Ok(baseline) => baseline,
+            Err(mistake) => return mistake,
+        }],
+        filters: example.get("filter").map(Filter::new).into_iter().collect(),
+        today: jiff::civil::date(2026, 11, 21),
+        ..Plan::default()
+    };
+    let suite = suite(example.text("cases").lines().map(case_of).collect());
+    let mut text = String::new();
+    let mut sink = |event: Event| match event {
+        Event::Case(case) => text += &noted(&case),
+        Event::Header(header) => {
+            for entry in header.baselines.iter().flat_map(|held| &held.outdated) {
+                text += &format!("outdated: {} {}: {}\n", entry.at, entry.case, entry.why);
+            }
+        }
+        Event::Cause(_) | Event::Footer(_) => {}
+    };
+    let summary = run(&plan, &suite, &[&engine], &mut sink, &Cancellation::new()).unwrap();
+    format!("{text}{} unexpected", summary.totals.unexpected())
+}
+
+/// Shows the verdict of a case, and the note of its baseline.
+fn noted(case: &CaseEvent) -> String {
+    let note = case.baseline.as_ref().map(|note| {
+        let link = note
+            .link
+            .as_ref()
+            .map_or_else(String::new, |link| format!(", {link}"));
+        format!(
+            " ({}: {}, {}{link})",
+            note.at,
+            Verdict::any_of(&note.verdicts()),
+            note.reason
+        )
+    });
+    let was = if case.verdict == case.actual_verdict() {
+        String::new()
+    } else {
+        format!(", was {}", case.actual_verdict())
+    };
+    format!(
+        "{}@{}: {}{was}{}\n",
+        case.id,
+        case.dialect,
+        case.verdict,
+        note.unwrap_or_default()
+    )
+}
+
+#[test]
+fn golden_baselines() {
+    check("tests/examples/baselines.md", run_with_baseline);
+}
+
+/// The cases that an example of blessing knows, each in two dialects that the engine speaks and in one that it does not.
+const IDS: [&str; 6] = [
+    "a/one",
+    "a/t::p(INT,1)",
+    "a/t::p(INT,2)",
+    "a/t::p(SINT,1)",
+    "a/t::q(INT,1)",
+    "a/t::q(INT,2)",
+];
+
+/// Blesses the baseline of an example by a run in which every case passes but those whose keys begin as a line of `run` says, `a/t::p( fail`;
+/// with `only`, no other case is run. Shows the changes and the new text.
+fn blessed(example: &Example) -> String {
+    let dialects = [
+        DialectName::IRONPLC_ED2,
+        DialectName::IRONPLC_ED3,
+        DialectName::MATIEC,
+    ];
+    let keys = IDS
+        .iter()
+        .flat_map(|id| dialects.map(|dialect| format!("{id}@{dialect}")));
+    let suite = suite(keys.map(|key| case_of(&key)).collect());
+    let lines = example.text("run").lines().chain(example.text("only").lines());
+    let lines: Vec<(&str, Verdict)> = lines
+        .map(|line| line.rsplit_once(' ').unwrap())
+        .map(verdict_of)
+        .collect();
+    let mut run = EngineRun::new(engine_header("iron"));
+    for case in suite
+        .cases
+        .iter()
+        .filter(|case| case.dialect != DialectName::MATIEC)
+    {
+        let found = lines.iter().find(|(start, _)| case.key().starts_with(start));
+        let passed = example.get("only").is_none().then_some(Verdict::Pass);
+        if let Some(verdict) = found.map(|found| found.1).or(passed) {
+            run.take(&event(&case.id, case.dialect, verdict));
+        }
+    }
+    for (id, verdict) in lines.iter().filter(|(start, _)| start.starts_with("a/old")) {
+        run.take(&event(id, DialectName::IRONPLC_ED2, *verdict));
+    }
+    let file = example.get("file").unwrap_or("b/iron.toml");
+    let text = example
+        .get("baseline")
+        .map_or_else(String::new, |text| format!("{text}\n"));
+    let day = jiff::civil::date(2026, 11, 21);
+    let read = |text: &str| Baseline::read(text, file, "iron").unwrap();
+    let blessing = bless(&text, &read(&text), &run, &suite, day);
+    let again = read(&blessing.text);
+    assert_eq!(again.entries.len(), blessing.entries, "{}", blessing.text);
+    // The blessed baseline expects the actual verdicts, so blessing again changes nothing.
+    let twice = bless(&blessing.text, &again, &run, &suite, day);
+    assert_eq!(
+        (twice.text.as_str(), twice.changes.len()),
+        (blessing.text.as_str(), 0)
+    );
+    let changes = blessing.changes.iter().map(|change| {
+        let verdicts = Verdict::any_of(&change.verdicts);
+        format!("{:?} {verdicts} {}: {}\n", change.kind, change.case, change.why)
+    });
+    let changes: String = changes.collect();
+    let strangers = format!("{} cases of the run are not in the suite\n", blessing.strangers);
+    let strangers = if blessing.strangers > 0 { &strangers } else { "" };
+    if example.wanted() == "changes" {
+        return format!("{changes}{strangers}");
+    }
+    let text = if blessing.text == text {
+        "unchanged"
+    } else {
+        &blessing.text
+    };
+    format!("{changes}{strangers}{text}")
+}
+
+fn verdict_of<'l>((start, verdict): (&'l str, &str)) -> (&'l str, Verdict) {
+    (
+        start,
+        Verdict::ALL
+            .into_iter()
+            .find(|known| known.as_str() == verdict)
+            .unwrap(),
+    )
+}
+
+fn event(id: &str, dialect: DialectName, verdict: Verdict) -> CaseEvent {
+    CaseEvent {
+        id: id.to_owned(),
+        dialect: dialect.to_string(),
+        engine: "iron".to_owned(),
+        verdict,
+        ..CaseEvent::default()
+    }
+}
+
+#[test]
+fn golden_blessings() {
+    check("tests/examples/blessing.md", blessed);
+}
