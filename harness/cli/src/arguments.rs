@@ -54,79 +54,79 @@ pub struct Arguments {
 #[derive(Subcommand, Debug)]
 pub enum Command {
     /// Run cases, judge what the engines did, write reports
-    #[command(after_help = run::RUN_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/run.txt"))]
     Run(RunArguments),
     /// Record the results of the last run as expected, in the baselines of its engines
-    #[command(after_help = bless::BLESS_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/bless.txt"))]
     Bless(BlessArguments),
     /// List the cases, or with --basis the claims that they check
-    #[command(after_help = LIST_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/list.txt"))]
     List(ListArguments),
     /// Show one case: its program, what must happen, why, and how to run it again
-    #[command(after_help = SHOW_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/show.txt"))]
     Show(ShowArguments),
     /// Check the case files themselves
-    #[command(after_help = LINT_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/lint.txt"))]
     Lint(LintArguments),
     /// Show the diagnostics of the reference for one file
-    #[command(after_help = CHECK_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/check.txt"))]
     Check(CheckArguments),
     /// Execute one file on the reference and print the final values
-    #[command(after_help = EVAL_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/eval.txt"))]
     Eval(EvalArguments),
     /// Print one file in the normalised form of the reference
-    #[command(after_help = RENDER_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/render.txt"))]
     Render(SourceArguments),
     /// Serve an engine over the wire protocol on stdin and stdout, or check whether an adapter keeps to it
-    #[command(after_help = engines::ENGINE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/engine.txt"))]
     Engine(EngineArguments),
     /// List the engines: where each was found, what it can do, and what is missing
-    #[command(after_help = engines::ENGINES_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/engines.txt"))]
     Engines(EnginesArguments),
     /// Explain a diagnostic code, or list all of them
-    #[command(after_help = EXPLAIN_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/explain.txt"))]
     Explain(ExplainArguments),
     /// Show which types convert implicitly, by the documents and on engines
-    #[command(after_help = conversions::MATRIX_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/matrix.txt"))]
     Matrix(MatrixArguments),
     /// Show what a conversion function gives for boundary values, dialects side by side
-    #[command(after_help = conversions::CONVERSIONS_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/conversions.txt"))]
     Conversions(ConversionsArguments),
     /// Write a file with the conversions of an engine, to be shown where the engine is not at hand
-    #[command(after_help = record::RECORD_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/record.txt"))]
     Record(RecordArguments),
     /// Compare every input of a conversion function with exact arithmetic
-    #[command(after_help = conversions::SWEEP_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/sweep.txt"))]
     Sweep(SweepArguments),
     /// Show what a newer run does better or worse than an older one
-    #[command(after_help = compare::COMPARE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/compare.txt"))]
     Compare(CompareArguments),
     /// Build a static site of several runs: engines, their history, what each version fixed and broke
-    #[command(after_help = site::SITE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/site.txt"))]
     Site(SiteArguments),
     /// Search for programs on which an engine, or the reference, does not do what documents say
-    #[command(after_help = fuzz::FUZZ_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/fuzz.txt"))]
     Fuzz(FuzzArguments),
     /// Reduce a program that shows a symptom on an engine
-    #[command(after_help = reduce::REDUCE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/reduce.txt"))]
     Reduce(ReduceArguments),
     /// Write what shows a case on a compiler without Stickler: its program, a driver and a script
-    #[command(after_help = reproduce::REPRODUCE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/reproduce.txt"))]
     Reproduce(ReproduceArguments),
     /// Turn a finding into a case, or a recording into tables of cases
-    #[command(after_help = fuzz::PROMOTE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/promote.txt"))]
     Promote(PromoteArguments),
     /// Merge the parts of a run, or of a campaign
-    #[command(after_help = fuzz::MERGE_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/merge.txt"))]
     Merge(MergeArguments),
     /// Write pages of self-checking programs, for a compiler that is only reachable through an editor
-    #[command(after_help = export::EXPORT_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/export.txt"))]
     Export(ExportArguments),
     /// Judge and report the results that exported pages left in their arrays
-    #[command(after_help = export::IMPORT_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/import.txt"))]
     Import(ImportArguments),
     /// Print the script by which a shell completes commands and options
-    #[command(after_help = completions::COMPLETIONS_EXAMPLES)]
+    #[command(after_help = include_str!("arguments/examples/completions.txt"))]
     Completions(CompletionsArguments),
 }
 
@@ -255,61 +255,11 @@ fn dialects() -> impl TypedValueParser<Value = DialectName> {
 }
 
 fn top_level_help() -> String {
-    format!("{TOP_LEVEL_EXAMPLES}\n\n{ExitCodeListing}")
+    format!(
+        "{}\n{ExitCodeListing}",
+        include_str!("arguments/examples/top-level.txt")
+    )
 }
-
-const TOP_LEVEL_EXAMPLES: &str = "\
-Examples:
-  stickler                                          run everything
-  stickler run --dialect matiec                     run the cases of one dialect
-  stickler list --basis                             the claims, and their cases
-  stickler check motor.st --dialect ironplc-ed3     check a program of yours
-  stickler conversions REAL_TO_INT                  what a conversion gives
-  stickler explain P4035                            what a diagnostic means
-
-From a clone, `cargo run --release --` stands for `stickler`.";
-
-const LIST_EXAMPLES: &str = "\
-Examples:
-  stickler list --filter bit-access/ --dialect plcnext
-  stickler list --basis                             claims, with numbers of cases
-  stickler list --sources                           what the claims come from
-  stickler list --places                            where the values stand
-  stickler list --features                          which features of the language they use
-  stickler list --json                              for other programs";
-
-const SHOW_EXAMPLES: &str = "\
-Examples:
-  stickler show 'widening/integer::assignment(SINT,INT,-128)'
-  stickler show 'widening/integer::assignment(SINT,INT,-128)@ironplc-ed2'";
-
-const LINT_EXAMPLES: &str = "\
-Examples:
-  stickler lint
-  stickler lint my-cases";
-
-const CHECK_EXAMPLES: &str = "\
-Examples:
-  stickler check motor.st --dialect matiec
-  stickler check motor.st --dialect ironplc-ed3 --json
-  stickler check - --dialect plcnext < motor.st";
-
-const EVAL_EXAMPLES: &str = "\
-Examples:
-  stickler eval motor.st --dialect matiec
-  stickler eval motor.st --dialect ironplc-ed2 --scans 10 --observe speed --observe 'ramp[3].limit'
-
-The output can stand in the `values` mark of a case file.";
-
-const RENDER_EXAMPLES: &str = "\
-Examples:
-  stickler render motor.st --dialect ironplc-ed3
-  stickler render motor.st --dialect matiec > tidy.st";
-
-const EXPLAIN_EXAMPLES: &str = "\
-Examples:
-  stickler explain P4035
-  stickler explain                                  all codes, one a line";
 
 #[cfg(test)]
 mod tests {

@@ -230,6 +230,3 @@ fn claim_name(claim: &Claim<'_>, name_engine: bool) -> String {
     }
     name
 }
-
-#[cfg(test)]
-mod tests;

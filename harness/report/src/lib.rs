@@ -38,6 +38,8 @@ mod engine;
 mod error;
 pub mod events;
 mod folder;
+#[cfg(test)]
+mod golden_tests;
 mod groups;
 mod junit;
 mod markdown;

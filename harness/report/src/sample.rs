@@ -48,13 +48,6 @@ pub(crate) fn reported(line: u32, code: &str, message: &str) -> Fact {
     })
 }
 
-/// Returns the fact that a source is rendered, with these lines.
-pub(crate) fn rendered(lines: &[&str]) -> Fact {
-    Fact::Rendered {
-        lines: lines.iter().map(|&line| line.to_owned()).collect(),
-    }
-}
-
 /// Returns a case with this id and verdict.
 pub(crate) fn case(id: &str, verdict: Verdict) -> CaseEvent {
     let right = value("into", "INT#-128");
@@ -170,23 +163,6 @@ pub(crate) fn run_with_baseline() -> Vec<Event> {
             why: "fits no case".to_owned(),
         }],
     }];
-    events
-}
-
-/// The lines that every report shows for the one case of [`run_by_line`].
-pub(crate) const BY_LINE: [&str; 2] = [
-    "  line 6: error P4001, told as no number",
-    "- line 9: error P4007",
-];
-
-/// Returns a run of one case whose rejection was judged by lines, and does not name both.
-pub(crate) fn run_by_line() -> Vec<Event> {
-    let mut events = run_of(vec![CaseEvent {
-        expected: vec![error(6, "P4001"), error(9, "P4007")],
-        got: vec![reported(6, "", "no number")],
-        ..case("half", Verdict::Fail)
-    }]);
-    header(&mut events).engines[0].strict = Grade::Line;
     events
 }
 

@@ -174,4 +174,4 @@ fn left_out(cases: u64) -> Vec<Notification> {
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

@@ -3,13 +3,15 @@
 //! To write the schemas again after a change: `cargo xtask bless`.
 
 use crate::events::{self, LogLine};
+use crate::golden_tests::difference;
 use crate::results::{self, ResultsDocument};
 use crate::{sample, schema_check};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Value, json};
+use std::collections::BTreeSet;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
 use stickler_run::{CaseEvent, Event, Fact, Verdict};
 
@@ -56,46 +58,39 @@ fn full_run() -> Vec<Event> {
 }
 
 #[test]
-fn the_published_schemas_are_those_of_the_code() {
+fn the_golden_schemas_are_those_of_the_code() {
     for (report, schema) in [
         ("events", schema_of::<LogLine<'static>>()),
         ("results", schema_of::<ResultsDocument<'static>>()),
     ] {
         let text = format!("{:#}\n", schema.as_value());
-        let path = published(report);
-        if std::env::var_os("STICKLER_BLESS").is_some() {
-            fs::write(&path, &text).expect("written");
-        }
-        let published = fs::read_to_string(&path)
-            .unwrap_or_default()
-            .replace("\r\n", "\n");
-        assert!(
-            published == text,
-            "{report}.schema.json is out of date; run STICKLER_BLESS=1 cargo test -p stickler-report schema"
-        );
+        assert_eq!(difference(&published(report), &text), None);
     }
 }
 
 #[test]
 fn what_a_run_writes_fits_the_schemas_and_has_every_key_of_the_document() {
     let folder = tempfile::tempdir().expect("a temporary folder");
+    sample::report(folder.path(), &full_run());
+    assert_fits(folder.path());
+}
+
+/// Asserts that the log and the results in a folder of reports fit their schemas, and that the results have every key of theirs.
+pub(crate) fn assert_fits(reports: &Path) {
     let schemas = ["events", "results"].map(|report| read(published(report)));
-    for events in [full_run(), sample::run(), sample::run_by_line()] {
-        sample::report(folder.path(), &events);
-        let log = fs::read_to_string(folder.path().join(events::NAME)).expect("a log");
-        for line in log.lines() {
-            let line: Value = serde_json::from_str(line).expect("JSON");
-            assert_eq!(schema_check::misfit(&schemas[0], &line), None, "{line}");
-        }
-        let document = read(folder.path().join(results::NAME));
-        assert_eq!(schema_check::misfit(&schemas[1], &document), None);
-        let keys = |object: &Value| -> Vec<String> {
-            let mut keys: Vec<String> = object.as_object().expect("an object").keys().cloned().collect();
-            keys.sort();
-            keys
-        };
-        assert_eq!(keys(&document), keys(&schemas[1]["properties"]));
+    let log = fs::read_to_string(reports.join(events::NAME)).expect("a log");
+    for line in log.lines() {
+        let line: Value = serde_json::from_str(line).expect("JSON");
+        assert_eq!(schema_check::misfit(&schemas[0], &line), None, "{line}");
     }
+    let document = read(reports.join(results::NAME));
+    assert_eq!(schema_check::misfit(&schemas[1], &document), None);
+    let keys = |object: &Value| {
+        object
+            .as_object()
+            .map(|object| BTreeSet::from_iter(object.keys().cloned()))
+    };
+    assert_eq!(keys(&document), keys(&schemas[1]["properties"]));
 }
 
 /// Edits a line of a log, and returns what a site says of the log, and the schema of the line.

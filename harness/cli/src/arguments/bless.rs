@@ -22,13 +22,3 @@ pub struct BlessArguments {
     #[arg(long)]
     pub dry_run: bool,
 }
-
-pub(super) const BLESS_EXAMPLES: &str = "\
-Examples:
-  stickler bless                                    what the last run found is known from now on
-  stickler bless --dry-run                          only show it
-  stickler bless --engine matiec reports/nightly
-  stickler bless --engine ironplc --baseline ci/ironplc.toml
-
-What is still so keeps its reason, link and comment. A case that passes leaves the baseline. Expectations are never
-touched; a new entry says that nobody has looked into it yet, so write its reason before you commit it.";

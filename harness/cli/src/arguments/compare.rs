@@ -16,13 +16,3 @@ pub struct CompareArguments {
     #[arg(long)]
     pub json: bool,
 }
-
-/// The examples at the end of the help of `compare`.
-pub const COMPARE_EXAMPLES: &str = "\
-Examples:
-  stickler run --engine ironplc --report reports/before
-  stickler run --engine ironplc                     with the compiler's new version
-  stickler compare reports/before reports/latest
-
-The exit code is 1 where something crashed or broke that did not before. Where each run has one engine, the two are
-compared whatever their names.";

@@ -10,10 +10,3 @@ pub struct CompletionsArguments {
     #[arg(value_name = "SHELL")]
     pub shell: Shell,
 }
-
-/// The examples at the end of the help of `completions`.
-pub const COMPLETIONS_EXAMPLES: &str = "\
-Examples:
-  stickler completions bash > ~/.local/share/bash-completion/completions/stickler
-  stickler completions zsh > ~/.zfunc/_stickler
-  stickler completions fish > ~/.config/fish/completions/stickler.fish";

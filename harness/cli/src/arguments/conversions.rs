@@ -78,28 +78,3 @@ pub struct SweepArguments {
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1, 1024), allow_negative_numbers = true)]
     pub jobs: Option<u16>,
 }
-
-pub const MATRIX_EXAMPLES: &str = "\
-Examples:
-  stickler matrix
-  stickler matrix --dialect plcnext
-  stickler matrix --engine ironplc --engine reference
-  stickler matrix --engine 'cmd:my-adapter'";
-
-pub const CONVERSIONS_EXAMPLES: &str = "\
-Examples:
-  stickler conversions REAL_TO_INT
-  stickler conversions REAL_TO_INT 2.5 -0.5 1E10
-  stickler conversions TO_INT REAL#2.5              one type of several
-  stickler conversions CONCAT_DATE_TOD 2024-02-29 12:00:00
-  stickler conversions TRUNC --engine reference --engine 'cmd:my-adapter'";
-
-pub const SWEEP_EXAMPLES: &str = "\
-Examples:
-  stickler sweep DINT_TO_INT                        all 4 294 967 296 inputs
-  stickler sweep REAL_TO_INT --dialect matiec       all NaNs among them
-  stickler sweep LREAL_TO_LINT --sample 5000000     boundaries and a sample
-  stickler sweep INT_TO_BCD --engine 'cmd:my-adapter'
-
-Where no document says what must come, the reference is held to what IEC 60559 and two's complement suggest;
-what another engine does there is an observation and no mismatch.";

@@ -14,17 +14,6 @@ pub struct EngineArguments {
     pub validate: Vec<String>,
 }
 
-pub const ENGINE_EXAMPLES: &str = r#"Examples:
-  $ echo '{"type":"hello","protocol":1}' | stickler engine
-  {"type":"hello","protocol":1,"name":"reference",...}
-
-  stickler engine --engine ironplc                  a compiler with an adapter
-  stickler engine --validate python3 my_adapter.py --quiet
-
-One JSON object a line; harness/engines/README.md describes them. --validate ends
-with exit code 3 where the adapter is broken, and with 1 where its compiler is
-wrong or the adapter reads it wrongly."#;
-
 /// `stickler engines`.
 #[derive(Args, Debug)]
 pub struct EnginesArguments {
@@ -35,9 +24,3 @@ pub struct EnginesArguments {
     #[arg(long)]
     pub json: bool,
 }
-
-pub const ENGINES_EXAMPLES: &str = "\
-Examples:
-  stickler engines
-  stickler engines ironplc matiec                   are these two here?
-  stickler engines --json                           for other programs";

@@ -100,28 +100,3 @@ fn kinds() -> impl TypedValueParser<Value = ExtraCases> {
         _ => ExtraCases::Rejected,
     })
 }
-
-/// The examples at the end of the help of `export`.
-pub const EXPORT_EXAMPLES: &str = "\
-Examples:
-  stickler export --dialect ironplc-ed3 --sample 256 pages
-  stickler export --dialect plcnext --filter widening/ --panes pages
-  stickler export --dialect plcnext --plcopen pages.xml pages
-  stickler export --dialect matiec --filter conversion/ --with open pages
-  stickler export --dialect matiec --sample 500 --with rejected pages
-  stickler export --dialect codesys --recording --plcopen pages.xml pages
-
-Each page is a program that fills an array `results`. Create a program in your editor, paste the page, let it run, copy
-the array, and give it to `stickler import`. What is left out is counted by the reason.";
-
-/// The examples at the end of the help of `import`.
-pub const IMPORT_EXAMPLES: &str = "\
-Examples:
-  stickler import pages/copied.txt --engine-name codesys --engine-version 3.5.20
-  stickler import watch-1.txt watch-2.csv --export pages
-  xclip -o | stickler import - --export pages
-  stickler import copied.txt --export pages --record mine.toml --product CODESYS \\
-    --product-version 3.5.21.40 --platform 'Control Win V3 x64'
-
-Rows of a watch list, `results[3] := 17`, lists of numbers and CSV are read, in any base. Cases whose results are not there are
-never taken for passes: the run counts as cut short, and the exit code is 2.";

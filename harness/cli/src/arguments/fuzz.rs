@@ -137,35 +137,6 @@ pub(super) fn time(text: &str) -> Result<Duration, String> {
     Ok(Duration::from_millis(all))
 }
 
-/// The examples at the end of the help of `fuzz`.
-pub const FUZZ_EXAMPLES: &str = "\
-Examples:
-  stickler fuzz                                     the reference, for a minute
-  stickler fuzz --target execute --count 100000     found again by the same line
-  stickler fuzz --engine 'cmd:my-adapter' --time 10m
-  stickler fuzz --engine 'cmd:my-adapter' --without CHAR --without MUX
-  stickler fuzz --engine 'cmd:my-adapter' --seed 7 --count 40000 --shard 1/4
-  stickler fuzz --replay reports/findings/FINDING   is it still there?
-  stickler fuzz --replay crash-1f3a --target parse  one input of libFuzzer";
-
-/// The examples at the end of the help of `promote`.
-pub const PROMOTE_EXAMPLES: &str = "\
-Examples:
-  stickler promote my-compiler-value-int-3f2a91c0
-  stickler promote reports/findings/my-compiler-value-int-3f2a91c0 \\
-      --name mod-of-a-negative-dividend --basis 'iec-61131-3: Table 29' \\
-      --title 'MOD has the sign of its dividend'
-  stickler promote conformance-cases/recordings/my-plc.toml --dialect mine";
-
-/// The examples at the end of the help of `merge`.
-pub const MERGE_EXAMPLES: &str = "\
-Examples:
-  stickler run --shard 1/3 --report part-1          one of three machines
-  stickler merge part-1 part-2 part-3 -o reports/latest
-  stickler merge findings-1 findings-2 -o reports/findings
-
-A part that is missing, or that was cut short, is named; the exit code is 2, and what is there is not called whole.";
-
 #[cfg(test)]
 mod tests {
     use super::time;

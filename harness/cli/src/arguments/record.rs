@@ -44,18 +44,3 @@ fn sections() -> impl TypedValueParser<Value = RecordedSection> {
         named.ok_or("no section of a recording has this name")
     })
 }
-
-pub const RECORD_EXAMPLES: &str = "\
-Asks for the implicit conversion of every pair of elementary types, for the bits
-and parts of each type, for comparisons of different types, and for the
-results of the conversion functions of the dialect at the values that
-`stickler conversions FUNCTION` shows. An open compiler takes some minutes.
-`stickler matrix --recorded` and `stickler conversions --recorded` show the
-recordings of conformance-cases/recordings.
-
-A compiler behind an editor is recorded by `stickler export --recording` and
-`stickler import --record`.
-
-Examples:
-  stickler record --engine matiec -o conformance-cases/recordings/matiec.toml
-  stickler record --engine 'cmd:my-adapter' --product MyPLC --product-version 2.1";

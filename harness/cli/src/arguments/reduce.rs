@@ -35,13 +35,3 @@ pub struct ReduceArguments {
     #[arg(long, value_name = "TIME", value_parser = super::fuzz::time)]
     pub hang: Option<Duration>,
 }
-
-/// The examples at the end of the help of `reduce`.
-pub const REDUCE_EXAMPLES: &str = "\
-Examples:
-  stickler reduce motor.st --engine 'cmd:my-adapter'
-  stickler reduce motor.st --engine 'cmd:my-adapter' --symptom crash -o small.st
-  stickler reduce motor.st --engine 'cmd:my-adapter' --symptom hang --hang 2s
-  stickler reduce motor.st --dialect matiec --symptom rejected:P4035
-
-Ctrl-C ends it with the smallest program so far.";

@@ -43,13 +43,3 @@ fn observation(text: &str) -> Result<Observation, String> {
         _ => Err("write the variable and its type, as in `speed:INT`".to_owned()),
     }
 }
-
-/// The examples at the end of the help of `reproduce`.
-pub const REPRODUCE_EXAMPLES: &str = "\
-Examples:
-  stickler reproduce 'widening/integer::assignment(SINT,INT,-128)' --engine ironplc shown
-  stickler reproduce found/007 --engine matiec shown --with-marks
-  stickler reproduce motor.st --engine matiec shown --dialect matiec --observe speed:INT
-  sh shown/run.sh
-
-Nothing in DIR needs Stickler: it can be sent to those who write the compiler.";

@@ -82,14 +82,3 @@ fn annotations() -> impl TypedValueParser<Value = bool> {
 fn grades() -> impl TypedValueParser<Value = Grade> {
     PossibleValuesParser::new(Grade::ALL.map(Grade::as_str)).try_map(|name| name.parse::<Grade>())
 }
-
-pub const RUN_EXAMPLES: &str = "\
-Examples:
-  stickler run
-  stickler run --dialect ironplc-ed2 --dialect ironplc-ed3
-  stickler run --filter widening/                   every case of one folder
-  stickler run --filter '*(SINT,INT,*'              a pattern: only * is special
-  stickler run --shard 1/4 --report reports/part-1  a quarter of the cases
-  stickler run --cases my-cases --no-report         cases of your own
-  stickler run --filter widening/ --watch           and again what changes
-  stickler run --engine 'cmd:my-adapter --quiet'    another compiler";

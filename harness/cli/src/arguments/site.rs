@@ -20,15 +20,3 @@ pub struct SiteArguments {
     #[arg(short, long, value_name = "SITE")]
     pub output: PathBuf,
 }
-
-/// The examples at the end of the help of `site`.
-pub const SITE_EXAMPLES: &str = "\
-Examples:
-  stickler run --engine ironplc --report runs/before
-  stickler run --engine ironplc --report runs/after     with the compiler's new version
-  stickler site runs/before runs/after -o site
-
-  stickler site runs/* handed-in/vendor.jsonl -o site    an events.jsonl alone, of any name
-
-Open site/index.html. Of several runs of one version of an engine the latest counts that has nearly as many cases
-as the largest; the site and stderr say which do not count.";

@@ -12,17 +12,25 @@ pub const SUITE: &str = concat!(
     "/tests/cmd/suite.in/conformance-cases"
 );
 
+/// The folder of the clone.
+pub const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// What the environment of each command says.
+pub const ENVIRONMENT: [(&str, &str); 4] = [
+    // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
+    ("CARGO_MANIFEST_DIR", ""),
+    ("NO_COLOR", "1"),
+    // The tests may run in a job of GitHub.
+    ("GITHUB_ACTIONS", ""),
+    // No line of their output is broken, unless they ask for that.
+    ("COLUMNS", ""),
+];
+
 /// Returns the command that runs the program in a folder, with an empty stdin and no colours.
 pub fn stickler(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(STICKLER);
     command
-        // Rerun commands name `stickler` itself unless cargo ran it, and here cargo runs the tests.
-        .env("CARGO_MANIFEST_DIR", "")
-        .env("NO_COLOR", "1")
-        // The tests may run in a job of GitHub.
-        .env("GITHUB_ACTIONS", "")
-        // No line of their output is broken, unless they ask for that.
-        .env("COLUMNS", "")
+        .envs(ENVIRONMENT)
         .current_dir(folder)
         .args(arguments)
         .stdin(Stdio::null());

@@ -1,30 +1,12 @@
 //! Tests of the command line, in one program, since each further test program would be linked separately.
 
-#[cfg(unix)]
-mod bless;
-#[cfg(unix)]
-mod caching;
-mod carried;
-#[cfg(unix)]
-mod ci;
+mod adapter;
 mod common;
-mod compare;
-mod dialects;
 #[cfg(unix)]
-mod disks;
-#[cfg(unix)]
-mod engines;
-mod export;
-#[cfg(unix)]
-mod fuzz;
-#[cfg(unix)]
-mod hostile_output;
+mod interrupts;
 mod links;
-mod pages;
-mod recordings;
 #[cfg(unix)]
-mod reduce;
-mod reproduce;
+mod pages;
 mod run;
 #[cfg(unix)]
-mod sweep;
+mod workflows;

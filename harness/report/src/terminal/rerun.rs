@@ -39,26 +39,3 @@ pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) 
     }
     Ok(())
 }
-
-#[cfg(test)]
-mod tests {
-    use crate::sample;
-    use stickler_run::Verdict;
-
-    #[test]
-    fn what_failed_is_shown_whole_and_each_verdict_counted() {
-        let overview = sample::overview(&sample::run());
-        let mut bytes = Vec::new();
-        super::write(&mut bytes, &overview, None).expect("written");
-        let text = anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string();
-        assert!(text.starts_with("FAIL widening/broken@ironplc-ed2\n"), "{text}");
-        assert!(
-            text.ends_with("\n\n4 cases on reference: 3 pass, 1 fail\n"),
-            "{text}"
-        );
-        let overview = sample::overview(&sample::run_of(vec![sample::case("a", Verdict::Pass)]));
-        let mut bytes = Vec::new();
-        super::write(&mut bytes, &overview, Some(0)).expect("written");
-        assert!(String::from_utf8_lossy(&bytes).contains("1 case on reference: 1 pass"));
-    }
-}

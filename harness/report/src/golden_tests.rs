@@ -1,0 +1,243 @@
+//! Compares what is written about small runs with golden texts: each folder of `golden` is a test.
+//!
+//! Its `run.toml` describes the run; a comment on the first line says what the reports must show of it. The other files are the golden
+//! texts of some of its reports, by the names that they have in a folder of reports, and besides:
+//!
+//! | file | what it holds |
+//! |---|---|
+//! | `terminal.txt` | the summary on the terminal; `terminal-result.txt`, `terminal-whole.txt`: in less and in more detail; `terminal-failures.txt`: with each failure |
+//! | `rerun.txt` | what the terminal shows of cases that run again when their file changes |
+//! | `annotations.txt` | the annotations of a CI job |
+//! | `files.txt` | the names of all files in the folder of reports |
+//!
+//! Reports in JSON are broken into lines. A new golden text begins as an empty file; `cargo xtask bless` fills it and renews the others.
+
+use crate::sample;
+use crate::terminal::{self, Detail, Surroundings};
+use crate::{Overview, annotations, sarif, schema_tests};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Observed, Verdict};
+
+/// The content of a `run.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct RunFile {
+    /// What the header of the run has otherwise than that of [`sample::run_of`].
+    #[serde(default)]
+    header: Value,
+    /// The cases.
+    #[serde(default)]
+    case: Vec<CaseTable>,
+    /// What the causes have otherwise than those of [`sample::cause`], besides their `number` of cases and `verdict`.
+    #[serde(default)]
+    cause: Vec<Value>,
+    /// Whether the run was cut short after its cases.
+    #[serde(default)]
+    cut: bool,
+}
+
+/// What a case has otherwise than that of [`sample::case`].
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CaseTable {
+    id: String,
+    verdict: Verdict,
+    engine: Option<String>,
+    dialect: Option<String>,
+    title: Option<String>,
+    basis: Option<String>,
+    area: Option<String>,
+    file: Option<String>,
+    /// The line of the case file; 0 stands for none.
+    line: Option<u32>,
+    expected: Option<Vec<Fact>>,
+    got: Option<Vec<Fact>>,
+    program: Option<String>,
+    baseline: Option<BaselineNote>,
+    /// What is observed where nothing is asserted.
+    observations: Option<Vec<Observed>>,
+    /// The number of cases of this kind, whose ids end in their numbers.
+    times: Option<usize>,
+}
+
+impl CaseTable {
+    fn cases(self) -> Vec<CaseEvent> {
+        let base = sample::case(&self.id, self.verdict);
+        let case = CaseEvent {
+            engine: self.engine.unwrap_or(base.engine),
+            dialect: self.dialect.unwrap_or(base.dialect),
+            title: self.title.unwrap_or(base.title),
+            basis: self.basis.unwrap_or(base.basis),
+            area: self.area.unwrap_or(base.area),
+            file: self.file.unwrap_or(base.file),
+            line: self.line.or(base.line).filter(|line| *line > 0),
+            expected: self.expected.unwrap_or(base.expected),
+            got: self.got.unwrap_or(base.got),
+            program: self.program,
+            baseline: self.baseline,
+            open: self.observations.is_some(),
+            observations: self.observations.unwrap_or_default(),
+            ..base
+        };
+        let numbered = |number| CaseEvent {
+            id: format!("{}{number}", case.id),
+            ..case.clone()
+        };
+        match self.times {
+            Some(times) => (1..=times).map(numbered).collect(),
+            None => vec![case],
+        }
+    }
+}
+
+/// Returns a value with the keys of a table in place of its own. Where it holds one table in a list, each table of another list has the keys
+/// of that one.
+fn merged(base: Value, table: Value) -> Value {
+    match (base, table) {
+        (base, Value::Null) => base,
+        (Value::Object(mut base), Value::Object(table)) => {
+            for (key, value) in table {
+                let old = base.remove(&key).unwrap_or_default();
+                base.insert(key, merged(old, value));
+            }
+            Value::Object(base)
+        }
+        (Value::Array(base), Value::Array(tables)) if base.len() == 1 => {
+            let of = |table| merged(base[0].clone(), table);
+            tables.into_iter().map(of).collect()
+        }
+        (_, value) => value,
+    }
+}
+
+/// Returns a part of an event with some keys of a table in place of its own.
+fn changed<T: serde::Serialize + DeserializeOwned>(part: &T, table: Value) -> T {
+    let base = serde_json::to_value(part).expect("JSON");
+    serde_json::from_value(merged(base, table)).expect("keys that there are")
+}
+
+/// Reads the events of a run.
+fn read(path: &Path) -> Vec<Event> {
+    let text = fs::read_to_string(path).expect("a run");
+    let run: RunFile = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    let mut events = sample::run_of(run.case.into_iter().flat_map(CaseTable::cases).collect());
+    let header = sample::header(&mut events);
+    *header = changed(header, run.header);
+    let causes = run.cause.into_iter().map(|mut table| {
+        let keys = table.as_object_mut().expect("a table");
+        let [title, number, verdict] = ["title", "number", "verdict"].map(|key| keys.remove(key));
+        let title = title.expect("a title");
+        let number = number.and_then(|number| number.as_u64());
+        let verdict = serde_json::from_value(verdict.expect("a verdict")).expect("a verdict");
+        let cause = sample::cause(
+            title.as_str().expect("a title"),
+            number.expect("a number"),
+            verdict,
+        );
+        changed(&cause, table)
+    });
+    let mut events = sample::with_causes(events, causes);
+    events.truncate(events.len() - usize::from(run.cut));
+    events
+}
+
+/// Returns what is shown of a run on the terminal, without its styles.
+fn shown(write: impl FnOnce(&mut Vec<u8>)) -> String {
+    let mut bytes = Vec::new();
+    write(&mut bytes);
+    anstream::adapter::strip_str(&String::from_utf8(bytes).expect("text")).to_string()
+}
+
+/// Returns what is written of a run into a golden text of this name.
+fn written(name: &str, overview: &Overview, reports: &Path) -> String {
+    let around = |detail, failures| Surroundings {
+        reports: Some("reports/latest"),
+        failures,
+        detail,
+        ..Surroundings::default()
+    };
+    let terminal = |around| shown(|out| terminal::write(out, overview, around).expect("written"));
+    match name {
+        "terminal.txt" => terminal(around(Detail::Summary, None)),
+        "terminal-result.txt" => terminal(around(Detail::Result, None)),
+        "terminal-whole.txt" => terminal(around(Detail::Whole, None)),
+        "terminal-failures.txt" => terminal(around(Detail::Summary, Some(usize::MAX))),
+        "rerun.txt" => shown(|out| terminal::rerun::write(out, overview, None).expect("written")),
+        "annotations.txt" => shown(|out| annotations::write_github(overview, out).expect("written")),
+        "files.txt" => files(reports)
+            .iter()
+            .map(|file| format!("{}\n", file.display()))
+            .collect(),
+        report => {
+            let text = fs::read_to_string(reports.join(report)).expect(report);
+            match serde_json::from_str::<Value>(&text) {
+                Ok(json) => format!("{json:#}\n"),
+                Err(_) => text,
+            }
+        }
+    }
+}
+
+/// Returns the paths of the files in a folder and in its folders, relative to it and sorted.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).expect("a folder").flatten() {
+        let (path, name) = (entry.path(), PathBuf::from(entry.file_name()));
+        match path.is_dir() {
+            true => found.extend(files(&path).into_iter().map(|file| name.join(file))),
+            false => found.push(name),
+        }
+    }
+    found.sort();
+    found
+}
+
+/// Compares a text with a golden one, or writes it where the environment says so; returns how they differ.
+pub(crate) fn difference(path: &Path, text: &str) -> Option<String> {
+    let golden = fs::read_to_string(path).unwrap_or_default().replace("\r\n", "\n");
+    if golden != text && std::env::var_os("STICKLER_BLESS").is_some() {
+        fs::write(path, text).expect("written");
+        return None;
+    }
+    let differs = || {
+        let lines = crate::diff::text(&golden, text);
+        format!(
+            "{} is not what comes; see `cargo xtask bless`:\n{lines}",
+            path.display()
+        )
+    };
+    (golden != text).then(differs)
+}
+
+/// Asserts that the reports for programs can be read: those in JSON fit their schemas, and the JUnit file is one.
+fn assert_valid(reports: &Path) {
+    schema_tests::assert_fits(reports);
+    let read = |report: &str| fs::read_to_string(reports.join(report)).expect(report);
+    sarif::tests::assert_valid(&serde_json::from_str(&read("results.sarif")).expect("JSON"));
+    quick_junit::Report::deserialize_from_str(&read("junit.xml")).expect("a report");
+}
+
+#[test]
+fn reports_of_small_runs_are_their_golden_texts() {
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
+    let mut differences = Vec::new();
+    for run in files(&golden).iter().filter(|file| file.ends_with("run.toml")) {
+        let folder = golden.join(run.parent().expect("the folder of the run"));
+        let events = read(&folder.join("run.toml"));
+        let reports = tempfile::tempdir().expect("a temporary folder");
+        sample::report(reports.path(), &events);
+        if files(reports.path()).len() > 1 {
+            assert_valid(reports.path());
+        }
+        let overview = sample::overview(&events);
+        for file in files(&folder).iter().filter(|file| !file.ends_with("run.toml")) {
+            let text = written(&file.to_string_lossy(), &overview, reports.path());
+            differences.extend(difference(&folder.join(file), &text));
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
