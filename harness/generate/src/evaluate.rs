@@ -17,7 +17,7 @@
 //! | `arithmetic`, `ordering`, `standard`, `conversions` | the results of operators and functions |
 
 mod answer;
-mod arithmetic;
+pub(crate) mod arithmetic;
 mod calls;
 mod cell;
 mod conversions;

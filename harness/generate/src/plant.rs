@@ -7,7 +7,6 @@
 mod fault_site;
 mod kinds;
 mod scope;
-mod unused;
 mod walk;
 
 use crate::model::Program;
@@ -16,8 +15,6 @@ use arbitrary::Unstructured;
 use fault_site::FaultSite;
 use kinds::KINDS;
 use stickler_types::Code;
-
-pub use unused::without_unused;
 
 /// A program with one error.
 #[derive(Clone, PartialEq, Debug)]
