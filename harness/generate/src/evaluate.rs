@@ -30,7 +30,7 @@ mod standard;
 mod start;
 mod statements;
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;
 
 use answer::ill_formed;
 pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};

@@ -98,6 +98,4 @@ fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) 
 }
 
 #[cfg(test)]
-mod example;
-#[cfg(test)]
 mod tests;
