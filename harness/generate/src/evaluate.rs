@@ -17,7 +17,7 @@
 //! | `arithmetic`, `ordering`, `standard`, `conversions` | the results of operators and functions |
 
 mod answer;
-mod arithmetic;
+pub(crate) mod arithmetic;
 mod calls;
 mod cell;
 mod conversions;
@@ -30,7 +30,7 @@ mod standard;
 mod start;
 mod statements;
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;
 
 use answer::ill_formed;
 pub use answer::{Evaluation, EvaluationError, OpenPoint, OpenQuestion};

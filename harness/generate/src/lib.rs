@@ -6,6 +6,7 @@
 //! | [`model`] | a typed [`Program`](model::Program), and its visitors [`visit`](model::visit) and [`visit_mut`](model::visit_mut) |
 //! | [`generator`] | [`program`](generator::program): bytes to a program, within [`GeneratorSettings`](generator::GeneratorSettings) |
 //! | [`writer`] | [`write`](writer::write): a program to its text, in a [`Style`](writer::Style) |
+//! | [`reader`] | [`read`](reader::read): a text back to its program |
 //! | [`evaluate`] | [`evaluate`](evaluate::evaluate()): the values that documents give a program, or an [`EvaluationError`](evaluate::EvaluationError) |
 //! | [`variants`] | other texts with the same values: [`Variant`](variants::Variant) |
 //! | [`plant`] | programs with one error: [`Planted`](plant::Planted) |
@@ -25,6 +26,7 @@ pub mod model;
 pub mod oracles;
 pub mod plant;
 pub mod random;
+pub mod reader;
 pub mod reduce;
 pub mod variants;
 pub mod writer;

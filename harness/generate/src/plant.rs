@@ -7,7 +7,6 @@
 mod fault_site;
 mod kinds;
 mod scope;
-mod unused;
 mod walk;
 
 use crate::model::Program;
@@ -16,8 +15,6 @@ use arbitrary::Unstructured;
 use fault_site::FaultSite;
 use kinds::KINDS;
 use stickler_types::Code;
-
-pub use unused::without_unused;
 
 /// A program with one error.
 #[derive(Clone, PartialEq, Debug)]
@@ -100,7 +97,5 @@ fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) 
     })
 }
 
-#[cfg(test)]
-mod example;
 #[cfg(test)]
 mod tests;

@@ -23,6 +23,7 @@ mod view;
 
 pub use draft::TextDraft;
 pub use method::{METHOD, PASSES, text};
+pub use passes::declarations::drop_unused;
 pub use rules::{ReferenceRules, TextRules, TextState};
 pub use search::{
     CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, Sites, StopReason,

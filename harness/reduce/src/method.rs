@@ -17,8 +17,8 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("drop program organization units", declarations::drop_units),
     text_pass!("drop what is not used", declarations::drop_unused),
     text_pass!(
-        "make a function block the program",
-        declarations::block_to_program
+        "make a function block or a function the program",
+        declarations::unit_to_program
     ),
     text_pass!("replace statements by what they guard", statements::splice),
     text_pass!("drop branches", statements::drop_branches),
@@ -29,6 +29,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         "replace expressions by typed literals",
         expressions::to_typed_literal
     ),
+    text_pass!("replace conditions by TRUE", expressions::to_true),
     text_pass!("replace expressions by literals", expressions::to_literal),
     text_pass!("replace variables by their last values", values::to_final_value),
     text_pass!(

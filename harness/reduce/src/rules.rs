@@ -48,10 +48,9 @@ impl ReferenceRules {
     /// Returns the rules for the texts that are made of this one.
     #[must_use]
     pub fn new(text: &str, dialect: DialectName) -> ReferenceRules {
-        let found = errors(text, dialect);
         let (unit, diagnostics) = parse(text, Dialect::of(dialect));
         ReferenceRules {
-            codes: found.iter().filter_map(Diagnostic::registered_code).collect(),
+            codes: codes(text, dialect),
             is_unreadable: !diagnostics.is_empty(),
             empty_lists: empty_lists(&unit),
         }
@@ -60,8 +59,8 @@ impl ReferenceRules {
 
 impl TextRules for ReferenceRules {
     fn allow(&self, text: &str, dialect: DialectName) -> bool {
-        let now = ReferenceRules::new(text, dialect);
-        now.codes.is_subset(&self.codes) && now.empty_lists <= self.empty_lists
+        codes(text, dialect).is_subset(&self.codes)
+            && empty_lists(&parse(text, Dialect::of(dialect)).0) <= self.empty_lists
     }
 
     fn start(&self) -> TextState {
@@ -88,6 +87,12 @@ impl TextRules for ReferenceRules {
             .map(|(name, value)| (name.to_ascii_lowercase(), spell(&value)))
             .collect()
     }
+}
+
+/// Returns the codes of the errors of a text.
+fn codes(text: &str, dialect: DialectName) -> BTreeSet<Code> {
+    let found = errors(text, dialect);
+    found.iter().filter_map(Diagnostic::registered_code).collect()
 }
 
 /// Returns the number of empty lists of statements of a text.

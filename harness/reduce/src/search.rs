@@ -153,7 +153,8 @@ pub trait CandidateJudge<T> {
     /// Returns whether a candidate keeps the rules that candidates must keep. Only such candidates are judged.
     fn admits(&mut self, candidate: &T) -> bool;
 
-    /// Judges candidates that do not depend on one another. Returns one answer for each, in their order.
+    /// Judges candidates that do not depend on one another: all that were admitted since the last time. Returns one answer for
+    /// each, in their order.
     fn judge(&mut self, candidates: &[T]) -> Vec<Interestingness>;
 
     /// Returns how many candidates are best judged at a time; 1 where several cost as much as one after the other.
@@ -162,16 +163,14 @@ pub trait CandidateJudge<T> {
     }
 }
 
-/// A judge that is asked about one candidate after the other.
-struct OneByOne<'f, T>(&'f mut dyn FnMut(&T) -> Interestingness);
-
-impl<T> CandidateJudge<T> for OneByOne<'_, T> {
+/// A function is asked about one candidate after the other.
+impl<T, F: FnMut(&T) -> Interestingness + ?Sized> CandidateJudge<T> for F {
     fn admits(&mut self, _: &T) -> bool {
         true
     }
 
     fn judge(&mut self, candidates: &[T]) -> Vec<Interestingness> {
-        candidates.iter().map(|candidate| (self.0)(candidate)).collect()
+        candidates.iter().map(self).collect()
     }
 }
 
@@ -185,7 +184,7 @@ pub fn minimise<T: Clone>(
     interesting: &mut dyn FnMut(&T) -> Interestingness,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<T> {
-    minimise_in_packs(start, method, &mut OneByOne(interesting), budget)
+    minimise_in_packs(start, method, &mut |candidate: &T| interesting(candidate), budget)
 }
 
 /// Makes `start` as small as the passes can, like [`minimise`], with a judge that may be asked about several candidates at a

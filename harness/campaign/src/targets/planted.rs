@@ -3,13 +3,17 @@
 use crate::basis::of_code;
 use crate::finding::ExpectedBehavior;
 use arbitrary::Unstructured;
+use std::rc::Rc;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
-use stickler_generate::plant::{Planted, plant, plant_kind, without_unused};
+use stickler_generate::plant::{Planted, plant, plant_kind};
 use stickler_generate::random;
 use stickler_generate::reduce;
 use stickler_generate::writer::{Style, write};
-use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
+use stickler_reduce::{
+    Interestingness, METHOD, Reduction, ReductionBudget, ReductionMethod, ReferenceRules, StopReason,
+    TextDraft, drop_unused, minimise, text_pass,
+};
 
 /// The number of other places that are tried for an error, besides the one where it was found.
 const OTHER_PLACES: u64 = 32;
@@ -139,21 +143,41 @@ impl PlantedSearch<'_> {
         })
     }
 
-    /// Drops the declarations that only the sound program uses.
+    /// Drops the declarations that only the sound program uses. A comment marks the line of the error meanwhile.
     fn without_unused(self, mut found: PlantedFailure) -> PlantedFailure {
-        loop {
-            let text = found.failure.program.clone().unwrap_or_default();
-            let less = without_unused(&text, found.line).find_map(|(text, line)| {
-                let failure = (self.judge)(&found.sound, &found.planted, &text, line).err()?;
-                (failure.symptom == self.symptom).then_some((line, failure))
-            });
-            let Some((line, failure)) = less else { return found };
-            found = PlantedFailure {
-                line,
-                failure,
-                ..found
-            };
+        const MARK: &str = "(* the planted error *)";
+        let dialect = found.planted.program.dialect;
+        let mut text = String::new();
+        for (number, line) in (1..).zip(found.failure.program.iter().flat_map(|text| text.lines())) {
+            let mark = if number == found.line { MARK } else { "" };
+            text += &format!("{line}{mark}\n");
         }
+        let errors = |text: &str| stickler_reference::errors(text, dialect).len();
+        let most = errors(&text);
+        let mut shows = |draft: &TextDraft| {
+            let above = draft.text().split(MARK).next().unwrap_or_default();
+            let line = above.lines().count() as u32;
+            let text = draft.text().replace(MARK, "");
+            // What is used somewhere would be an error of its own there.
+            if errors(&text) > most {
+                return Interestingness::Invalid;
+            }
+            match (self.judge)(&found.sound, &found.planted, &text, line) {
+                Err(failure) if failure.symptom == self.symptom => {
+                    found.line = line;
+                    found.failure = failure;
+                    Interestingness::Interesting
+                }
+                _ => Interestingness::Uninteresting,
+            }
+        };
+        let draft = TextDraft::new(&text, dialect, Rc::new(ReferenceRules::new(&text, dialect)));
+        let method = ReductionMethod {
+            passes: &[text_pass!("drop what is not used", drop_unused)],
+            ..METHOD
+        };
+        minimise(draft, &method, &mut shows, &ReductionBudget::default());
+        found
     }
 }
 
@@ -189,7 +213,7 @@ mod tests {
     fn reduced(kind: &str, overlooked: &dyn Fn(&str) -> bool) -> String {
         let judge = |sound: &str, planted: &Planted, text: &str, line: u32| {
             judge_sound_text(planted.program.dialect, sound)?;
-            judge_planted_text(planted, text, line).expect("the reference itself overlooks nothing");
+            judge_planted_text(planted, text, line)?;
             if overlooked(text) {
                 return Err(OracleFailure::new("overlooked", "nothing is said").of_program(text));
             }

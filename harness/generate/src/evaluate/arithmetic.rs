@@ -9,7 +9,7 @@ use stickler_types::{ElementaryType, Family};
 
 /// A value, with the open question that it raises.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Computed {
+pub(crate) struct Computed {
     /// The raw form of the value.
     pub raw: u64,
     /// The question that no document answers, if there is one.
@@ -18,7 +18,7 @@ pub(super) struct Computed {
 
 /// The result of an operator with two operands.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Binary {
+pub(crate) enum Binary {
     /// A value.
     Computed(Computed),
     /// The fault of an integer division by zero.
@@ -32,7 +32,7 @@ fn settled(raw: u64) -> Computed {
 }
 
 /// Computes a prefix operator; `None` if the type does not have it.
-pub(super) fn unary(operator: UnaryOperator, ty: ElementaryType, raw: u64) -> Option<Computed> {
+pub(crate) fn unary(operator: UnaryOperator, ty: ElementaryType, raw: u64) -> Option<Computed> {
     match (operator, ty.family()) {
         (UnaryOperator::Negate, Family::Signed) => Some(settled(ty.wrap(-ty.integer_value(raw)))),
         (UnaryOperator::Negate, Family::Duration) => Some(moment(-ty.integer_value(raw))),
@@ -50,7 +50,7 @@ fn negated(ty: ElementaryType, raw: u64) -> u64 {
 }
 
 /// Computes an operator other than a comparison for two operands of one type.
-pub(super) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u64) -> Binary {
+pub(crate) fn binary(operator: BinaryOperator, ty: ElementaryType, a: u64, b: u64) -> Binary {
     match ty.family() {
         Family::Signed | Family::Unsigned => integers(operator, ty, ty.integer_value(a), ty.integer_value(b)),
         Family::Real if ty == ElementaryType::Real => {

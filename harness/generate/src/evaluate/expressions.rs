@@ -129,7 +129,7 @@ impl<'p> ModelEvaluator<'p> {
             }
             _ => return Err(ill_formed("an operator on a structure or array")),
         };
-        if is_comparison(operator) {
+        if operator.is_comparison() {
             return self.comparison(unit, operator, ty, &a, &b);
         }
         let (MemoryCell::Plain(a), MemoryCell::Plain(b)) = (a, b) else {
@@ -182,12 +182,4 @@ impl<'p> ModelEvaluator<'p> {
         }
         Ok(MemoryCell::Plain(computed.raw))
     }
-}
-
-fn is_comparison(operator: BinaryOperator) -> bool {
-    use BinaryOperator::{Equal, Greater, GreaterOrEqual, Less, LessOrEqual, NotEqual};
-    matches!(
-        operator,
-        Equal | NotEqual | Less | LessOrEqual | Greater | GreaterOrEqual
-    )
 }

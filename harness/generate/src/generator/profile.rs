@@ -11,7 +11,7 @@ use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum ResultCoverage {
+pub(crate) enum ResultCoverage {
     /// Stated for every value that the generator draws.
     Always,
     /// Stated for some values.
@@ -21,7 +21,7 @@ pub(super) enum ResultCoverage {
 }
 
 /// A conversion function with one argument.
-pub(super) struct ConversionOffer {
+pub(crate) struct ConversionOffer {
     pub signature: Signature,
     pub from: ElementaryType,
     pub settled: ResultCoverage,
@@ -32,7 +32,7 @@ pub(super) struct ConversionOffer {
 }
 
 /// The types and conversions of one dialect.
-pub(super) struct DialectProfile {
+pub(crate) struct DialectProfile {
     pub dialect: DialectName,
     /// The elementary types to draw from, INT first; frequent types occur several times.
     pub weighted_types: Vec<ElementaryType>,

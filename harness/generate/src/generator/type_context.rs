@@ -2,7 +2,7 @@
 
 /// The way in which the place of an expression determines its type.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum TypeContext {
+pub(crate) enum TypeContext {
     /// An operand of something that takes several types: the text alone must determine the type.
     Exact,
     /// The other operand of an operator whose first operand determines the type.

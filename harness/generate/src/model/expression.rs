@@ -160,6 +160,36 @@ pub enum BinaryOperator {
     GreaterOrEqual,
 }
 
+impl BinaryOperator {
+    /// All operators.
+    pub const ALL: [BinaryOperator; 14] = [
+        BinaryOperator::Add,
+        BinaryOperator::Subtract,
+        BinaryOperator::Multiply,
+        BinaryOperator::Divide,
+        BinaryOperator::Modulo,
+        BinaryOperator::And,
+        BinaryOperator::Or,
+        BinaryOperator::Xor,
+        BinaryOperator::Equal,
+        BinaryOperator::NotEqual,
+        BinaryOperator::Less,
+        BinaryOperator::LessOrEqual,
+        BinaryOperator::Greater,
+        BinaryOperator::GreaterOrEqual,
+    ];
+
+    /// Returns whether the operator compares its operands.
+    #[must_use]
+    pub const fn is_comparison(self) -> bool {
+        use BinaryOperator as B;
+        matches!(
+            self,
+            B::Equal | B::NotEqual | B::Less | B::LessOrEqual | B::Greater | B::GreaterOrEqual
+        )
+    }
+}
+
 /// Standard functions other than conversions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum StandardFunction {
@@ -187,4 +217,22 @@ pub enum StandardFunction {
     Len,
     /// `CONCAT(IN1, IN2)`
     Concat,
+}
+
+impl StandardFunction {
+    /// All functions.
+    pub const ALL: [StandardFunction; 12] = [
+        StandardFunction::Abs,
+        StandardFunction::Sel,
+        StandardFunction::Mux,
+        StandardFunction::Min,
+        StandardFunction::Max,
+        StandardFunction::Limit,
+        StandardFunction::Shl,
+        StandardFunction::Shr,
+        StandardFunction::Rol,
+        StandardFunction::Ror,
+        StandardFunction::Len,
+        StandardFunction::Concat,
+    ];
 }

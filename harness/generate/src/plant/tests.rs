@@ -1,14 +1,19 @@
 //! Tests that every kind of error is planted, and planted in one place.
 
-use super::example::example;
 use super::*;
 use crate::dialect::has_bits;
 use crate::generator::DIALECTS;
 use crate::model::{Type, Variable, VariableSection};
 use crate::oracles::judge_planted;
+use crate::reader::read;
 use crate::writer::{Style, write};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_types::{DialectName, ElementaryType};
+
+/// Returns a program that has a place for every kind of error.
+fn example(dialect: DialectName) -> Program {
+    read(include_str!("example.st"), dialect).expect("it is a program of the model")
+}
 
 /// Returns bytes that choose differently for every number.
 fn choices(number: u64) -> Vec<u8> {

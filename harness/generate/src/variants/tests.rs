@@ -3,14 +3,13 @@
 
 use super::*;
 use crate::evaluate::evaluate;
-use crate::evaluate::tests as hand;
 use crate::generator::{GeneratorSettings, program};
-use crate::model::*;
+use crate::model::Program;
 use crate::random::Random;
+use crate::reader::read;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
-use stickler_types::ElementaryType::{Bool, Byte, Dint, Int};
-use stickler_types::Value;
+use stickler_types::{DialectName, Value};
 
 /// Returns pseudorandom bytes of a length that makes a program of some size.
 fn bytes(seed: u64) -> Vec<u8> {
@@ -39,87 +38,13 @@ fn values_in(other: &Program, original: &Program) -> Option<Vec<(String, Value)>
     )
 }
 
-/// Creates a program with something for every variant: loops of each kind, a bit, an implicit conversion, a call, both sides
+/// Returns a program with something for every variant: loops of each kind, a bit, an implicit conversion, a call, both sides
 /// of an IF.
 pub(crate) fn everything() -> Program {
-    let one_more = |id| hand::binary(BinaryOperator::Add, hand::read(id, Int), hand::literal("INT#1"));
-    let count = |id| hand::set(id, Int, one_more(id));
-    let compared = |operator, id| Expression {
-        ty: Type::Elementary(Bool),
-        ..hand::binary(operator, hand::read(id, Int), untyped("INT#4"))
-    };
-    let below = |id| compared(BinaryOperator::Less, id);
-    let call = hand::of(
-        Int,
-        ExpressionKind::Call(
-            0,
-            vec![
-                Argument {
-                    parameter: VariableId(0),
-                    value: one_more(1),
-                },
-                Argument {
-                    parameter: VariableId(1),
-                    value: hand::literal("INT#7"),
-                },
-            ],
-        ),
-    );
-    let widened = hand::of(Dint, ExpressionKind::Widen(Box::new(call)));
-    let body = vec![
-        hand::statement(StatementKind::For {
-            variable: VariableId(0),
-            from: untyped("INT#-1"),
-            to: untyped("INT#3"),
-            by: Some(untyped("INT#2")),
-            body: vec![count(1)],
-        }),
-        hand::set(0, Int, hand::literal("INT#0")),
-        hand::statement(StatementKind::While(below(0), vec![count(0)])),
-        hand::statement(StatementKind::Repeat(
-            vec![count(1)],
-            compared(BinaryOperator::Greater, 1),
-        )),
-        hand::statement(StatementKind::If(
-            vec![(below(1), vec![count(1)])],
-            Some(vec![count(0)]),
-        )),
-        hand::set(2, Dint, widened),
-        hand::statement(StatementKind::Assign(
-            AssignmentTarget::Bit(hand::place(3, Vec::new(), Byte), 6),
-            hand::literal("BOOL#TRUE"),
-        )),
-    ];
-    let variables = vec![
-        hand::local("i", Int, ""),
-        hand::local("n", Int, "INT#5"),
-        hand::local("wide", Dint, ""),
-        hand::local("bits", Byte, ""),
-    ];
-    let mut made = hand::program(variables, body);
-    let input = |name| hand::variable(name, Type::Elementary(Int), VariableSection::Input, None);
-    made.functions.push(Function {
-        name: "product".to_owned(),
-        result: Type::Elementary(Int),
-        variables: vec![input("a"), input("b")],
-        body: vec![hand::statement(StatementKind::Assign(
-            AssignmentTarget::Result,
-            hand::binary(BinaryOperator::Multiply, hand::read(0, Int), hand::read(1, Int)),
-        ))],
-    });
-    made
+    read(EVERYTHING, DialectName::IRONPLC_ED3).expect("it is a program of the model")
 }
 
-fn untyped(text: &str) -> Expression {
-    let literal = hand::literal(text);
-    match literal.kind {
-        ExpressionKind::Literal(value, _) => Expression {
-            kind: ExpressionKind::Literal(value, LiteralForm::Untyped),
-            ..literal
-        },
-        _ => literal,
-    }
-}
+const EVERYTHING: &str = include_str!("everything.st");
 
 type VariantChange = fn(&mut Program, &mut Random<'_, '_>) -> usize;
 
@@ -179,9 +104,11 @@ fn names_of_variants_are_distinct() {
 
 #[test]
 fn the_case_of_letters_changes_outside_of_texts_only() {
-    let mut original = everything();
-    let said = hand::local("said", stickler_types::ElementaryType::String, "STRING#'a$'b$$'");
-    original.main.variables.push(said);
+    let said = EVERYTHING.replace(
+        "    bits : BYTE;\n",
+        "    bits : BYTE;\n    said : STRING := 'a$'b$$';\n",
+    );
+    let original = read(&said, DialectName::IRONPLC_ED3).unwrap();
     let canonical = write(&original, &Style::default()).text;
     let varied = Variant::Capitals
         .text(&original, &mut Unstructured::new(&bytes(5)))

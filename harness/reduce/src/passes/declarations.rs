@@ -24,18 +24,27 @@ pub(crate) fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(spans.map(Edits::removing).collect())
 }
 
-/// Makes a function block the program that runs, with plain variables.
-pub(crate) fn block_to_program(view: &TextView<'_>) -> Vec<Edits> {
+/// Makes a function block or a function the program that runs, with plain variables; one of them is the result of the function.
+pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
     let Some(program) = view.unit.pous().find(|pou| pou.kind == PouKind::Program) else {
         return Vec::new();
     };
-    let blocks = view.unit.pous().filter(|pou| pou.kind == PouKind::FunctionBlock);
-    let changes = blocks.map(|block| {
+    let units = view.unit.pous().filter(|pou| pou.kind != PouKind::Program);
+    let changes = units.map(|unit| {
         let mut edits = Edits::removing(program.span);
-        let head = block.span.start as usize..block.name.span.end as usize;
-        edits.replace(head, format!("PROGRAM {}", program.name.text));
-        edits.replace(block.end, "END_PROGRAM");
-        for section in &block.blocks {
+        let name = unit.name.span;
+        let head = format!("PROGRAM {}", program.name.text);
+        edits.replace(unit.span.start as usize..name.end as usize, head);
+        if let Some(result) = &unit.result {
+            let variable = format!(
+                "\nVAR {} : {}; END_VAR",
+                unit.name.text,
+                result.span.text(view.text())
+            );
+            edits.replace(name.end as usize..result.span.end as usize, variable);
+        }
+        edits.replace(unit.end, "END_PROGRAM");
+        for section in &unit.blocks {
             if let [word, ..] = view.inside(section.span.into())
                 && let TokenKind::VarInput | TokenKind::VarOutput | TokenKind::VarInOut = word.kind
             {
@@ -53,8 +62,9 @@ pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
 }
 
-/// Drops unused declarations of variables, fields and types.
-pub(crate) fn drop_unused(view: &TextView<'_>) -> Vec<Edits> {
+/// Lists changes that drop unused declarations of variables, fields and types.
+#[must_use]
+pub fn drop_unused(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
     for section in view.sections() {
         match section.groups.as_slice() {
@@ -172,6 +182,7 @@ pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
             }
         }
         if !edits.is_empty() {
+            edits.remove(type_declaration(view, declared));
             changes.push(edits);
         }
     }

@@ -3,7 +3,7 @@
 use crate::TextView;
 use crate::rules::TextState;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Expression, ExpressionKind, StatementKind};
+use stickler_syntax::tree::{Expression, ExpressionKind};
 use stickler_syntax::visitor::{Place, operands};
 
 /// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
@@ -22,26 +22,23 @@ const TYPED: [&str; 8] = [
     "T#0s",
 ];
 
-/// Replaces expressions by a plain literal that is valid in their place, outermost first; the condition of REPEAT by TRUE.
+/// Replaces expressions by the first plain literal that is valid in their place, outermost first.
 pub(crate) fn to_literal(view: &TextView<'_>) -> Vec<Edits> {
-    let is_end = |statement: &StatementKind, span| match statement {
-        StatementKind::Repeat { until, .. } => view.place(*until) == span,
-        _ => false,
-    };
-    let statements = view.statements();
     let mut changes = Vec::new();
     for expression in replaceable(view) {
-        let ends = statements
-            .iter()
-            .any(|statement| is_end(&statement.kind, expression.span.into()));
-        let all = ends.then_some(&"TRUE").into_iter().chain(&PLAIN);
         let replacing = |plain: &&str| {
             let change = Edits::replacing(expression.span, *plain);
             view.only_allowed(vec![change]).pop()
         };
-        changes.extend(all.filter_map(replacing).next());
+        changes.extend(PLAIN.iter().filter_map(replacing).next());
     }
     changes
+}
+
+/// Replaces truth values by TRUE, which ends REPEAT and enters a branch.
+pub(crate) fn to_true(view: &TextView<'_>) -> Vec<Edits> {
+    let changes = replaceable(view).map(|expression| Edits::replacing(expression.span, "TRUE"));
+    view.only_allowed(changes.collect())
 }
 
 /// Replaces expressions of a rejected text by typed literals.

@@ -1,0 +1,84 @@
+//! Tests that the reader reads what the writer writes.
+
+use super::read;
+use crate::evaluate::evaluate;
+use crate::generator::{DIALECTS, GeneratorSettings, program};
+use crate::random::bytes;
+use crate::writer::{Style, write};
+use arbitrary::Unstructured;
+use stickler_types::DialectName;
+
+#[test]
+fn what_is_written_is_read_back_as_the_same_program() {
+    for (seed, dialect) in (0..40).flat_map(|seed| DIALECTS.iter().map(move |dialect| (seed, *dialect))) {
+        let settings = GeneratorSettings {
+            dialect: Some(dialect),
+            open: seed % 4 == 3,
+            ..GeneratorSettings::default()
+        };
+        let made = program(&mut Unstructured::new(&bytes(seed, 1500)), &settings);
+        let text = write(&made, &Style::default()).text;
+        let read = read(&text, dialect).unwrap_or_else(|| panic!("not read:\n{text}"));
+        assert_eq!(write(&read, &Style::default()).text, text);
+        assert_eq!(evaluate(&read, 1), evaluate(&made, 1), "{text}");
+    }
+}
+
+/// Returns what the writer makes of a statement that is read between these declarations.
+fn statement(text: &str) -> Option<String> {
+    let (before, after) = (
+        "PROGRAM main\nVAR\n    i : INT;\n    d : DINT;\n    r : REAL;\n    w : WORD;\n    b : BOOL;\n    s : STRING;\n    \
+         a : ARRAY[1..2] OF INT;\nEND_VAR\n    ",
+        "\nEND_PROGRAM\n",
+    );
+    let read = read(&format!("{before}{text}{after}"), DialectName::IRONPLC_ED3)?;
+    let written = write(&read, &Style::default()).text;
+    Some(written.strip_prefix(before)?.strip_suffix(after)?.to_owned())
+}
+
+#[test]
+fn an_expression_has_the_type_that_its_text_says() {
+    for (text, written) in [
+        ("D := (i) + INT#1;;", "d := i + INT#1;"),
+        ("d := i + d;", "d := i + d;"),
+        ("r := -(1.5);", "r := -1.5;"),
+        ("w := w AND 16#f;", "w := w AND 16#000F;"),
+        ("a[i] := a[2];", "a[i] := a[2];"),
+        ("w.15 := i.%X3;", "w.15 := i.3;"),
+    ] {
+        assert_eq!(statement(text).as_deref(), Some(written), "{text}");
+    }
+}
+
+#[test]
+fn a_text_whose_types_no_document_settles_is_not_read() {
+    for text in [
+        // No implicit conversion, also not of a literal.
+        "i := d;",
+        "r := 1;",
+        "i := 1.0;",
+        "i := 40000;",
+        "b := 1;",
+        // Nothing says of which type the operands are.
+        "d := 1 + 2;",
+        "b := 1 < 2;",
+        "w := NOT 16#1;",
+        "i := ABS(-1);",
+        "i := LEN(1);",
+        // The types do not have the operator.
+        "b := s < s;",
+        "r := r MOD r;",
+        "w := w + w;",
+        "b := b.0;",
+        "i.16 := b;",
+        // Not of the model.
+        "i := +i;",
+        "r := r ** r;",
+        "a[1, 1] := i;",
+        "IF i THEN ; END_IF;",
+        "CONTINUE;",
+        "missing := 1;",
+    ] {
+        assert_eq!(statement(text), None, "{text}");
+    }
+}
