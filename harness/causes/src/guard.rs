@@ -1,14 +1,13 @@
 //! What the reduction of a program must not exchange for other things: a smaller program shows the same defect only where the construct
 //! at fault is still there, and nothing came in that the whole program does not have.
 
-use crate::program::{Part, Program, ReadProgram, elementary, has_word, tokens};
+use crate::program::{ANY, Part, Program, ReadProgram, elementary, has_word, tokens};
 use crate::shape::is_name;
 use std::collections::{BTreeMap, BTreeSet};
+use stickler_syntax::features::features;
 use stickler_syntax::names::{DeclaredKind, DeclaredName};
 use stickler_syntax::token::{Token, TokenKind};
-use stickler_syntax::tree::{
-    Declaration, ExpressionId, ExpressionKind, LiteralKind, UnaryOperator, VariableKind,
-};
+use stickler_syntax::tree::{Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind};
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
 
@@ -33,15 +32,17 @@ impl Constructs {
         let all = tokens(text);
         let uses = uses(&program);
         let mut limited = literals(text, &all);
+        let features = features(text, &ANY).into_iter().map(String::from);
+        // An operator between two operands does not become one before an operand.
+        limited
+            .extend(features.filter(|key| ["negation", "unary-plus", "empty-statement"].contains(&&**key)));
         limited.extend(unpromised(&program, &all).into_iter().map(str::to_owned));
-        limited.extend(unclosed(&all).into_iter().map(str::to_owned));
-        limited.extend(unary(&program).into_iter().map(str::to_owned));
-        let locations = all.iter().filter(|token| token.kind == TokenKind::Direct);
-        limited.extend(locations.map(|token| token.span.text(text).to_ascii_uppercase()));
+        limited.extend(words_alone(text, &all));
         // Of a text that cannot be read nobody reports a name that is not declared. A function may be one of the library.
+        let is_value = |ways: &BTreeSet<String>| ways.iter().any(|way| way != "()");
         let undeclared = uses
             .iter()
-            .filter(|(name, ways)| !program.declares(name) && ways.iter().any(|way| way != " ()"));
+            .filter(|(name, ways)| !program.declares(name) && is_value(ways));
         limited.extend(undeclared.map(|(name, _)| format!("undeclared {name}")));
         Constructs {
             limited,
@@ -141,42 +142,29 @@ fn literal(written: &str) -> Option<String> {
         .then(|| plain.to_owned())
 }
 
-/// Returns the ways in which the statements use each name, such as ` [] .bit` for a bit of an element.
+/// Returns the ways in which the statements use each name, such as `[].` for a bit of an element.
 fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for part in program.parts.iter().filter(|part| part.statement.is_some()) {
-        if let ExpressionKind::Name(name) = &part.expression.kind {
-            let ways = found.entry(name.text.to_ascii_uppercase()).or_default();
-            ways.insert(way(program, part));
-        }
+        let ExpressionKind::Name(name) = &part.expression.kind else {
+            continue;
+        };
+        let whole = program.text(program.outermost(part).id);
+        let mut depth = 0_usize;
+        let behind = whole.chars().skip(name.text.len()).filter(|sign| {
+            depth = depth + usize::from(*sign == '[') - usize::from(*sign == ']');
+            (depth == 0 || *sign == '[') && !sign.is_ascii_digit()
+        });
+        let way = match part.place {
+            Place::Callee => "()".to_owned(),
+            _ => behind.collect::<String>().to_ascii_uppercase(),
+        };
+        found
+            .entry(name.text.to_ascii_uppercase())
+            .or_default()
+            .insert(way);
     }
     found
-}
-
-/// Returns the way in which a name is used, by the expressions around it.
-fn way(program: &ReadProgram<'_, '_>, name: &Part<'_, '_>) -> String {
-    let mut way = String::new();
-    let mut inner = name;
-    while let Some(outer) = inner.around.and_then(|id| program.part(id)) {
-        if inner.place == Place::Callee {
-            return way + " ()";
-        }
-        if inner.place != Place::Base {
-            break;
-        }
-        match &outer.expression.kind {
-            ExpressionKind::Index { .. } => way.push_str(" []"),
-            ExpressionKind::Field { field, .. } => way.extend([" .", &field.text.to_ascii_uppercase()]),
-            ExpressionKind::Part { part, .. } => way.extend([" .", part.name()]),
-            _ => way.push_str(if program.text(outer.id).contains('%') {
-                " .%X"
-            } else {
-                " .bit"
-            }),
-        }
-        inner = outer;
-    }
-    way
 }
 
 /// Returns the names that are declared with an elementary type.
@@ -191,45 +179,19 @@ fn elementary_names(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     found.map(|one| one.name.text.to_ascii_uppercase()).collect()
 }
 
-/// Returns the operators before an operand and behind none, so that `a - b` does not become `-b`.
-fn unary(program: &ReadProgram<'_, '_>) -> BTreeSet<&'static str> {
-    let operators = program
-        .parts
-        .iter()
-        .filter_map(|part| match part.expression.kind {
-            ExpressionKind::Unary {
-                operator: UnaryOperator::Negate,
-                ..
-            } => Some("- alone"),
-            ExpressionKind::Unary {
-                operator: UnaryOperator::Plus,
-                ..
-            } => Some("+ alone"),
-            _ => None,
-        });
-    operators.collect()
-}
-
-/// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`.
-fn unclosed(tokens: &[Token]) -> BTreeSet<&'static str> {
-    use TokenKind::*;
-    let pairs = [
-        (Program, EndProgram),
-        (Function, EndFunction),
-        (FunctionBlock, EndFunctionBlock),
-        (Type, EndType),
-        (Struct, EndStruct),
-        (If, EndIf),
-        (Case, EndCase),
-        (For, EndFor),
-        (While, EndWhile),
-        (Repeat, EndRepeat),
-    ];
-    let number = |kind: TokenKind| tokens.iter().filter(|token| token.kind == kind).count();
-    let open = pairs
-        .into_iter()
-        .filter(|(head, end)| number(*head) > number(*end));
-    open.map(|(head, _)| head.text()).collect()
+/// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`, and the locations of
+/// variables.
+fn words_alone(text: &str, tokens: &[Token]) -> BTreeSet<String> {
+    let number = |word: &str| tokens.iter().filter(|token| token.is(word, text)).count();
+    let is_alone = |token: &&Token| {
+        let word = token.span.text(text);
+        let end = format!("END_{}", word.to_ascii_uppercase());
+        token.kind == TokenKind::Direct || TokenKind::of_word(&end).closes() && number(word) > number(&end)
+    };
+    let alone = tokens.iter().filter(is_alone);
+    alone
+        .map(|token| token.span.text(text).to_ascii_uppercase())
+        .collect()
 }
 
 /// Returns the names of the constructs of a program that no document promises, or not every one: where the whole program does
@@ -270,22 +232,6 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
             .filter(|(_, is_there)| *is_there)
             .map(|(name, _)| name),
     );
-    let before_empty = [
-        TokenKind::Semicolon,
-        TokenKind::Colon,
-        TokenKind::EndVar,
-        TokenKind::Of,
-        TokenKind::Do,
-        TokenKind::Then,
-        TokenKind::Else,
-        TokenKind::Repeat,
-    ];
-    if before_empty
-        .into_iter()
-        .any(|before| adjacent(before, TokenKind::Semicolon))
-    {
-        found.insert("empty statement");
-    }
     for part in &program.parts {
         found.extend(of_value(program, part));
     }
@@ -352,20 +298,13 @@ fn is_global(program: &ReadProgram<'_, '_>, name: &str) -> bool {
         .any(|one| one.kind == global && one.name.is(name))
 }
 
-/// Returns whether the variable is assigned that a name is, or an element, a field or a bit of it.
+/// Returns whether a unit assigns the variable of its own that a name is, or an element, a field or a bit of it.
 fn is_assigned(program: &ReadProgram<'_, '_>, name: &Part<'_, '_>) -> bool {
-    let mut inner = *name;
-    while inner.place == Place::Base
-        && let Some(outer) = inner.around.and_then(|id| program.part(id))
-    {
-        inner = *outer;
-    }
-    let is_own = name.pou.is_some_and(|pou| {
-        program
-            .named(program.text(name.id), Some(pou))
-            .is_some_and(|one| one.inside.map(|unit| unit.span) == Some(pou.span))
-    });
-    inner.place == Place::Target && is_own
+    let own = program
+        .named(program.text(name.id), name.pou)
+        .and_then(|one| one.inside);
+    let is_own = own.map(|pou| pou.span) == name.pou.map(|pou| pou.span);
+    is_own && program.outermost(name).place == Place::Target
 }
 
 /// Returns whether a name is that of a variable of a section that is not `CONSTANT`.

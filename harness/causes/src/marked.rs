@@ -89,7 +89,9 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     pub(crate) fn of_mistake(&self, is_unchecked: bool) -> Words {
         let as_one = |operation: String| match operation.as_str() {
             "arithmetic" | "power" | "comparison" | "bitwise operator" | "sign" => "operator".to_owned(),
-            "call" if self.calls_block() => "call of a block".to_owned(),
+            "call" if self.callees().any(|name| self.program.is_instance(name)) => {
+                "call of a block".to_owned()
+            }
             conversion if conversion.contains("_TO_") => "conversion function".to_owned(),
             _ => operation,
         };
@@ -157,16 +159,15 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         PLACES[2]
     }
 
-    /// Returns whether the line calls an instance of a function block.
-    fn calls_block(&self) -> bool {
-        let mut callees = self
+    /// Returns the names that the line calls.
+    fn callees(&self) -> impl Iterator<Item = &'s str> {
+        let callees = self
             .program
             .parts
             .iter()
             .filter(|part| part.place == Place::Callee);
-        callees.any(|part| {
-            self.is_on_line(part.expression.span) && self.program.is_instance(self.program.text(part.id))
-        })
+        let here = callees.filter(|part| self.is_on_line(part.expression.span));
+        here.map(|part| self.program.text(part.id))
     }
 
     /// Returns the kind of variable that the line assigns, unless that is a plain one.
@@ -207,7 +208,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             .into_iter()
             .filter_map(|word| self.kind_of(declared(word)?));
         let mut features: Words = kinds.map(str::to_owned).collect();
-        features.extend(self.passes_in_out(line).then(|| "VAR_IN_OUT".to_owned()));
+        let passes = passes_in_out(&self.program, is_there);
+        features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
         if features.is_empty() {
             return match operations.is_empty() {
                 true => Words::from(["statement".to_owned()]),
@@ -236,11 +238,6 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             TypeSpecificationKind::Structure(_) => Some("structure"),
             _ => None,
         }
-    }
-
-    /// Returns whether a line passes an argument to a variable of VAR_IN_OUT by its name.
-    fn passes_in_out(&self, line: u32) -> bool {
-        passes_in_out(&self.program, |span| self.program.program.line(span) == line)
     }
 
     /// Returns whether the program converts between values of different kinds.
@@ -335,12 +332,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns the kinds of the operands on the line; numbers are of one kind.
     fn operand_kinds(&self) -> Words {
         let kinds = words(self.text()).into_iter().filter_map(|word| {
-            let declared = || {
-                self.program
-                    .elementary(&self.program.named(word, None)?.group?.specification)
-            };
             let is_number = word.starts_with(|first: char| first.is_ascii_digit());
-            match type_of_word(word).or_else(declared).and_then(kind) {
+            match self.program.type_of_word(word).and_then(kind) {
                 _ if is_number => Some("number"),
                 Some("integer" | "real") => Some("number"),
                 other => other,
@@ -351,14 +344,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns whether the line calls a function that the program does not declare.
     fn calls_library(&self) -> bool {
-        let mut callees = self
-            .program
-            .parts
-            .iter()
-            .filter(|part| part.place == Place::Callee);
-        callees.any(|part| {
-            self.is_on_line(part.expression.span) && !self.program.declares(self.program.text(part.id))
-        })
+        self.callees().any(|name| !self.program.declares(name))
     }
 
     /// Returns the forms of those literals of the line that are not known to be taken by the engine.

@@ -92,14 +92,10 @@ struct Draft {
 }
 
 impl Draft {
-    /// Takes one of several programs in the place of this one.
-    fn alternative(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<String>) {
+    /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
+    /// one, in their order.
+    fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
         let found = find(&Program::new(&self.text).read());
-        self.choose(sites, found);
-    }
-
-    /// Takes the chosen program. Several are none, so that programs are tried one by one, in their order.
-    fn choose(&mut self, sites: &mut Sites, found: Vec<String>) {
         let mut chosen = found.into_iter().filter(|_| sites.here());
         if let (Some(one), None) = (chosen.next(), chosen.next()) {
             self.text = one;
@@ -115,62 +111,52 @@ impl Draft {
     }
 }
 
-const OPERAND_ALONE: Pass<Draft> = Pass {
-    name: "take an operand alone",
+/// Creates a pass that takes one of several programs in the place of another.
+macro_rules! alternatives {
+    ($name:literal, $find:expr) => {
+        Pass {
+            name: $name,
+            edit: |draft, sites| draft.alternative(sites, $find),
+        }
+    };
+}
+
+type NormalPass = Pass<Draft>;
+const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
+const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
+const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
+const OTHER_OPERAND: NormalPass = Pass {
+    name: "give quite another type",
     edit: |draft, sites| {
-        draft.alternative(sites, |program| {
-            alone(program).into_iter().map(|one| one.program).collect()
-        });
+        let dialect = draft.dialect;
+        draft.alternative(sites, |program| with_other_operand(program, dialect));
     },
 };
-const INITIAL_VALUES: Pass<Draft> = Pass {
-    name: "leave the bodies out",
-    edit: |draft, sites| draft.alternative(sites, forms::only_initial_values),
-};
-const BEGINNING: Pass<Draft> = Pass {
-    name: "begin a variable of a function block",
-    edit: |draft, sites| draft.alternative(sites, beginning_block),
-};
-const OTHER_OPERAND: Pass<Draft> = Pass {
-    name: "give quite another type in the place of the mistake",
-    edit: |draft, sites| {
-        let errors = stickler_reference::errors(&draft.text, draft.dialect);
-        let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
-        let found = forms::with_other_operand(&Program::new(&draft.text).read(), line);
-        draft.choose(sites, found);
-    },
-};
-const ONE_STATEMENT: Pass<Draft> = Pass {
-    name: "keep one statement that only names a variable",
-    edit: |draft, sites| draft.alternative(sites, forms::with_one_statement),
-};
-const WHOLE_OUTPUT: Pass<Draft> = Pass {
-    name: "give an output to a variable in the place of a bit",
-    edit: |draft, sites| draft.alternative(sites, forms::with_whole_output),
-};
-const FIRST_PARTS: Pass<Draft> = Pass {
-    name: "select the first parts",
-    edit: |draft, sites| draft.alternative(sites, forms::with_first_parts),
-};
-const FITTING_OPERAND: Pass<Draft> = Pass {
-    name: "give a variable of the right type",
-    edit: |draft, sites| draft.alternative(sites, forms::with_fitting_operand),
-};
-const SAME_TYPES: Pass<Draft> = Pass {
-    name: "make two types one",
-    edit: |draft, sites| draft.alternative(sites, forms::with_same_types),
-};
-const PLAINER_TYPE: Pass<Draft> = Pass {
-    name: "take a plainer type",
-    edit: |draft, sites| draft.alternative(sites, forms::with_plainer_type),
-};
-const PLAINER_NUMBERS: Pass<Draft> = Pass {
+const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
+const WHOLE_OUTPUT: NormalPass = alternatives!("give an output to a variable", forms::with_whole_output);
+const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
+const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
+const SAME_TYPES: NormalPass = alternatives!("make two types one", forms::with_same_types);
+const PLAINER_TYPE: NormalPass = alternatives!("take a plainer type", forms::with_plainer_type);
+const PLAINER_NUMBERS: NormalPass = Pass {
     name: "take plainer numbers",
     edit: |draft, sites| draft.change(sites, plainer_numbers),
 };
 
+/// Returns the operands of a program, each in a program of its own.
+fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    alone(program).into_iter().map(|one| one.program).collect()
+}
+
+/// Returns programs with quite another type in the place of a value on the line of the mistake.
+fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
+    let errors = stickler_reference::errors(program.program.text, dialect);
+    let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
+    forms::with_other_operand(program, line)
+}
+
 /// Returns the passes that find out what of a program a symptom needs.
-fn structure_passes(symptom: &Symptom) -> &'static [Pass<Draft>] {
+fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
         Symptom::Value | Symptom::Missing => &[INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.

@@ -39,13 +39,10 @@ impl<'t, 's> ReadProgram<'t, 's> {
         let name = path.split(['@', '[', '.']).next().unwrap_or(path);
         let assigns = |part: &&Part<'t, 's>| {
             let is_it = matches!(&part.expression.kind, ExpressionKind::Name(one) if one.is(name));
+            let targets = [Place::Target, Place::Control, Place::OutputArgument];
             // An argument that is the variable alone may be changed by the call.
-            is_it
-                && matches!(
-                    self.outermost(part).place,
-                    Place::Target | Place::Control | Place::OutputArgument
-                )
-                || is_it && part.place == Place::NamedArgument
+            let changes = part.place == Place::NamedArgument || targets.contains(&self.outermost(part).place);
+            is_it && changes
         };
         self.parts
             .iter()

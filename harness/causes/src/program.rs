@@ -307,22 +307,21 @@ impl<'t, 's> ReadProgram<'t, 's> {
             Place::Argument | Place::NamedArgument => {
                 let (callee, arguments) = self.call(part.around?)?;
                 let unit = self.unit_of(callee)?;
-                let is_it = |argument: &&Argument<'s>| match argument {
+                let is_input = |one: &&DeclaredName<'t, 's>| {
+                    let inputs = [VariableKind::Input, VariableKind::InOut].map(DeclaredKind::Variable);
+                    inputs.contains(&one.kind) && one.inside.is_some_and(|pou| pou.span == unit.span)
+                };
+                let mut inputs = self.names.iter().filter(is_input);
+                let is_it = |argument: &Argument<'s>| match argument {
                     Argument::Positional(value) | Argument::Named { value, .. } => *value == part.id,
                     Argument::Output { .. } => false,
                 };
-                let inputs = unit.blocks.iter();
-                let inputs =
-                    inputs.filter(|block| matches!(block.kind, VariableKind::Input | VariableKind::InOut));
-                let mut inputs = inputs
-                    .flat_map(|block| &block.groups)
-                    .flat_map(|group| group.names.iter().map(move |name| (name, group)));
-                let at = arguments.iter().position(|argument| is_it(&argument))?;
-                let group = match &arguments[at] {
-                    Argument::Named { name, .. } => inputs.find(|(input, _)| input.is(name.text)),
+                let at = arguments.iter().position(is_it)?;
+                let input = match &arguments[at] {
+                    Argument::Named { name, .. } => inputs.find(|input| input.name.is(name.text)),
                     _ => inputs.nth(at),
                 };
-                group.map(|(_, group)| &group.specification)
+                Some(&input?.group?.specification)
             }
             _ => None,
         }
@@ -345,6 +344,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
             }
             _ => None,
         }
+    }
+
+    /// Returns the elementary type that a word names, a literal by its prefix, or a variable by its declaration.
+    pub(crate) fn type_of_word(&self, word: &str) -> Option<ElementaryType> {
+        let declared = || self.elementary(&self.named(word, None)?.group?.specification);
+        type_of_word(word).or_else(declared)
     }
 
     /// Returns the name and the arguments of a call.

@@ -3,7 +3,7 @@
 
 use crate::lines::unimplemented;
 use crate::marked::passes_in_out;
-use crate::program::{Program, ReadProgram, type_of_word, valued_types, words};
+use crate::program::{Program, ReadProgram, valued_types, words};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
 use crate::sign::is_unread;
@@ -95,11 +95,9 @@ pub(crate) fn specific<'f>(
         let around = uses.iter().rfind(surrounds).and_then(known);
         // Where nothing is done with the variables of a line, their type is at fault.
         let declared_type = || {
-            let type_of = |word: &str| {
-                let declared = || program.elementary(&program.named(word, None)?.group?.specification);
-                type_of_word(word).or_else(declared)
-            };
-            let ty = words(of_line).into_iter().find_map(type_of)?;
+            let ty = words(of_line)
+                .into_iter()
+                .find_map(|word| program.type_of_word(word))?;
             features.get(&ty.name().to_ascii_lowercase())
         };
         found.extend(around.or_else(declared_type));

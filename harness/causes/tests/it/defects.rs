@@ -7,6 +7,7 @@
 //! | `cases` | `has` the declarations of PROGRAM main and what it `does`, or its whole `program`; what `must` happen; its `basis` |
 //! | `titles` | the number of cases and the title of each cause that must be found; `*` stands for anything |
 //! | `cause` | properties of the first cause |
+//! | `editions` | whether each case is one of the second edition too |
 //! | `questions` | the maximum number of questions of the search |
 //! | `most_runs`, `once` | how many programs are run at most; a text of which one program alone is run |
 
@@ -15,7 +16,8 @@ use crate::suites::{self, suite, suite_with_sources, titles};
 use serde::Deserialize;
 use stickler_causes::SearchLimits;
 use stickler_run::{Cause, Fact};
-use stickler_suite::Case;
+use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -23,29 +25,26 @@ struct DefectFile {
     defect: Vec<PlantedDefect>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct PlantedDefect {
+#[derive(Deserialize, Default)]
+#[serde(default, deny_unknown_fields)]
+pub struct PlantedDefect {
     name: String,
     compiler: Defects,
     poses_as: Option<String>,
-    #[serde(default)]
     knows_no: Vec<String>,
     cases: Vec<FailingCase>,
+    editions: bool,
     titles: Vec<String>,
-    #[serde(default)]
     cause: FirstCause,
     questions: Option<u64>,
     most_runs: Option<usize>,
     once: Option<String>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
+#[derive(Deserialize, Default)]
+#[serde(default, deny_unknown_fields)]
 struct FailingCase {
-    #[serde(default)]
     has: String,
-    #[serde(default)]
     does: String,
     program: Option<String>,
     must: String,
@@ -66,6 +65,7 @@ struct FirstCause {
     program_lacks: Vec<String>,
     /// What the commands of the reproduction printed.
     printed: Option<String>,
+    reduction: Option<String>,
 }
 
 impl FailingCase {
@@ -89,21 +89,39 @@ impl FailingCase {
 }
 
 impl PlantedDefect {
-    /// Returns what is not as the file says.
-    fn mistakes(&self) -> Vec<String> {
+    /// Returns the compiler.
+    pub fn compiler(&self) -> DefectiveCompiler {
         let mut compiler = DefectiveCompiler::new(&self.compiler);
         compiler.identity.name = self.poses_as.clone().unwrap_or(compiler.identity.name);
         let codes = self.knows_no.iter().map(|code| code.parse().expect("a code"));
         compiler.identity.lacks = codes.collect();
+        compiler
+    }
+
+    /// Returns the suite of the cases.
+    pub fn suite(&self) -> Suite {
         let cases = self.cases.iter().zip(1..).map(|(case, number)| case.case(number));
+        let dialects = [DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3];
+        let dialects = &dialects[usize::from(!self.editions)..];
+        let cases = cases.flat_map(|case| {
+            dialects.iter().map(move |dialect| Case {
+                dialect: *dialect,
+                ..case.clone()
+            })
+        });
         let cases: Vec<Case> = cases.collect();
-        let suite = match self.poses_as {
+        match self.poses_as {
             Some(_) => suite_with_sources(cases),
             None => suite(cases),
-        };
+        }
+    }
+
+    /// Returns what is not as the file says.
+    fn mistakes(&self) -> Vec<String> {
+        let compiler = self.compiler();
         let mut limits = SearchLimits::default();
         limits.questions = self.questions.unwrap_or(limits.questions);
-        let found = suites::causes(&suite, &compiler, 1, limits);
+        let found = suites::causes(&self.suite(), &compiler, 1, limits);
         let mut mistakes = Vec::new();
         let titles = titles(&found);
         let is_as_said = titles.len() == self.titles.len()
@@ -147,6 +165,7 @@ impl FirstCause {
             ("got", &self.got, facts(&shown.got)),
             ("derived", &derived, shown.is_derived.to_string()),
             ("printed", &self.printed, shown.printed.trim().to_owned()),
+            ("reduction", &self.reduction, format!("{:?}", found.reduction)),
         ];
         let differs = |(_, said, is): &(&str, &Option<String>, String)| {
             said.as_ref().is_some_and(|said| !matches(said, is))
@@ -194,17 +213,24 @@ fn matches(said: &str, text: &str) -> bool {
     }
 }
 
+/// Returns the defects of a file.
+pub fn defects(text: &str) -> Vec<PlantedDefect> {
+    toml::from_str::<DefectFile>(text)
+        .unwrap_or_else(|error| panic!("{error}"))
+        .defect
+}
+
 #[test]
 fn planted_defects_are_found_and_told_as_their_files_say() {
     let files = [
         ("values.toml", include_str!("defects/values.toml")),
         ("rejections.toml", include_str!("defects/rejections.toml")),
         ("sources.toml", include_str!("defects/sources.toml")),
+        ("three.toml", include_str!("defects/three.toml")),
     ];
     let mut failures = Vec::new();
     for (file, text) in files {
-        let defects: DefectFile = toml::from_str(text).unwrap_or_else(|error| panic!("{file}: {error}"));
-        for defect in defects.defect {
+        for defect in defects(text) {
             let mistakes = defect.mistakes();
             if !mistakes.is_empty() {
                 failures.push(format!("{file}: {}\n  {}", defect.name, mistakes.join("\n  ")));
