@@ -1,6 +1,6 @@
 //! Gathers the failing cases of a run in groups that most probably have one cause.
 
-use crate::shape::types_of;
+use crate::program::types_of;
 use crate::sign::Sign;
 use std::collections::BTreeMap;
 use stickler_engines::{Engine, Identity, Reference};

@@ -7,7 +7,6 @@ use crate::normal::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use crate::sign::Sign;
-use crate::twins::value_features;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
@@ -167,26 +166,13 @@ impl ReducedGroup {
             smallest.reduction = Reduced::Partly;
         }
         let normal = Normal::unasked(&smallest);
-        let mut found = ReducedGroup { smallest, normal };
-        found.keep_labels();
-        found
+        ReducedGroup { smallest, normal }
     }
 
     /// Notes that no question was left for the rest of the search.
     fn end_partly(&mut self) {
         if self.smallest.reduction == Reduced::Smallest {
             self.smallest.reduction = Reduced::Partly;
-        }
-        self.keep_labels();
-    }
-
-    /// Keeps all properties of the values: nobody knows which of them the defect does not need.
-    fn keep_labels(&mut self) {
-        if matches!(
-            self.smallest.deviation.sign.symptom,
-            Symptom::Value | Symptom::Missing
-        ) {
-            self.normal.labels = value_features(&self.normal.program);
         }
     }
 

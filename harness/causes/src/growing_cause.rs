@@ -1,19 +1,16 @@
 //! A cause while groups of failing cases are added to it, and the joining of groups with one cause.
 
-use crate::assignments::shows_initial_value;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
-use crate::features::is_unread;
-use crate::literals::valued_types;
 use crate::normal::Normal;
-use crate::operations::operations_of;
+use crate::origin::shows_initial_value;
+use crate::program::{types_of, valued_types};
 use crate::promised::{cite, promise};
 use crate::reduction::Smallest;
-use crate::shape::types_of;
-use crate::sign::Sign;
+use crate::sign::{Sign, is_unread};
 use crate::title::title;
-use crate::tokens::tokens;
+use crate::work::operations;
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite};
@@ -41,14 +38,14 @@ impl GrowingCause {
     ) -> GrowingCause {
         let sources = &suite.sources;
         let essence = Essence::of(smallest, normal);
-        let types = |program: &str| valued_types(&tokens(program)).len();
-        let is_plain = operations_of(&smallest.program).is_subset(&operations_of(&normal.program))
+        let types = |program: &str| valued_types(program).len();
+        let is_plain = operations(&smallest.program).is_subset(&operations(&normal.program))
             && types(&smallest.program) <= types(&normal.program);
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
         // that is rejected like one with a mistake.
         let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
         let is_other = normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
-        let begins = normal.is_beginning && !shows_initial_value(smallest);
+        let begins = normal.is_beginning() && !shows_initial_value(&smallest.program, &smallest.deviation);
         let is_derived = hides || is_other || begins;
         let mut shown = match is_derived {
             true => normal.as_smallest(smallest),

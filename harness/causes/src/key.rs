@@ -6,7 +6,7 @@ use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::sign::Sign;
 use crate::title::title;
-use crate::twins::value_features;
+use crate::values::value_features;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use stickler_run::{Answers, Grade, Reduced, Symptom, judge};
@@ -83,51 +83,5 @@ fn case(program: &str, dialect: DialectName, values: &[NamedValue]) -> Case {
             ..Expectation::default()
         }),
         ..Case::of_program("found", dialect, program)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use stickler_types::{Diagnostic, ElementaryType, Value};
-
-    const ED3: DialectName = DialectName::IRONPLC_ED3;
-
-    fn rejected(program: &str, line: u32) -> CauseKey {
-        let diagnostics = vec![Diagnostic {
-            code: Some("P4017".to_owned()),
-            line: Some(line),
-            ..Diagnostic::default()
-        }];
-        CauseKey::of_program(program, ED3, &[], &Outcome::Rejected { diagnostics }).expect("a rejection")
-    }
-
-    fn program(declarations: &str, statement: &str) -> String {
-        format!("PROGRAM main\nVAR\n{declarations}\nEND_VAR\n{statement}\nEND_PROGRAM\n")
-    }
-
-    #[test]
-    fn programs_that_need_the_same_construct_have_the_same_key() {
-        let one = rejected(&program("a : BOOL;", "a := REAL_TO_BOOL(0.0);"), 5);
-        let other = rejected(&program("b : BOOL; c : REAL;", "b := REAL_TO_BOOL(c);"), 5);
-        assert_eq!(
-            (&one.symptom, &one.constructs),
-            (&other.symptom, &other.constructs)
-        );
-        let another = rejected(&program("b : BOOL;", "b := SEL(TRUE, b, b);"), 5);
-        assert_ne!(one.constructs, another.constructs);
-        assert!(one.title.contains("is rejected"), "{}", one.title);
-    }
-
-    #[test]
-    fn what_an_engine_gets_right_has_no_key() {
-        let int = |raw| Value::plain(ElementaryType::Int, raw);
-        let values = [("a".to_owned(), int(5))];
-        let of = |raw| {
-            let outcome = Outcome::executed(vec![("a".to_owned(), int(raw))]);
-            CauseKey::of_program(&program("a : INT;", "a := 3 + 2;"), ED3, &values, &outcome)
-        };
-        assert_eq!(of(5), None);
-        assert_eq!(of(6).map(|key| key.symptom), Some("value".to_owned()));
     }
 }

@@ -19,30 +19,30 @@
 //! where a limit of time ends the search.
 #![forbid(unsafe_code)]
 
-mod assignments;
+mod alone;
 mod claim;
-mod constructs;
 mod essence;
 mod failed;
-mod features;
 mod find;
+mod forms;
 mod growing_cause;
+mod guard;
 mod key;
-mod literals;
-mod names;
+mod lines;
+mod marked;
 mod normal;
-mod numbers;
-mod operands;
-mod operations;
+mod origin;
+mod program;
 mod promised;
 mod question;
 mod reduction;
 mod shape;
 mod sign;
-mod statements;
+#[cfg(test)]
+mod tests;
 mod title;
-mod tokens;
-mod twins;
+mod values;
+mod work;
 
 pub use failed::FailedCases;
 pub use find::{CauseProgress, Search, SearchLimits, find};

@@ -1,53 +1,37 @@
 //! The normal form of a small program: the plainest program with which the engine still fails in the same way.
 //!
-//! Two programs with one normal form show one defect, whatever tables and types they come from. A normal form is found by asking
-//! the engine: for an operand alone, for plainer literals, for other types. Only the reference says what must happen with it, so
-//! it decides which cases belong together, and what the title names, and no case is failed by it.
+//! Two programs with one normal form show one defect, whatever tables and types they come from. The reducer finds it with passes of
+//! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
+//! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
-use crate::features::is_unread;
-use crate::numbers::leaves_range;
-use crate::operands::{Alone, alone, only_initial_values, with_fitting_operands};
-use crate::question::{Deviation, Questioner, all_variables, as_the_reference, known};
+use crate::alone::{BEGINNING_BLOCK, alone, beginning_block, distance};
+use crate::forms;
+use crate::program::{Program, ReadProgram, tokens};
+use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
 use crate::reduction::Smallest;
-use crate::sign::{is_of_a_value, is_of_reading};
-use crate::statements::{in_two_steps, turned_round, with_one_statement, with_whole_outputs};
-use crate::tokens::{ProgramTokenKind, tokens};
-use crate::twins::{
-    plainer_literals, plainer_types, value_features, with_first_parts, with_other_operand, with_same_types,
-};
+use crate::sign::{is_of_a_value, is_of_reading, is_unread};
+use crate::values::{leaves_range, plainer_numbers, plainness};
 use std::collections::BTreeSet;
+use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_engines::EngineError;
+use stickler_reduce::{Interestingness, Pass, ReductionBudget, ReductionMethod, Sites, StopReason, minimise};
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
-use stickler_types::Observation;
-
-/// The way of an engine that does an operation in the type of its target, and not in that of its operands.
-const OF_TARGET: &str = "operation in the type of its target";
-/// The way of an engine that compares in the type of the first operand, and not in one that has the values of both.
-const OF_FIRST_OPERAND: &str = "comparison in the type of its first operand";
-
-/// The plainest program with a variable of a function block that begins with a value.
-const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
-    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n";
+use stickler_syntax::Edits;
+use stickler_syntax::features::features;
+use stickler_types::{Dialect, DialectName, Observation};
 
 /// The normal form of a small program.
 #[derive(Clone, PartialEq, Debug)]
 pub(crate) struct Normal {
     pub(crate) program: String,
     pub(crate) deviation: Deviation,
-    /// Whether the program is an operand of the small one alone.
+    /// Whether the program is an operand or a statement of the small one alone.
     pub(crate) is_operand: bool,
-    /// Whether quite another type is accepted in the place of the mistake.
-    pub(crate) is_unchecked: bool,
-    /// Whether variables of function blocks do not begin with their values, so that what the small program does with them does not
-    /// matter.
-    pub(crate) is_beginning: bool,
     /// The way in which the engine does an operation, where another form of the program shows it.
     pub(crate) way: Option<&'static str>,
-    /// The properties of values and types without which the engine does not fail.
-    pub(crate) labels: BTreeSet<String>,
-    /// The literals of the small program with which the engine does not fail alone.
-    pub(crate) innocent: Vec<String>,
+    /// Whether the engine was asked for each operand of the program alone, so that none of them fails but the program does.
+    pub(crate) is_asked: bool,
     /// The number of times that the engine was asked.
     pub(crate) questions: u64,
 }
@@ -59,11 +43,8 @@ impl Normal {
             program: smallest.program.clone(),
             deviation: smallest.deviation.clone(),
             is_operand: false,
-            is_unchecked: false,
-            is_beginning: false,
             way: None,
-            labels: BTreeSet::new(),
-            innocent: Vec::new(),
+            is_asked: false,
             questions: 0,
         }
     }
@@ -76,6 +57,139 @@ impl Normal {
             ..smallest.clone()
         }
     }
+
+    /// Returns whether variables of function blocks do not begin with their values, so that what the small program does with them does
+    /// not matter.
+    pub(crate) fn is_beginning(&self) -> bool {
+        self.program == BEGINNING_BLOCK
+    }
+
+    /// Returns whether a value of quite another type is accepted in the place of the mistake.
+    pub(crate) fn is_unchecked(&self) -> bool {
+        let line = self
+            .deviation
+            .expected
+            .iter()
+            .find_map(|fact| fact.diagnostic()?.line);
+        let program = Program::new(&self.program);
+        matches!(&self.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_a_value(code))
+            && line.is_some_and(|line| forms::is_other_operand(&program.read(), line))
+    }
+
+    /// Returns the literals that the engine takes alone.
+    pub(crate) fn innocent_literals(&self) -> BTreeSet<String> {
+        let program = Program::new(&self.program);
+        let operands = alone(&program.read()).into_iter().filter(|_| self.is_asked);
+        operands.filter_map(|one| one.literal).collect()
+    }
+}
+
+/// A program on its way to its normal form.
+#[derive(Clone)]
+struct Draft {
+    text: String,
+    dialect: DialectName,
+}
+
+impl Draft {
+    /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
+    /// one, in their order.
+    fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
+        let found = find(&Program::new(&self.text).read());
+        let mut chosen = found.into_iter().filter(|_| sites.here());
+        if let (Some(one), None) = (chosen.next(), chosen.next()) {
+            self.text = one;
+        }
+    }
+
+    /// Makes some of several changes together.
+    fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
+        let found = find(&Program::new(&self.text).read());
+        let mut chosen = Edits::new();
+        chosen.extend(found.into_iter().filter(|_| sites.here()));
+        self.text = chosen.apply(&self.text);
+    }
+}
+
+/// Creates a pass that takes one of several programs in the place of another.
+macro_rules! alternatives {
+    ($name:literal, $find:expr) => {
+        Pass {
+            name: $name,
+            edit: |draft, sites| draft.alternative(sites, $find),
+        }
+    };
+}
+
+type NormalPass = Pass<Draft>;
+const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
+const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
+const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
+const OTHER_OPERAND: NormalPass = Pass {
+    name: "give quite another type",
+    edit: |draft, sites| {
+        let dialect = draft.dialect;
+        draft.alternative(sites, |program| with_other_operand(program, dialect));
+    },
+};
+const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
+const WHOLE_OUTPUT: NormalPass = alternatives!("give an output to a variable", forms::with_whole_output);
+const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
+const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
+const SAME_TYPES: NormalPass = alternatives!("make two types one", forms::with_same_types);
+const PLAINER_TYPE: NormalPass = alternatives!("take a plainer type", forms::with_plainer_type);
+const PLAINER_NUMBERS: NormalPass = Pass {
+    name: "take plainer numbers",
+    edit: |draft, sites| draft.change(sites, plainer_numbers),
+};
+
+/// Returns the operands of a program, each in a program of its own.
+fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    alone(program).into_iter().map(|one| one.program).collect()
+}
+
+/// Returns programs with quite another type in the place of a value on the line of the mistake.
+fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
+    let errors = stickler_reference::errors(program.program.text, dialect);
+    let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
+    forms::with_other_operand(program, line)
+}
+
+/// Returns the passes that find out what of a program a symptom needs.
+fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
+    match symptom {
+        Symptom::Value | Symptom::Missing => &[INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
+        // A loop may have no end, and a division stop, because a variable does not begin with its value.
+        Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
+        Symptom::NotRejected(code) if is_of_a_value(code) => &[OPERAND_ALONE, OTHER_OPERAND],
+        Symptom::NotRejected(_) | Symptom::Rejected(_) => &[OPERAND_ALONE],
+        Symptom::NotImplemented(_) => &[ONE_STATEMENT, WHOLE_OUTPUT],
+        Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
+            &[FIRST_PARTS, OPERAND_ALONE, FITTING_OPERAND, SAME_TYPES]
+        }
+        _ => &[],
+    }
+}
+
+/// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer features of
+/// the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
+fn structure(draft: &Draft) -> (u64, u128) {
+    let text = draft.text.as_str();
+    let has_mistake = !stickler_reference::errors(text, draft.dialect).is_empty();
+    let form = 3 * u64::from(has_mistake) + distance(text);
+    let features = features(text, Dialect::of(draft.dialect)).into_iter();
+    let features = features
+        .filter(|key| !matches!(&**key, "string-literal" | "duration-literal"))
+        .count();
+    let (mut words, mut size) = (0, 0_u128);
+    for token in tokens(text) {
+        let written = token.span.text(text);
+        words += if token.kind.is_literal() { 1 } else { 2 };
+        if token.kind.is_literal() && !matches!(written, "'a'" | "T#1s") || written.starts_with('%') {
+            size += written.bytes().map(u128::from).sum::<u128>();
+        }
+    }
+    (form * 1_000_000 + features as u64 * 100 + words, size)
 }
 
 /// Finds the normal form of the smallest program of a case, with at most so many questions to the engine. `stop` is asked before
@@ -93,261 +207,176 @@ pub(crate) fn normal_form(
     let mut search = NormalSearch {
         asked,
         case,
-        observe: known(case, &smallest.program),
         left: tries,
         stop,
         normal: Normal::unasked(smallest),
     };
-    let symptom = smallest.deviation.sign.symptom.clone();
     if smallest.flaky.is_some() {
         return Ok(search.normal);
     }
-    match symptom {
-        // A loop may have no end, and a division stop, because a variable does not begin with its value.
-        Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_) => {
-            search.initial_values()?;
-            search.value()?;
-        }
-        Symptom::NotRejected(code) => {
-            search.operands()?;
-            if is_of_a_value(&code) {
-                search.unchecked()?;
+    let structure_of = |symptom: &Symptom| ReductionMethod {
+        passes: structure_passes(symptom),
+        weight: structure,
+        key,
+    };
+    let symptom = smallest.deviation.sign.symptom.clone();
+    search.minimise(&structure_of(&symptom))?;
+    let now = search.normal.deviation.sign.symptom.clone();
+    if now == Symptom::Value && symptom != Symptom::Value {
+        search.minimise(&structure_of(&now))?;
+    }
+    search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
+    let plain = |passes| ReductionMethod {
+        passes,
+        weight: |draft: &Draft| (0, plainness(&draft.text)),
+        key,
+    };
+    match now {
+        Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
+            search.other_forms()?;
+            // The types and values of such an operation do not matter.
+            if search.normal.way.is_none() {
+                search.minimise(&plain(&[PLAINER_TYPE, PLAINER_NUMBERS]))?;
             }
         }
-        Symptom::Rejected(_) => {
-            search.operands()?;
-            search.plain_types()?;
-        }
-        Symptom::NotImplemented(_) => search.statements()?,
-        Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
-            search.first_parts()?;
-            search.operands()?;
-            search.valid_twin()?;
-        }
+        Symptom::Rejected(_) => search.minimise(&plain(&[PLAINER_TYPE]))?,
         _ => {}
     }
     let mut normal = search.normal;
+    normal.is_asked = search.left > 0 && !stop();
     normal.questions = tries - search.left;
     Ok(normal)
+}
+
+fn key(draft: &Draft) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    draft.text.hash(&mut hasher);
+    hasher.finish()
 }
 
 struct NormalSearch<'s, 'e> {
     asked: &'s mut Questioner<'e>,
     case: &'s Case,
-    observe: Vec<Observation>,
     left: u64,
     stop: &'s dyn Fn() -> bool,
     normal: Normal,
 }
 
 impl NormalSearch<'_, '_> {
-    /// Takes a program as the normal form if the engine fails with it in the same way, and returns whether it does.
-    fn takes(&mut self, program: &str, observe: &[Observation]) -> Result<bool, EngineError> {
-        let found = self.fails(program, observe)?;
+    /// Makes the normal form lighter while the engine fails with it in the same way.
+    fn minimise(&mut self, method: &ReductionMethod<'_, Draft>) -> Result<(), EngineError> {
+        let start = Draft {
+            text: self.normal.program.clone(),
+            dialect: self.case.dialect,
+        };
+        let (mut error, mut is_start) = (None, true);
+        let stop = self.stop;
+        let budget = ReductionBudget {
+            tries: self.left + 1,
+            stop,
+        };
+        let mut interesting = |draft: &Draft| {
+            if std::mem::take(&mut is_start) {
+                return Interestingness::Interesting;
+            }
+            match error {
+                Some(_) => Interestingness::Invalid,
+                None => self.judge(&draft.text).unwrap_or_else(|failed| {
+                    error = Some(failed);
+                    Interestingness::Invalid
+                }),
+            }
+        };
+        let found = minimise(start, method, &mut interesting, &budget);
+        if found.ended == StopReason::OutOfTries {
+            self.left = 0;
+        }
+        error.map_or(Ok(()), Err)
+    }
+
+    /// Takes a program as the normal form if the engine fails with it in the same way.
+    fn judge(&mut self, text: &str) -> Result<Interestingness, EngineError> {
+        let former = &self.normal;
+        // Of a program that cannot be read, an operand with a literal that the program does not have says nothing: that may not be read
+        // either.
+        if is_unread(&former.deviation.got) && !literals(text).is_subset(&literals(&former.program)) {
+            return Ok(Interestingness::Invalid);
+        }
+        let Some(case) = as_the_reference(self.case, text, &self.observe(text)) else {
+            return Ok(Interestingness::Invalid);
+        };
+        // A value of another type that is right there says nothing.
+        let accepts = matches!(former.deviation.sign.symptom, Symptom::NotRejected(_));
+        if accepts && case.expectation.accepted != Acceptance::Rejected {
+            return Ok(Interestingness::Invalid);
+        }
+        self.left = self.left.saturating_sub(1);
+        let seen = self.asked.deviation(&case)?;
+        let former = &self.normal;
         // A value that wraps is another defect than one that is within the range of its type.
-        let stays = |seen: &Deviation| {
-            leaves_range(&self.normal.program, &self.normal.deviation) || !leaves_range(program, seen)
-        };
-        let same = found.filter(|seen| is_same(&self.normal.deviation, seen) && stays(seen));
-        let is_taken = same.is_some();
+        let stays =
+            |seen: &Deviation| leaves_range(&former.program, &former.deviation) || !leaves_range(text, seen);
+        let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
+        let is_same = same.is_some();
         if let Some(deviation) = same {
-            self.normal.program = program.to_owned();
+            self.normal.program = text.to_owned();
             self.normal.deviation = deviation;
-            self.observe = observe.to_vec();
         }
-        Ok(is_taken)
+        Ok(Interestingness::from(is_same))
     }
 
-    /// Returns how the engine fails with a program; `None` where it does not, or where no question is left.
-    fn fails(&mut self, program: &str, observe: &[Observation]) -> Result<Option<Deviation>, EngineError> {
-        if self.left == 0 || (self.stop)() {
-            return Ok(None);
-        }
-        let Some(asked) = as_the_reference(self.case, program, observe) else {
-            return Ok(None);
-        };
-        self.left -= 1;
-        self.asked.deviation(&asked)
-    }
-
-    /// Asks for each operand alone, and takes the first with which the engine fails. Of a program that it cannot read, an operand with a
-    /// literal that the program does not have says nothing: it may not read that either.
-    fn operands(&mut self) -> Result<(), EngineError> {
-        let whole = self.normal.program.clone();
-        let own = is_unread(&self.normal.deviation.got).then(|| literals(&whole));
-        for Alone {
-            program, ty, literal, ..
-        } in alone(&whole)
-        {
-            if own.as_ref().is_some_and(|own| !literals(&program).is_subset(own)) {
-                continue;
-            }
-            let before = self.left;
-            if self.takes(&program, &[Observation::last("into", ty.name())])? {
-                self.normal.is_operand = true;
-                self.normal.innocent.clear();
-                return Ok(());
-            }
-            self.normal
-                .innocent
-                .extend(literal.filter(|_| self.left < before));
-        }
-        Ok(())
-    }
-
-    /// Asks for the program without its statements.
-    fn initial_values(&mut self) -> Result<(), EngineError> {
-        let Some(program) = only_initial_values(&self.normal.program) else {
-            return Ok(());
-        };
-        let observe = all_variables(self.case, &program);
-        let is_taken = self.takes(&program, &observe)?;
-        self.normal.is_operand |= is_taken;
-        if is_taken && self.is_within_a_block() {
-            let observe = all_variables(self.case, BEGINNING_BLOCK);
-            self.normal.is_beginning = self.takes(BEGINNING_BLOCK, &observe)?;
-        }
-        Ok(())
-    }
-
-    /// Returns whether the first variable with a wrong value is one of a function block.
-    fn is_within_a_block(&self) -> bool {
-        let Deviation { expected, got, .. } = &self.normal.deviation;
-        let differs = |fact: &&Fact| !got.contains(fact);
-        let wrong = expected.iter().find(differs);
-        wrong.is_some_and(|wrong| matches!(wrong, Fact::Value { name, .. } if name.contains('.')))
-            && self.normal.program.contains("FUNCTION_BLOCK")
-    }
-
-    /// Asks for programs of which one body is a single statement that does nothing but name a variable.
-    fn statements(&mut self) -> Result<(), EngineError> {
-        for program in with_one_statement(&self.normal.program) {
-            if self.takes(&program, &[])? {
-                self.normal.is_operand = true;
-                break;
-            }
-        }
-        // The bit that takes an output may not be what is missing.
-        if let Some(program) = with_whole_outputs(&self.normal.program) {
-            self.normal.is_operand |= self.takes(&program, &[])?;
-        }
-        Ok(())
-    }
-
-    /// Asks for the first parts of the variables of which other parts are accessed.
-    fn first_parts(&mut self) -> Result<(), EngineError> {
-        if let Some(program) = with_first_parts(&self.normal.program) {
-            self.takes(&program, &[])?;
-        }
-        Ok(())
-    }
-
-    /// Finds what is needed of the operands, types and literals of a program that computes a wrong value.
-    fn value(&mut self) -> Result<(), EngineError> {
-        let has_value = matches!(
+    /// Returns the observations that show what is wrong with a program: those of the case and of an operand alone, or of all variables
+    /// where these keep what they begin with.
+    fn observe(&self, text: &str) -> Vec<Observation> {
+        let has_values = matches!(
             self.normal.deviation.sign.symptom,
-            Symptom::Value | Symptom::Missing
+            Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_)
         );
-        if self.normal.is_beginning || !has_value {
-            return Ok(());
+        if !has_values {
+            return Vec::new();
         }
-        self.plain_literals()?;
-        self.operands()?;
-        self.other_forms()?;
-        // The types and values of such an operation do not matter.
-        if self.normal.way.is_some() {
-            return Ok(());
+        let all = all_variables(self.case, text);
+        let program = Program::new(text);
+        let keeps = text == BEGINNING_BLOCK
+            || forms::only_initial_values(&program.read())
+                .first()
+                .is_some_and(|initial| initial == text);
+        let is_observed = |one: &&Observation| {
+            let mut observed = self.case.observe.iter();
+            one.name.eq_ignore_ascii_case("into")
+                || observed.any(|known| known.name.eq_ignore_ascii_case(&one.name))
+        };
+        let observed: Vec<Observation> = all.iter().filter(is_observed).cloned().collect();
+        if keeps || observed.is_empty() {
+            all
+        } else {
+            observed
         }
-        self.plain_types()?;
-        self.plain_literals()?;
-        let labels = value_features(&self.normal.program);
-        self.normal.labels.extend(labels);
-        Ok(())
     }
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
+        let program = self.normal.program.clone();
+        let program = Program::new(&program);
+        let program = program.read();
         let forms = [
-            (in_two_steps(&self.normal.program), OF_TARGET),
-            (turned_round(&self.normal.program), OF_FIRST_OPERAND),
+            (
+                forms::in_two_steps(&program),
+                "operation in the type of its target",
+            ),
+            (
+                forms::turned_round(&program),
+                "comparison in the type of its first operand",
+            ),
         ];
-        for (program, way) in forms {
-            let Some(program) = program else { continue };
-            let (before, observe) = (self.left, self.observe.clone());
-            let seen = self.fails(&program, &observe)?;
-            if seen.is_none() && self.left < before {
-                self.normal.way = Some(way);
-                break;
-            }
-        }
-        Ok(())
-    }
-
-    /// Takes away the sign, the fraction and the size of numbers that the defect does not need.
-    fn plain_literals(&mut self) -> Result<(), EngineError> {
-        for place in 0..tokens(&self.normal.program).len() {
-            let observe = self.observe.clone();
-            for program in plainer_literals(&self.normal.program, place) {
-                if self.takes(&program, &observe)? {
+        for (form, way) in forms {
+            let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
+            if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
+                self.left -= 1;
+                if self.asked.deviation(&case)?.is_none() {
+                    self.normal.way = Some(way);
                     break;
                 }
-            }
-        }
-        Ok(())
-    }
-
-    /// Replaces types by those that come first among their neighbours, until none can be replaced.
-    fn plain_types(&mut self) -> Result<(), EngineError> {
-        let mut asked = BTreeSet::new();
-        loop {
-            let before = self.normal.program.clone();
-            for twin in plainer_types(&before) {
-                let observe: Vec<Observation> = self
-                    .observe
-                    .iter()
-                    .map(|one| Observation {
-                        type_name: twin.changed(&one.type_name).into(),
-                        ..one.clone()
-                    })
-                    .collect();
-                // A twin of the program before another type was replaced.
-                let program = twin.of(&self.normal.program);
-                if program != self.normal.program && asked.insert(program.clone()) {
-                    self.takes(&program, &observe)?;
-                }
-            }
-            if self.normal.program == before {
-                return Ok(());
-            }
-        }
-    }
-
-    /// Asks whether the place of a mistake is checked at all: whether a value of quite another type is accepted there too. That
-    /// program is the normal form then, since it does not matter where the value comes from.
-    fn unchecked(&mut self) -> Result<(), EngineError> {
-        let line = self
-            .normal
-            .deviation
-            .expected
-            .iter()
-            .find_map(|fact| fact.diagnostic()?.line);
-        for program in with_other_operand(&self.normal.program, line) {
-            let must = as_the_reference(self.case, &program, &[]);
-            if must.is_some_and(|must| must.expectation.accepted == Acceptance::Rejected) {
-                self.normal.is_unchecked = self.takes(&program, &[])?;
-                return Ok(());
-            }
-        }
-        Ok(())
-    }
-
-    /// Asks for the program with equal types in place of different ones: where that is valid and rejected for the same reason,
-    /// the mistake is not what the engine complains of.
-    fn valid_twin(&mut self) -> Result<(), EngineError> {
-        let twins = with_fitting_operands(&self.normal.program).into_iter();
-        for program in twins.chain(with_same_types(&self.normal.program)) {
-            if self.takes(&program, &[])? {
-                return Ok(());
             }
         }
         Ok(())
@@ -355,11 +384,9 @@ impl NormalSearch<'_, '_> {
 }
 
 /// Returns the literals of a program, as they are written.
-fn literals(program: &str) -> BTreeSet<&str> {
-    use ProgramTokenKind::{Number, Text, Typed};
-    let literals = tokens(program).into_iter();
-    let literals = literals.filter(|token| matches!(token.kind, Number | Text | Typed));
-    literals.map(|token| token.text).collect()
+fn literals(text: &str) -> BTreeSet<&str> {
+    let literals = tokens(text).into_iter().filter(|token| token.kind.is_literal());
+    literals.map(|token| token.span.text(text)).collect()
 }
 
 /// Returns whether an engine fails in the same way with another program, which may have the place or the types of another.

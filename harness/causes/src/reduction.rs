@@ -1,7 +1,8 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::constructs::Constructs;
-use crate::operands::{Alone, alone};
+use crate::alone::alone;
+use crate::guard::Constructs;
+use crate::program::Program;
 use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
@@ -136,12 +137,14 @@ fn operand_alone(
         return Ok(None);
     }
     // What a variable begins with is shown by a program that does nothing else.
-    let operands = alone(&unreduced.program).into_iter();
-    for Alone { program, ty, .. } in operands.filter(|one| one.data != Some(one.ty)) {
+    let whole = Program::new(&unreduced.program);
+    let operands = alone(&whole.read()).into_iter();
+    for operand in operands.filter(|one| !one.is_initial) {
         if stop() {
             return Ok(None);
         }
-        let observe = [Observation::last("into", ty.name())];
+        let program = operand.program;
+        let observe = [Observation::last("into", operand.ty.name())];
         let Some(operand) = as_the_reference(case, &program, &observe) else {
             continue;
         };
@@ -308,57 +311,4 @@ fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
         }
     }
     facts
-}
-
-#[cfg(test)]
-impl Smallest {
-    /// Returns what an engine made of a program that it rejects on this line with this code.
-    pub(crate) fn rejected(program: &str, line: u32, code: &str) -> Smallest {
-        let reported = stickler_types::Diagnostic {
-            line: Some(line),
-            code: Some(code.to_owned()),
-            message: "no".to_owned(),
-            ..stickler_types::Diagnostic::default()
-        };
-        let (expected, got) = (vec![Fact::Accepted], vec![Fact::Diagnostic(reported)]);
-        Smallest {
-            program: program.to_owned(),
-            deviation: Deviation {
-                sign: Sign::of(
-                    program,
-                    stickler_run::Verdict::Fail,
-                    (&expected, &got),
-                    stickler_run::Grade::Line,
-                ),
-                expected,
-                got,
-            },
-            reduction: Reduced::Smallest,
-            flaky: None,
-            questions: 0,
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{moved, without_marks};
-    use stickler_run::Fact;
-
-    #[test]
-    fn header_and_marks_go_and_comments_stay() {
-        let case = "(*!\ntitle = \"t\"\n*)\nPROGRAM p\n    x := 1;   (*! error P4035 *)\n(* c *)\nEND_PROGRAM\n(*! values\nx = INT#1\n*)\n";
-        let (program, lines) = without_marks(case);
-        assert_eq!(program, "PROGRAM p\n    x := 1;\n(* c *)\nEND_PROGRAM\n");
-        assert_eq!(lines, [4, 5, 6, 7]);
-        assert_eq!(without_marks("(*! open"), (String::new(), Vec::new()));
-        let fault = |line| Fact::Fault {
-            fault: stickler_types::Fault::Subrange,
-            line: Some(line),
-        };
-        assert_eq!(
-            moved(&[fault(5), fault(1), Fact::Accepted], &lines),
-            [fault(2), fault(1), Fact::Accepted]
-        );
-    }
 }

@@ -1,8 +1,8 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
-use crate::operations::{is_comparison, operations};
-use crate::shape::{KeptTypes, in_declarations, own_functions, shape, token_at};
-use crate::tokens::{ProgramToken, tokens};
+use crate::program::Program;
+use crate::shape::{KeptTypes, shape, token_at};
+use crate::work::{Role, words_of, works};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 use stickler_types::Code;
 
@@ -111,6 +111,13 @@ pub(crate) fn is_of_reading(code: &str) -> bool {
     code.starts_with("P0")
 }
 
+/// Returns whether an engine says that it could not read a program.
+pub(crate) fn is_unread(got: &[Fact]) -> bool {
+    let reported = got.iter().find_map(Fact::diagnostic);
+    let code = reported.and_then(|reported| reported.code.as_deref());
+    code.is_some_and(is_of_reading)
+}
+
 /// Returns whether a code says that a value does not fit the type of where it is given.
 pub(crate) fn is_of_a_value(code: &str) -> bool {
     matches!(
@@ -125,17 +132,21 @@ pub(crate) fn is_of_a_value(code: &str) -> bool {
 
 /// Returns the operations of the statements of a program of which something is not implemented: the document speaks of all these
 /// together. A condition may stand around anything; where one is missing, the message says so.
-fn work_of(program: &str) -> String {
-    let all = tokens(program);
-    let statements: Vec<ProgramToken<'_>> = all
-        .iter()
-        .zip(in_declarations(&all))
-        .filter(|(_, is_declared)| !is_declared)
-        .map(|(token, _)| *token)
+fn work_of(text: &str) -> String {
+    let program = Program::new(text);
+    let bodies: Vec<(u32, u32)> = program
+        .unit
+        .pous()
+        .filter_map(|pou| Some((pou.body.first()?.span.start, pou.body.last()?.span.end)))
         .collect();
-    let operations = operations(&statements, &own_functions(&all)).into_iter();
-    let operations: Vec<String> = operations.filter(|one| one != "condition").collect();
-    operations.join(", ")
+    let works = works(text);
+    let stated = works.iter().filter(|work| {
+        let mut bodies = bodies.iter();
+        bodies.any(|(start, end)| (start..end).contains(&&work.span.start))
+    });
+    let mut operations = words_of(stated, Role::Operation);
+    operations.remove("condition");
+    Vec::from_iter(operations).join(", ")
 }
 
 /// Returns the kind of token at the place of the diagnostic with this code; the first words of its message where it has no
@@ -147,9 +158,9 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     };
     if let (Some(line), Some(column)) = (reported.line, reported.column) {
         let token = token_at(program, line, column);
-        return match is_comparison(&token) {
-            true => "comparison".to_owned(),
-            false => token,
+        return match token.as_str() {
+            "=" | "<>" | "<" | ">" | "<=" | ">=" => "comparison".to_owned(),
+            _ => token,
         };
     }
     let words = reported.message.split_whitespace();
@@ -183,62 +194,4 @@ fn difference((expected, got): (&[Fact], &[Fact])) -> String {
         shape(wanted, KeptTypes::Equal),
         shape(reported, KeptTypes::Equal)
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use stickler_types::Diagnostic;
-
-    fn reported(line: u32, column: u32, code: &str) -> Fact {
-        Fact::Diagnostic(Diagnostic {
-            line: Some(line),
-            column: Some(column),
-            code: Some(code.to_owned()),
-            ..Diagnostic::default()
-        })
-    }
-
-    fn sign(program: &str, expected: Fact, got: Fact) -> Sign {
-        Sign::of(program, Verdict::Fail, (&[expected], &[got]), Grade::Code)
-    }
-
-    #[test]
-    fn mistakes_of_reading_are_told_apart_by_what_stands_there() {
-        let of = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P0002"));
-        assert_eq!(of("x := 5;"), of("y := 7;"));
-        assert_ne!(of("x := 5;"), of("x := y;"));
-        let compared = |program: &str| sign(program, Fact::Accepted, reported(1, 12, "P0002"));
-        assert_eq!(compared("x := 5 < 5 = 5;"), compared("x := 5 = 5 < 5;"));
-        assert_ne!(compared("x := 5 < 5 = 5;"), compared("x := 5 = 5 + 5;"));
-        let typed = |program: &str| sign(program, Fact::Accepted, reported(1, 6, "P4035"));
-        assert_eq!(typed("x := 5;"), typed("x := y;"));
-    }
-
-    #[test]
-    fn what_is_not_implemented_may_lose_the_condition_around_it_and_no_conversion() {
-        let of = |program: &str| {
-            let lacking = Fact::NotImplemented {
-                reason: "P9999: not yet".to_owned(),
-                promised_by: None,
-            };
-            sign(program, Fact::Accepted, lacking)
-        };
-        assert_eq!(of("IF a THEN b(x := c); END_IF;"), of("b(x := c);"));
-        assert_ne!(of("b(x := INT_TO_REAL(c));"), of("b(x := c);"));
-        assert_eq!(
-            of("VAR a : ARRAY[0..1] OF INT; END_VAR b(x := c);"),
-            of("b(x := c);")
-        );
-        assert_ne!(of("b(x := a[0]);"), of("b(x := c);"));
-    }
-
-    #[test]
-    fn a_sign_that_hides_another_is_kept_by_it_and_not_the_other_way_round() {
-        let hidden = sign("x := y;", Fact::Accepted, reported(1, 6, "P2006"));
-        let hides = sign("x := y;", reported(1, 1, "P4022"), reported(1, 6, "P2006"));
-        assert!(hides.is_kept_by(&hidden) && !hidden.is_kept_by(&hides));
-        let other = sign("x := y;", Fact::Accepted, reported(1, 6, "P2010"));
-        assert!(!hides.is_kept_by(&other));
-    }
 }

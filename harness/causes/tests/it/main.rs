@@ -1,6 +1,6 @@
-//! Tests of the crate from outside: suites made by hand, and engines with planted defects.
+//! Tests of the crate from outside: suites made by hand, and a compiler with planted defects.
 
-mod fixtures;
-mod normal_forms;
+mod compiler;
+mod defects;
 mod planted;
-mod sources;
+mod suites;

@@ -1,26 +1,16 @@
-//! Cases and suites made by hand, and the causes that are found on an engine.
+//! Cases and suites made by hand, and the causes that are found on a compiler.
 
+use std::path::Path;
 use std::sync::Arc;
 use stickler_causes::{FailedCases, Search, SearchLimits, find};
-use stickler_engines::{Ability, Engine, Grade, Identity};
+use stickler_engines::Engine;
 use stickler_run::{Cause, Event, Plan, run};
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
 use stickler_types::{DialectName, Observation, Value};
 use stickler_workers::Cancellation;
 
-/// Returns the identity of an engine that speaks two dialects and is judged by codes.
-pub fn identity() -> Identity {
-    Identity {
-        name: "defective".to_owned(),
-        version: "1".to_owned(),
-        dialects: vec![DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3],
-        abilities: vec![Ability::Execute],
-        grade: Grade::Code,
-        lacks: Vec::new(),
-    }
-}
-
-/// Returns a case of the third edition with a program that must end with a value (`into = REAL#5.0`), or be rejected (`7 P4035`).
+/// Returns a case of the third edition with a program that must end with a value (`into = REAL#5.0`), be rejected (`7 P4035`),
+/// be accepted (`accepted`), or of which nobody decides what must happen (`open`).
 pub fn case(id: &str, program: &str, must: &str) -> Case {
     let mut expectation = Expectation::default();
     let mut observe = Vec::new();
@@ -33,13 +23,14 @@ pub fn case(id: &str, program: &str, must: &str) -> Case {
             value,
             line: 1,
         });
-    } else {
-        let (line, code) = must.split_once(' ').expect("a line and a code");
+    } else if let Some((line, code)) = must.split_once(' ') {
         expectation.accepted = Acceptance::Rejected;
         expectation.diagnostics.push(ExpectedDiagnostic {
             line: line.parse().expect("a number"),
             code: code.parse().expect("a code"),
         });
+    } else if must == "open" {
+        expectation.accepted = Acceptance::Observed;
     }
     Case {
         title: "A title".into(),
@@ -52,9 +43,17 @@ pub fn case(id: &str, program: &str, must: &str) -> Case {
     }
 }
 
-/// Returns a suite of these cases.
+/// Returns a suite of these cases, without sources.
 pub fn suite(cases: Vec<Case>) -> Suite {
     let mut suite = Suite::default();
+    suite.cases = cases;
+    suite
+}
+
+/// Returns a suite of these cases with the sources and features of Stickler's own.
+pub fn suite_with_sources(cases: Vec<Case>) -> Suite {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+    let mut suite = Suite::load_files(&folder, &[], |_, _| false);
     suite.cases = cases;
     suite
 }
@@ -85,9 +84,7 @@ pub fn causes(suite: &Suite, engine: &dyn Engine, jobs: usize, limits: SearchLim
 }
 
 /// Returns the number of cases and the title of each cause.
-pub fn titles(found: &[Cause]) -> Vec<(u64, &str)> {
-    found
-        .iter()
-        .map(|cause| (cause.number(), cause.title.as_str()))
-        .collect()
+pub fn titles(found: &[Cause]) -> Vec<String> {
+    let title = |cause: &Cause| format!("{} {}", cause.number(), cause.title);
+    found.iter().map(title).collect()
 }

@@ -1,0 +1,264 @@
+//! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is
+//! asked before the operation around it is blamed.
+
+use crate::program::{Part, ReadProgram, converted, is_number, type_of_word};
+use crate::work::{Role, works};
+use std::collections::HashSet;
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind};
+use stickler_syntax::visitor::Place;
+use stickler_types::ElementaryType;
+
+/// A program that does with one operand what another program does with it among other things. Its variable `into` shows the value.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Alone {
+    pub(crate) program: String,
+    /// The type of the variable `into`.
+    pub(crate) ty: ElementaryType,
+    /// Whether it does nothing but begin a variable with a value.
+    pub(crate) is_initial: bool,
+    /// The literal, where the operand is one.
+    pub(crate) literal: Option<String>,
+}
+
+impl Alone {
+    /// Assigns a literal.
+    fn assigned(ty: ElementaryType, literal: &str) -> Alone {
+        Alone {
+            literal: Some(literal.to_owned()),
+            ..Alone::new(None, ty, literal)
+        }
+    }
+
+    /// Begins a variable with a literal, and assigns the variable.
+    fn initial(ty: ElementaryType, literal: &str) -> Alone {
+        Alone {
+            literal: Some(literal.to_owned()),
+            ..Alone::copied(ty, ty, Some(literal.to_owned()))
+        }
+    }
+
+    /// Assigns a variable of the type `from`, which may have an initial value.
+    fn copied(from: ElementaryType, ty: ElementaryType, initial: Option<String>) -> Alone {
+        Alone {
+            is_initial: from == ty,
+            ..Alone::new(Some((from, initial)), ty, "data")
+        }
+    }
+
+    /// Assigns an expression, which may use the variable `data` with a type and an initial value.
+    fn new(data: Option<(ElementaryType, Option<String>)>, ty: ElementaryType, expression: &str) -> Alone {
+        let data = data.map_or(String::new(), |(from, initial)| {
+            let initial = initial.map_or(String::new(), |value| format!(" := {value}"));
+            format!("    data : {}{initial};\n", from.name())
+        });
+        let name = ty.name();
+        Alone {
+            program: format!(
+                "{HEAD}{data}    into : {name};\nEND_VAR\n    into := {expression};\nEND_PROGRAM\n"
+            ),
+            ty,
+            is_initial: false,
+            literal: None,
+        }
+    }
+}
+
+/// The beginning of each program with an operand alone.
+const HEAD: &str = "PROGRAM main\nVAR\n";
+
+/// Returns how far a program is from one with an operand alone: 0 for a value without a variable, 1 for a variable, 2 for others.
+pub(crate) fn distance(program: &str) -> u64 {
+    let is_alone = program.starts_with(HEAD)
+        && program.contains("\nEND_VAR\n    into := ")
+        && program.lines().count() < 8;
+    match program.contains("    data : ") {
+        _ if program == BEGINNING_BLOCK => 0,
+        _ if !is_alone => 2,
+        true => 1,
+        false => 0,
+    }
+}
+
+/// Returns the operands of a program alone: literals first, then variables, then calls of conversion functions. The most
+/// general place comes first: an assignment before an initial value.
+pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
+    let special = works(program.program.text)
+        .into_iter()
+        .filter(|work| work.role == Role::Literal);
+    let special: HashSet<Span> = special.map(|work| work.span).collect();
+    let (mut literals, mut variables, mut calls) = (Vec::new(), Vec::new(), Vec::new());
+    for part in &program.parts {
+        let target = program.target(part);
+        let source = program.type_of(part.id);
+        // The number behind a minus is a part of another literal.
+        let is_signed = part
+            .around
+            .is_some_and(|around| program.literal(around).is_some());
+        if let Some(literal) = program.literal(part.id).filter(|_| !is_signed) {
+            let in_calculation =
+                || calculated(program, part).filter(|_| special.contains(&part.expression.span));
+            if let Some(ty) = target.or_else(in_calculation).or(source) {
+                let plain = literal
+                    .split_once('#')
+                    .filter(|_| type_of_word(literal) == Some(ty));
+                literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, plain)));
+                literals.push(Alone::assigned(ty, literal));
+                literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
+            }
+        } else if let (Some(ty), Some(from)) = (target, source) {
+            let is_variable = program.specification(part.id).is_some();
+            let initial = program.initial(program.text(part.id)).map(str::to_owned);
+            let value = initial.or_else(|| program.some_value(from));
+            variables.extend((is_variable || from != ty).then(|| Alone::copied(from, ty, value)));
+        }
+        let output = program
+            .output(part)
+            .filter(|(from, into)| part.place == Place::OutputArgument && from != into);
+        variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
+        variables.extend(mixed(program, part));
+        variables.extend(behind_arithmetic(program, part));
+        calls.extend(conversion(program, part));
+    }
+    let mut found: Vec<Alone> = Vec::new();
+    for one in literals.into_iter().chain(variables).chain(calls) {
+        if found.iter().all(|other| other.program != one.program)
+            && one.program.trim() != program.program.text.trim()
+        {
+            found.push(one);
+        }
+    }
+    found
+}
+
+/// Returns the operands of an infix operator that an expression is, with the operator.
+pub(crate) fn binary(
+    program: &ReadProgram<'_, '_>,
+    id: ExpressionId,
+) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
+    match program.program.unit.expression(id)?.kind {
+        ExpressionKind::Binary {
+            operator,
+            left,
+            right,
+        } => Some((operator, left, right)),
+        _ => None,
+    }
+}
+
+/// Returns whether an operator calculates with numbers.
+pub(crate) const fn calculates(operator: BinaryOperator) -> bool {
+    use BinaryOperator::*;
+    matches!(operator, Add | Subtract | Multiply | Divide | Modulo | Power)
+}
+
+/// Returns whether an operator compares.
+pub(crate) const fn compares(operator: BinaryOperator) -> bool {
+    use BinaryOperator::*;
+    matches!(
+        operator,
+        Equal | NotEqual | Less | Greater | LessOrEqual | GreaterOrEqual
+    )
+}
+
+/// Returns the type of the number that a calculation is assigned to in which an operand stands.
+fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<ElementaryType> {
+    let mut part = *operand;
+    while let Some(around) = part.around.and_then(|id| program.part(id)) {
+        let is_calculation = binary(program, around.id).is_some_and(|(operator, ..)| calculates(operator));
+        if !is_calculation && !matches!(around.expression.kind, ExpressionKind::Unary { .. }) {
+            return None;
+        }
+        part = *around;
+    }
+    program
+        .target(&part)
+        .filter(|ty| part.id != operand.id && is_number(*ty))
+}
+
+/// Returns a call of a conversion function with a variable, where an expression is one.
+fn conversion(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
+    let (callee, arguments) = program.call(part.id)?;
+    let (from, ty) = converted(callee).filter(|_| !program.declares(callee))?;
+    let operand = arguments.first().and_then(|argument| match argument {
+        Argument::Positional(value) => program
+            .literal(*value)
+            .or_else(|| program.initial(program.text(*value))),
+        _ => None,
+    });
+    let operand = operand.map(str::to_owned).or_else(|| program.some_value(from));
+    Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
+}
+
+/// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is
+/// multiplied by a number as it is.
+fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
+    let Some((operator, left, right)) = binary(program, part.id) else {
+        return Vec::new();
+    };
+    let (Some(first), Some(second)) = (program.type_of(left), program.type_of(right)) else {
+        return Vec::new();
+    };
+    if !(calculates(operator) || compares(operator))
+        || first == second
+        || !is_number(first)
+        || !is_number(second)
+    {
+        return Vec::new();
+    }
+    let value = |id: ExpressionId, ty: ElementaryType| {
+        program
+            .literal(id)
+            .map(str::to_owned)
+            .or_else(|| program.some_value(ty))
+    };
+    vec![
+        Alone::copied(first, second, value(left, first)),
+        Alone::copied(second, first, value(right, second)),
+    ]
+}
+
+/// Returns the conversions of the operands of a calculation to the type of what is assigned.
+fn behind_arithmetic(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
+    let Some(target) = program
+        .target(part)
+        .filter(|ty| part.place == Place::Value && is_number(*ty))
+    else {
+        return Vec::new();
+    };
+    let (mut open, mut sources) = (vec![part.id], Vec::new());
+    while let Some(id) = open.pop() {
+        match binary(program, id) {
+            Some((operator, left, right)) if calculates(operator) => open.extend([right, left]),
+            _ => sources.extend(program.type_of(id).filter(|_| id != part.id)),
+        }
+    }
+    let other = sources
+        .into_iter()
+        .filter(|source| *source != target && is_number(*source));
+    other
+        .map(|source| Alone::copied(source, target, program.some_value(source)))
+        .collect()
+}
+
+/// The plainest program with a variable of a function block that begins with a value.
+pub(crate) const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
+    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n";
+
+/// Returns the plainest program of which a function block has an initial value, for a program of which one has.
+pub(crate) fn beginning_block(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let mut blocks = program
+        .program
+        .unit
+        .pous()
+        .filter(|pou| pou.kind == PouKind::FunctionBlock);
+    let begins = |pou: &Pou<'_>| {
+        let mut groups = pou.blocks.iter().flat_map(|block| &block.groups);
+        groups.any(|group| group.initializer.is_some())
+    };
+    blocks
+        .any(begins)
+        .then(|| BEGINNING_BLOCK.to_owned())
+        .into_iter()
+        .collect()
+}

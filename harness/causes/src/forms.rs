@@ -1,0 +1,334 @@
+//! Other forms of a small program: with fewer statements, with other operands, types and literals.
+
+use crate::alone::{binary, calculates, compares};
+use crate::program::{Part, Program, ReadProgram, elementary, is_number, tokens};
+use std::collections::BTreeSet;
+use std::ops::Range;
+use stickler_syntax::Edits;
+use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, Statement, StatementKind};
+use stickler_syntax::visitor::{Place, bodies};
+use stickler_types::ElementaryType;
+
+/// The numeric types in the order of their plainness.
+pub(crate) const PLAIN: [&str; 14] = [
+    "INT", "DINT", "UINT", "UDINT", "WORD", "DWORD", "LINT", "ULINT", "LWORD", "SINT", "USINT", "BYTE",
+    "REAL", "LREAL",
+];
+
+/// The bit strings and the unsigned integers of the same size.
+const UNSIGNED: [(&str, &str); 4] = [
+    ("BYTE", "USINT"),
+    ("WORD", "UINT"),
+    ("DWORD", "UDINT"),
+    ("LWORD", "ULINT"),
+];
+
+/// Returns the place of the statements of a unit, with the last semicolon.
+fn body(text: &str, pou: &Pou<'_>) -> Option<Range<usize>> {
+    let (first, last) = (pou.body.first()?, pou.body.last()?);
+    let end = last.span.end as usize;
+    let behind = &text[end..];
+    let semicolon = behind.find(';').filter(|at| behind[..*at].trim().is_empty());
+    Some(first.span.start as usize..end + semicolon.map_or(0, |at| at + 1))
+}
+
+/// Returns the place before END_VAR of the last section of a unit.
+fn end_of_variables(text: &str, pou: &Pou<'_>) -> Option<usize> {
+    let section = pou.blocks.last()?.span;
+    text[..section.end as usize].rfind("END_VAR")
+}
+
+/// Returns a program with its bodies left out, so that its variables keep what they begin with; none where a unit of it has no
+/// variables. Each body assigns one variable to itself, since not every compiler takes a body without a statement.
+pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let mut edits = Edits::new();
+    for pou in program.program.unit.pous() {
+        let groups = pou.blocks.iter().flat_map(|block| &block.groups);
+        let mut own = groups.filter(|group| elementary(group.specification.span.text(text)).is_some());
+        let (Some(body), Some(end)) = (body(text, pou), end_of_variables(text, pou)) else {
+            return Vec::new();
+        };
+        match own.find_map(|group| group.names.first()) {
+            Some(own) => edits.replace(body, format!("{0} := {0};", own.text)),
+            None => {
+                edits.replace(end..end, "    done : BOOL;\n");
+                edits.replace(body, "done := TRUE;");
+            }
+        }
+    }
+    vec![edits.apply(text)]
+}
+
+/// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
+/// block that the body uses, the assignment of each field and element that it uses to itself, and each of its own statements where
+/// none stands in another.
+pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let mut found = Vec::new();
+    for pou in program.program.unit.pous() {
+        let Some(body) = body(text, pou) else { continue };
+        let here = |part: &&Part<'_, '_>| body.contains(&(part.expression.span.start as usize));
+        let used = || program.parts.iter().filter(here);
+        let instances = used().filter_map(|part| match &part.expression.kind {
+            ExpressionKind::Name(name) if program.is_instance(name.text) => Some(format!("{}();", name.text)),
+            _ => None,
+        });
+        let paths = used().filter(|part| {
+            let around = part
+                .around
+                .and_then(|id| program.part(id))
+                .map(|around| &around.expression.kind);
+            let is_path = matches!(
+                part.expression.kind,
+                ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+            );
+            is_path
+                && !matches!(
+                    around,
+                    Some(ExpressionKind::Field { .. } | ExpressionKind::Index { .. })
+                )
+        });
+        let paths = paths.map(|part| format!("{0} := {0};", program.text(part.id)));
+        let is_flat = pou.body.iter().all(|statement| bodies(statement).is_empty());
+        let own = pou
+            .body
+            .iter()
+            .filter(|_| is_flat)
+            .map(|one: &Statement| format!("{};", one.span.text(text)));
+        for statement in instances.chain(paths).chain(own) {
+            let changed = Edits::replacing(body.clone(), statement).apply(text);
+            if changed != text && !found.contains(&changed) {
+                found.push(changed);
+            }
+        }
+    }
+    found
+}
+
+/// Returns a program in which an output of a call is given to a variable of its own in the place of a bit.
+pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let is_bit = |part: &&Part<'_, '_>| {
+        part.place == Place::OutputArgument && matches!(part.expression.kind, ExpressionKind::Bit { .. })
+    };
+    let change = |part: &Part<'_, '_>| {
+        let end = end_of_variables(text, part.pou?)?;
+        let mut edits = Edits::replacing(part.expression.span, "received");
+        edits.replace(end..end, "    received : BOOL;\n");
+        Some(without_unused(&edits.apply(text)))
+    };
+    program.parts.iter().filter(is_bit).filter_map(change).collect()
+}
+
+/// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without
+/// their mistake, where the type of an operand is the mistake.
+pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let change = |part: &Part<'_, '_>| {
+        let pou = part.pou.filter(|pou| pou.kind == PouKind::Program)?;
+        part.statement?;
+        let written = program.target_specification(part)?.span.text(text);
+        let is_alone = tokens(program.text(part.id)).len() == 1;
+        let end = end_of_variables(text, pou).filter(|_| is_alone)?;
+        let mut edits = Edits::replacing(part.expression.span, "fitting");
+        edits.replace(end..end, format!("    fitting : {written};\n"));
+        Some(without_unused(&edits.apply(text)))
+    };
+    let given = program
+        .parts
+        .iter()
+        .filter(|part| matches!(part.place, Place::Value | Place::NamedArgument));
+    given.filter_map(change).collect()
+}
+
+/// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
+fn without_unused(text: &str) -> String {
+    let program = Program::new(text);
+    let read = program.read();
+    let units = program.unit.pous().filter(|pou| pou.kind == PouKind::Program);
+    let groups = units.flat_map(|pou| &pou.blocks).flat_map(|block| &block.groups);
+    let unused = groups.filter(|group| match &group.names[..] {
+        [name] => !read
+            .parts
+            .iter()
+            .any(|part| matches!(&part.expression.kind, ExpressionKind::Name(used) if used.is(name.text))),
+        _ => false,
+    });
+    let lines: BTreeSet<u32> = unused
+        .filter_map(|group| Some(program.line(group.names.first()?.span)))
+        .collect();
+    let kept = text.split_inclusive('\n').zip(1..);
+    let is_kept =
+        |(line, number): &(&str, u32)| !lines.contains(number) || line.matches([';', ':']).count() != 2;
+    kept.filter(is_kept).map(|(line, _)| line).collect()
+}
+
+/// Returns programs with quite another type in the place of a value that a line gives to something: a text where a number stands, a
+/// duration where a text stands. What the line assigns comes first.
+pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Vec<String> {
+    let places = [
+        &[Place::Value][..],
+        &[Place::NamedArgument],
+        &[Place::InitialValue, Place::Argument, Place::Subscript],
+    ];
+    let here = program
+        .parts
+        .iter()
+        .filter(|part| program.program.line(part.expression.span) == line);
+    let rank = |place: Place| places.iter().position(|places| places.contains(&place));
+    let mut given: Vec<_> = here
+        .filter_map(|part| Some((rank(part.place)?, part.expression.span)))
+        .collect();
+    given.sort_by_key(|(rank, _)| *rank);
+    let others =
+        |(_, span)| ["'a'", "T#1s"].map(|other| Edits::replacing(span, other).apply(program.program.text));
+    given.into_iter().flat_map(others).collect()
+}
+
+/// Returns whether a value is one of those that [`with_other_operand`] gives.
+pub(crate) fn is_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> bool {
+    let text = program.program.text;
+    with_other_operand(program, line)
+        .iter()
+        .any(|other| other == text)
+}
+
+/// Returns a program in which each partial access selects the first bit or byte, which are there in every type.
+pub(crate) fn with_first_parts(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let mut edits = Edits::new();
+    for token in tokens(text)
+        .iter()
+        .filter(|token| token.kind == TokenKind::Partial)
+    {
+        let is_bit = token.span.text(text).to_ascii_uppercase().starts_with("%X");
+        edits.replace(token.span, if is_bit { "%X0" } else { "%B0" });
+    }
+    vec![edits.apply(text)]
+}
+
+/// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
+/// the type of the target; `None` where it has no statement that does both.
+pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let text = program.program.text;
+    program.parts.iter().find_map(|part| {
+        let statement = part.statement.filter(|_| part.place == Place::Value)?;
+        let (operator, left, right) = binary(program, part.id)?;
+        let (own, target) = (program.type_of(left)?, program.target(part)?);
+        if !calculates(operator) || program.type_of(right) != Some(own) || own == target {
+            return None;
+        }
+        let first = body(text, part.pou?)?.start;
+        let StatementKind::Assignment { target, .. } = statement.kind else {
+            return None;
+        };
+        let mut edits = Edits::replacing(
+            statement.span,
+            format!(
+                "partial := {};\n    {} := partial",
+                program.text(part.id),
+                program.text(target)
+            ),
+        );
+        let section = format!("VAR\n    partial : {};\nEND_VAR\n    ", own.name());
+        // Before the first statement, which may be this one.
+        let head = text[..first].trim_end().len();
+        edits.replace(head..head, format!("\n{}", section.trim_end()));
+        Some(edits.apply(text))
+    })
+}
+
+/// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.
+pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
+    program.parts.iter().find_map(|part| {
+        let (operator, left, right) = binary(program, part.id).filter(|_| part.place == Place::Value)?;
+        let types = (program.type_of(left)?, program.type_of(right)?);
+        let turned = match operator {
+            BinaryOperator::Less => BinaryOperator::Greater,
+            BinaryOperator::Greater => BinaryOperator::Less,
+            BinaryOperator::LessOrEqual => BinaryOperator::GreaterOrEqual,
+            BinaryOperator::GreaterOrEqual => BinaryOperator::LessOrEqual,
+            same => same,
+        };
+        let text = format!(
+            "{} {} {}",
+            program.text(right),
+            turned.symbol(),
+            program.text(left)
+        );
+        let is_mixed = compares(operator) && types.0 != types.1;
+        is_mixed.then(|| Edits::replacing(part.expression.span, text).apply(program.program.text))
+    })
+}
+
+/// Returns the elementary types that a program names anywhere, also in the names of functions.
+pub(crate) fn named_types(text: &str) -> BTreeSet<&'static str> {
+    let words = tokens(text)
+        .into_iter()
+        .map(|token| token.span.text(text).to_ascii_uppercase());
+    let mut found = BTreeSet::new();
+    for word in words.filter(|word| word.starts_with(|first: char| first.is_ascii_alphabetic())) {
+        let name = word.split('#').next().unwrap_or_default();
+        found.extend(name.split('_').filter_map(elementary).map(ElementaryType::name));
+    }
+    found
+}
+
+/// Returns a text with types replaced in declarations, prefixes and names of functions.
+fn with_types(text: &str, changes: &[(&str, &str)]) -> String {
+    let changed = |word: &str| {
+        let change = changes.iter().find(|(from, _)| word.eq_ignore_ascii_case(from));
+        change.map_or(word, |(_, into)| *into).to_owned()
+    };
+    let mut edits = Edits::new();
+    for token in tokens(text) {
+        let word = token.span.text(text);
+        if !word.starts_with(|first: char| first.is_ascii_alphabetic()) {
+            continue;
+        }
+        let (name, value) = word.split_at(word.find('#').unwrap_or(word.len()));
+        let name: Vec<String> = name.split('_').map(changed).collect();
+        edits.replace(token.span, format!("{}{value}", name.join("_")));
+    }
+    edits.apply(text)
+}
+
+/// Returns programs with a plainer numeric type in the place of one, and with unsigned integers in the place of bit strings; none where
+/// two types would become one.
+pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.program.text;
+    let there = named_types(text);
+    let is_free = |name: &str| !there.contains(name);
+    let bit_strings: Vec<_> = UNSIGNED
+        .into_iter()
+        .filter(|(bits, _)| there.contains(bits))
+        .collect();
+    let mut found = Vec::new();
+    // A conversion between two of them has to keep both sizes.
+    if bit_strings.len() > 1 && bit_strings.iter().all(|(_, number)| is_free(number)) {
+        found.push(with_types(text, &bit_strings));
+    }
+    for name in &there {
+        let ty = elementary(name).filter(|ty| is_number(*ty));
+        let plainer = PLAIN.iter().take_while(|plain| *plain != name);
+        let is_neighbour =
+            |plain: &&&str| elementary(plain).map(ElementaryType::is_real) == ty.map(ElementaryType::is_real);
+        let plainer = plainer.filter(is_neighbour).filter(|plain| is_free(plain));
+        found.extend(plainer.map(|plain| with_types(text, &[(name, plain)])));
+    }
+    found
+}
+
+/// Returns programs with one of the types in the place of another, for each pair of types.
+pub(crate) fn with_same_types(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let types = named_types(program.program.text);
+    let pairs = types
+        .iter()
+        .flat_map(|from| types.iter().map(move |into| (*from, *into)));
+    let pairs = pairs.filter(|(from, into)| from != into);
+    pairs
+        .map(|pair| with_types(program.program.text, &[pair]))
+        .collect()
+}

@@ -1,0 +1,382 @@
+//! What the reduction of a program must not exchange for other things: a smaller program shows the same defect only where the construct
+//! at fault is still there, and nothing came in that the whole program does not have.
+
+use crate::program::{ANY, Part, Program, ReadProgram, elementary, has_word, tokens};
+use crate::shape::is_name;
+use std::collections::{BTreeMap, BTreeSet};
+use stickler_syntax::features::features;
+use stickler_syntax::names::{DeclaredKind, DeclaredName};
+use stickler_syntax::token::{Token, TokenKind};
+use stickler_syntax::tree::{Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind};
+use stickler_syntax::visitor::Place;
+use stickler_types::ElementaryType;
+
+/// The constructs of a program.
+#[derive(Debug)]
+pub(crate) struct Constructs {
+    /// What a smaller program may have only where the whole one has it.
+    limited: BTreeSet<String>,
+    /// The ways in which its statements use each name, in capitals: by itself, an element, a bit, a field.
+    uses: BTreeMap<String, BTreeSet<String>>,
+    /// The names that are declared with an elementary type, in capitals.
+    elementary: BTreeSet<String>,
+    /// Whether every section of variables has one and every body has a statement, which some compilers demand.
+    is_whole: bool,
+}
+
+impl Constructs {
+    /// Returns the constructs of a program.
+    pub(crate) fn of(text: &str) -> Constructs {
+        let program = Program::new(text);
+        let program = program.read();
+        let all = tokens(text);
+        let uses = uses(&program);
+        let mut limited = literals(text, &all);
+        let features = features(text, &ANY).into_iter().map(String::from);
+        // An operator between two operands does not become one before an operand.
+        limited
+            .extend(features.filter(|key| ["negation", "unary-plus", "empty-statement"].contains(&&**key)));
+        limited.extend(unpromised(&program, &all).into_iter().map(str::to_owned));
+        limited.extend(words_alone(text, &all));
+        // Of a text that cannot be read nobody reports a name that is not declared. A function may be one of the library.
+        let is_value = |ways: &BTreeSet<String>| ways.iter().any(|way| way != "()");
+        let undeclared = uses
+            .iter()
+            .filter(|(name, ways)| !program.declares(name) && is_value(ways));
+        limited.extend(undeclared.map(|(name, _)| format!("undeclared {name}")));
+        Constructs {
+            limited,
+            elementary: elementary_names(&program),
+            is_whole: is_whole(&all),
+            uses,
+        }
+    }
+
+    /// Returns whether a program with these constructs may become one with the constructs `smaller`.
+    pub(crate) fn may_become(&self, smaller: &Constructs) -> bool {
+        smaller.is_whole
+            && smaller.limited.is_subset(&self.limited)
+            && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
+    }
+
+    /// Returns whether no use of a name lost a subscript, a bit or a field, as `a[1]` would become `a`. A variable that has an
+    /// elementary type now has lost those of its former type.
+    fn keeps_uses(&self, name: &str, smaller: &Constructs) -> bool {
+        let (Some(before), Some(now)) = (self.uses.get(name), smaller.uses.get(name)) else {
+            return true;
+        };
+        let is_unwrapped = smaller.elementary.contains(name) && !self.elementary.contains(name);
+        let is_cut = |way: &String| {
+            !before.contains(way) && before.iter().any(|longer| longer.starts_with(way.as_str()))
+        };
+        is_unwrapped || !now.iter().any(is_cut)
+    }
+}
+
+/// Returns the forms of the literals; bounds, subscripts, bits and numbers of repetitions are none. They are told by their tokens, since
+/// the program may be one that cannot be read.
+fn literals(text: &str, tokens: &[Token]) -> BTreeSet<String> {
+    let mut found = BTreeSet::new();
+    // For each open bracket, whether it holds values.
+    let mut lists = Vec::new();
+    for (at, token) in tokens.iter().enumerate() {
+        let before = at.checked_sub(1).map(|before| tokens[before].kind);
+        let next = tokens.get(at + 1).map(|next| next.kind);
+        match token.kind {
+            TokenKind::LeftBracket => lists.push(matches!(
+                before,
+                Some(TokenKind::Assign | TokenKind::Comma | TokenKind::LeftParen | TokenKind::LeftBracket)
+            )),
+            TokenKind::RightBracket => {
+                lists.pop();
+            }
+            _ => {}
+        }
+        let is_value = lists.last() != Some(&false)
+            && before != Some(TokenKind::Dot)
+            && next != Some(TokenKind::LeftParen);
+        found.extend(literal(token.span.text(text)).filter(|_| is_value));
+        let is_truth_value = matches!(token.kind, TokenKind::True | TokenKind::False);
+        if is_truth_value && [before, next].into_iter().flatten().any(takes_numbers) {
+            found.insert("truth value as an operand".to_owned());
+        }
+    }
+    found
+}
+
+/// Returns whether a token is an operator whose operands are numbers, or that compares.
+const fn takes_numbers(kind: TokenKind) -> bool {
+    use TokenKind::*;
+    matches!(
+        kind,
+        Mod | Plus
+            | Minus
+            | Star
+            | Slash
+            | Power
+            | Equal
+            | NotEqual
+            | Less
+            | LessOrEqual
+            | Greater
+            | GreaterOrEqual
+    )
+}
+
+/// Returns the form of a literal.
+fn literal(written: &str) -> Option<String> {
+    // A truth value may stand for what has the type BOOL, or must have it.
+    let of_truth = ["TRUE", "FALSE", "BOOL", "IF", "ELSIF", "WHILE", "UNTIL"];
+    if of_truth.iter().any(|word| written.eq_ignore_ascii_case(word)) {
+        return Some("truth value".to_owned());
+    }
+    if written.starts_with(['\'', '"']) {
+        return written.get(..1).map(str::to_owned);
+    }
+    if let Some((prefix, _)) = written.split_once('#') {
+        return Some(format!("{}#", prefix.to_ascii_uppercase()));
+    }
+    let plain = if written.contains('.') { "real" } else { "integer" };
+    written
+        .starts_with(|first: char| first.is_ascii_digit())
+        .then(|| plain.to_owned())
+}
+
+/// Returns the ways in which the statements use each name, such as `[].` for a bit of an element.
+fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for part in program.parts.iter().filter(|part| part.statement.is_some()) {
+        let ExpressionKind::Name(name) = &part.expression.kind else {
+            continue;
+        };
+        let whole = program.text(program.outermost(part).id);
+        let mut depth = 0_usize;
+        let behind = whole.chars().skip(name.text.len()).filter(|sign| {
+            depth = depth + usize::from(*sign == '[') - usize::from(*sign == ']');
+            (depth == 0 || *sign == '[') && !sign.is_ascii_digit()
+        });
+        let way = match part.place {
+            Place::Callee => "()".to_owned(),
+            _ => behind.collect::<String>().to_ascii_uppercase(),
+        };
+        found
+            .entry(name.text.to_ascii_uppercase())
+            .or_default()
+            .insert(way);
+    }
+    found
+}
+
+/// Returns the names that are declared with an elementary type.
+fn elementary_names(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
+    let is_elementary = |one: &&DeclaredName<'_, '_>| {
+        let written = one
+            .group
+            .map(|group| group.specification.span.text(program.program.text));
+        written.is_some_and(|written| elementary(written).is_some())
+    };
+    let found = program.names.iter().filter(is_elementary);
+    found.map(|one| one.name.text.to_ascii_uppercase()).collect()
+}
+
+/// Returns the words that begin something whose end is not there, as where `END_PROGRAM` became `ENDPROGRAM`, and the locations of
+/// variables.
+fn words_alone(text: &str, tokens: &[Token]) -> BTreeSet<String> {
+    let number = |word: &str| tokens.iter().filter(|token| token.is(word, text)).count();
+    let is_alone = |token: &&Token| {
+        let word = token.span.text(text);
+        let end = format!("END_{}", word.to_ascii_uppercase());
+        token.kind == TokenKind::Direct || TokenKind::of_word(&end).closes() && number(word) > number(&end)
+    };
+    let alone = tokens.iter().filter(is_alone);
+    alone
+        .map(|token| token.span.text(text).to_ascii_uppercase())
+        .collect()
+}
+
+/// Returns the names of the constructs of a program that no document promises, or not every one: where the whole program does
+/// without one, a smaller program with it shows another mistake than the one under test.
+fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'static str> {
+    let mut found = BTreeSet::new();
+    let number = |kind: TokenKind| tokens.iter().filter(|token| token.kind == kind).count();
+    let adjacent = |one, other| {
+        tokens
+            .windows(2)
+            .any(|pair| (pair[0].kind, pair[1].kind) == (one, other))
+    };
+    let is_there = [
+        ("repetition of nothing", repeats_nothing(program, tokens)),
+        (
+            "expression as a statement",
+            has_expression_as_statement(program.program.text, tokens),
+        ),
+        // Basis: iec-61131-3: Annex A (`Struct_Decl`).
+        (
+            "empty structure",
+            adjacent(TokenKind::Struct, TokenKind::EndStruct),
+        ),
+        ("resource without a program", has_empty_resource(program)),
+        // Basis: iec-61131-3: Annex A (`Task_Init`).
+        (
+            "task without a priority",
+            number(TokenKind::Task)
+                > crate::program::words(program.program.text)
+                    .iter()
+                    .filter(|word| word.eq_ignore_ascii_case("PRIORITY"))
+                    .count(),
+        ),
+    ];
+    found.extend(
+        is_there
+            .into_iter()
+            .filter(|(_, is_there)| *is_there)
+            .map(|(name, _)| name),
+    );
+    for part in &program.parts {
+        found.extend(of_value(program, part));
+    }
+    found
+}
+
+/// Returns what is odd about a value where it is given, or about a variable where it is used.
+fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'static str> {
+    let target = program.target(part);
+    let literal = match &part.expression.kind {
+        ExpressionKind::Literal(literal) if literal.prefix().is_none() => Some(literal.kind),
+        _ => None,
+    };
+    let is_alone = program.specification(part.id).is_some() || literal == Some(LiteralKind::Boolean);
+    let source = match literal {
+        Some(LiteralKind::Boolean) => Some(ElementaryType::Bool),
+        _ => program.type_of(part.id),
+    };
+    let is_truth_value = |ty: ElementaryType| ty == ElementaryType::Bool;
+    let is_integer = |ty: ElementaryType| ty.is_integer() || ty.is_bit_string();
+    if part.statement.is_some()
+        && is_alone
+        && let (Some(target), Some(source)) = (target, source)
+        && is_truth_value(target) != is_truth_value(source)
+    {
+        return Some("truth value for another type");
+    }
+    let value = match part.expression.kind {
+        ExpressionKind::Unary { operand, .. } => program.text(operand),
+        _ => program.text(part.id),
+    };
+    let is_real = value.starts_with(|first: char| first.is_ascii_digit()) && value.contains('.');
+    if is_real && target.is_some_and(is_integer) {
+        return Some("real number for an integer");
+    }
+    let ExpressionKind::Name(name) = &part.expression.kind else {
+        return None;
+    };
+    let section = program.section(name.text, part.pou);
+    // Basis of both: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL; VAR_INPUT: not modifiable within the unit).
+    match part.place {
+        Place::InitialValue if begins_with_variable(program, name.text) => {
+            Some("initial value of a variable")
+        }
+        _ if is_global(program, name.text)
+            && part.pou.is_some()
+            && !has_word(program.program.text, "VAR_EXTERNAL") =>
+        {
+            Some("global variable that is not external")
+        }
+        _ if section == Some(VariableKind::Input) && is_assigned(program, part) => {
+            Some("input that is assigned")
+        }
+        _ => None,
+    }
+}
+
+/// Returns whether a program declares a global variable with a name.
+fn is_global(program: &ReadProgram<'_, '_>, name: &str) -> bool {
+    let global = DeclaredKind::Variable(VariableKind::Global);
+    program
+        .names
+        .iter()
+        .any(|one| one.kind == global && one.name.is(name))
+}
+
+/// Returns whether a unit assigns the variable of its own that a name is, or an element, a field or a bit of it.
+fn is_assigned(program: &ReadProgram<'_, '_>, name: &Part<'_, '_>) -> bool {
+    let own = program
+        .named(program.text(name.id), name.pou)
+        .and_then(|one| one.inside);
+    let is_own = own.map(|pou| pou.span) == name.pou.map(|pou| pou.span);
+    is_own && program.outermost(name).place == Place::Target
+}
+
+/// Returns whether a name is that of a variable of a section that is not `CONSTANT`.
+fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
+    let sections = program.program.unit.pous().flat_map(|pou| &pou.blocks);
+    let mut variables = sections
+        .filter(|section| !section.constant)
+        .flat_map(|section| &section.groups);
+    variables.any(|group| group.names.iter().any(|one| one.is(name)))
+}
+
+/// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.
+fn repeats_nothing(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> bool {
+    let is_zero = |id: ExpressionId| program.text(id).bytes().all(|digit| matches!(digit, b'0' | b'_'));
+    let mut counts = program
+        .parts
+        .iter()
+        .filter(|part| matches!(part.place, Place::Repetition | Place::By));
+    let is_number = |token: &Token| token.kind == TokenKind::Integer;
+    let mut triples = tokens.windows(3);
+    counts.any(|part| is_zero(part.id))
+        || triples.any(|triple| {
+            is_number(&triple[0])
+                && (triple[1].kind, triple[2].kind) == (TokenKind::LeftParen, TokenKind::RightParen)
+        })
+}
+
+/// Returns whether a literal or a comparison stands where a statement must, as where `d := D#2024-01-1.5;` becomes `D#2024-01-1;`
+/// or `d = D#2024-01-1;`.
+fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
+    use TokenKind::*;
+    (1..tokens.len()).any(|at| {
+        let begins = matches!(
+            tokens[at - 1].kind,
+            Semicolon | EndVar | Do | Then | Else | Repeat
+        );
+        let is_literal =
+            tokens[at].kind.is_literal() && tokens.get(at + 1).is_some_and(|next| next.kind == Semicolon);
+        let mut behind = tokens[at..].iter().map(|token| token.kind);
+        let sign = behind
+            .find(|kind| matches!(kind, Assign | Equal | LeftParen | Semicolon | Colon) || kind.is_keyword());
+        begins && (is_literal || is_name(&tokens[at], text) && sign == Some(Equal))
+    })
+}
+
+/// Returns whether a configuration has no resource, or a resource no program.
+///
+/// Basis: iec-61131-3: Annex A (`Config_Decl`, `Single_Resource_Decl`).
+fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
+    program
+        .program
+        .unit
+        .declarations
+        .iter()
+        .any(|declaration| match declaration {
+            Declaration::Configuration(configuration) => {
+                configuration.resources.is_empty()
+                    || configuration
+                        .resources
+                        .iter()
+                        .any(|resource| resource.programs.is_empty())
+            }
+            _ => false,
+        })
+}
+
+/// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
+/// them for that alone, whatever else was wrong with it.
+fn is_whole(tokens: &[Token]) -> bool {
+    let mut pairs = tokens.windows(2).map(|pair| (pair[0].kind, pair[1].kind));
+    let is_empty = |(one, next): (TokenKind, TokenKind)| {
+        one.opens_section() && next == TokenKind::EndVar || one == TokenKind::EndVar && next.closes_pou()
+    };
+    tokens.iter().any(|token| token.kind == TokenKind::EndVar) && !pairs.any(is_empty)
+}

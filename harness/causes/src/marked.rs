@@ -1,0 +1,512 @@
+//! The features of the line of a small program that matters: the constructs by which the defects of programs are told apart.
+
+use crate::lines::{line_with_number, unimplemented, unit_of};
+use crate::normal::Normal;
+use crate::program::{ReadProgram, kind, type_of_word, valued_types, words};
+use crate::sign::is_unread;
+use crate::work::{Role, Work, words_of, works};
+use std::collections::BTreeSet;
+use stickler_run::Fact;
+use stickler_syntax::names::DeclaredName;
+use stickler_syntax::source::Span;
+
+use stickler_syntax::tree::{
+    Argument, Declaration, ExpressionKind, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
+    VariableKind,
+};
+use stickler_syntax::visitor::Place;
+
+/// The features of where a line stands.
+pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
+/// The feature of a mistake that is a literal without a type.
+pub(crate) const LITERAL: &str = "untyped literal";
+
+/// A set of words.
+type Words = BTreeSet<String>;
+
+/// A small program with the line that matters.
+pub(crate) struct MarkedProgram<'t, 's> {
+    program: ReadProgram<'t, 's>,
+    works: Vec<Work>,
+    /// The number of the line at which the expected or the actual diagnostic stands.
+    line: Option<u32>,
+    /// Whether the engine could not read the program.
+    is_unread: bool,
+    /// The literals that the engine takes alone.
+    innocent: Words,
+}
+
+impl<'t, 's> MarkedProgram<'t, 's> {
+    pub(crate) fn new(program: ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
+        let deviation = &normal.deviation;
+        // A compiler that has lost the place says line 1, without a column or with the first.
+        let line = |facts: &[Fact]| {
+            let mut reported = facts.iter().filter_map(Fact::diagnostic);
+            let placed = reported.find(|one| one.line.is_some())?;
+            let has_column = placed.column.is_some_and(|column| column > 1);
+            placed.line.filter(|line| *line > 1 || has_column)
+        };
+        let reported = deviation.got.iter().find_map(Fact::diagnostic);
+        let by_number = || line_with_number(&program, reported.map_or("", |one| &one.message));
+        let line = line(&deviation.got)
+            .or_else(|| line(&deviation.expected))
+            .or_else(by_number);
+        // Some compilers name the line behind the mistake, or one of a file of their own.
+        let has_words = |number: &u32| {
+            let text = program.program.line_text(*number).unwrap_or_default();
+            text.contains(|character: char| {
+                character.is_ascii_alphanumeric() || matches!(character, '\'' | '"')
+            })
+        };
+        MarkedProgram {
+            works: works(program.program.text),
+            line: line.filter(has_words),
+            is_unread: is_unread(&deviation.got),
+            innocent: normal.innocent_literals(),
+            program,
+        }
+    }
+
+    fn is_on_line(&self, span: Span) -> bool {
+        self.line
+            .is_none_or(|line| self.program.program.line(span) == line)
+    }
+
+    /// Returns the text of the line that matters; of the whole program where no line is known.
+    fn text(&self) -> &'s str {
+        let line = self.line.and_then(|line| self.program.program.line_text(line));
+        line.unwrap_or(self.program.program.text)
+    }
+
+    /// Returns the pieces of work on the line that matters.
+    fn on_line(&self, role: Role) -> Words {
+        words_of(self.works.iter().filter(|work| self.is_on_line(work.span)), role)
+    }
+
+    /// Returns the features of a mistake that is accepted: the operators of its line, what it assigns, or the kinds of its operands.
+    /// Operators of all kinds are one feature, and so are conversion functions, because a compiler checks the types around them in one
+    /// place. Where `is_unchecked`, the compiler checks no types there, and the value is no feature.
+    pub(crate) fn of_mistake(&self, is_unchecked: bool) -> Words {
+        let as_one = |operation: String| match operation.as_str() {
+            "arithmetic" | "power" | "comparison" | "bitwise operator" | "sign" => "operator".to_owned(),
+            "call" if self.callees().any(|name| self.program.is_instance(name)) => {
+                "call of a block".to_owned()
+            }
+            conversion if conversion.contains("_TO_") => "conversion function".to_owned(),
+            _ => operation,
+        };
+        let mut features: Words = self.on_line(Role::Operation).into_iter().map(as_one).collect();
+        if is_unchecked {
+            features.remove("subscript or list");
+            features.extend(self.target().map(str::to_owned));
+        }
+        if features.is_empty() {
+            let value = words(self.text())
+                .into_iter()
+                .rfind(|word| !matches!(*word, ";" | ")" | "]" | ","));
+            let is_untyped = value.is_some_and(|value| {
+                value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
+            });
+            // Where a literal stands is told by the code, if it matters at all.
+            features.insert(match is_untyped && !is_unchecked {
+                true => LITERAL.to_owned(),
+                false => self.place().to_owned(),
+            });
+        }
+        features
+    }
+
+    /// Returns the forms of the literals of the line that matters, where these are no plain numbers: what is wrong with one that
+    /// should not be read says its form alone.
+    pub(crate) fn forms_of_literals(&self) -> Words {
+        let line = self.text().replace(":=", " ");
+        let words = line
+            .split(|sign: char| sign.is_whitespace() || matches!(sign, ';' | '(' | ')' | ',' | '[' | ']'));
+        words.filter_map(form_of_number).collect()
+    }
+
+    /// Returns where the line that matters stands.
+    pub(crate) fn place(&self) -> &'static str {
+        let Some(line) = self.line else { return PLACES[2] };
+        let program = self.program.program;
+        let covers = |start: u32, end: u32| {
+            (program.lines.line(start)..=program.lines.line(end.saturating_sub(1))).contains(&line)
+        };
+        for declaration in &program.unit.declarations {
+            let place = match declaration {
+                Declaration::Types(types) => types
+                    .iter()
+                    .any(|one| covers(one.name.span.start, one.specification.span.end))
+                    .then_some(PLACES[0]),
+                Declaration::Pou(pou) => {
+                    let is_declared = pou
+                        .blocks
+                        .iter()
+                        .any(|block| covers(block.span.start, block.span.end));
+                    let is_stated = pou
+                        .body
+                        .iter()
+                        .any(|statement| program.line(statement.span) == line);
+                    (is_declared && !is_stated).then_some(PLACES[1])
+                }
+                Declaration::Globals(block) => covers(block.span.start, block.span.end).then_some(PLACES[1]),
+                Declaration::Configuration(_) => None,
+            };
+            if let Some(place) = place {
+                return place;
+            }
+        }
+        PLACES[2]
+    }
+
+    /// Returns the names that the line calls.
+    fn callees(&self) -> impl Iterator<Item = &'s str> {
+        let callees = self
+            .program
+            .parts
+            .iter()
+            .filter(|part| part.place == Place::Callee);
+        let here = callees.filter(|part| self.is_on_line(part.expression.span));
+        here.map(|part| self.program.text(part.id))
+    }
+
+    /// Returns the kind of variable that the line assigns, unless that is a plain one.
+    fn target(&self) -> Option<&'static str> {
+        let mut targets = self
+            .program
+            .parts
+            .iter()
+            .filter(|part| part.place == Place::Target);
+        let part = targets.find(|part| self.is_on_line(part.expression.span))?;
+        match &part.expression.kind {
+            ExpressionKind::Name(name) => part
+                .pou
+                .filter(|pou| pou.name.is(name.text))
+                .map(|_| "result of a function"),
+            ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => Some("field or element"),
+            _ => None,
+        }
+    }
+
+    /// Returns the features of a program of which something is not implemented: the kinds of the variables on its line, and whether
+    /// that stands in a program or in another unit, which has its variables elsewhere; without such variables, the operations.
+    pub(crate) fn of_missing(&self, got: &[Fact]) -> Words {
+        let line = unimplemented(&self.program, got);
+        let is_there = |span: Span| self.program.program.line(span) == line;
+        let operations = words_of(
+            self.works.iter().filter(|work| is_there(work.span)),
+            Role::Operation,
+        );
+        let text = self.program.program.line_text(line).unwrap_or_default();
+        let declared = |word: &str| {
+            self.program
+                .names
+                .iter()
+                .find(|one| one.name.is(word) && one.group.is_some())
+        };
+        let kinds = words(text)
+            .into_iter()
+            .filter_map(|word| self.kind_of(declared(word)?));
+        let mut features: Words = kinds.map(str::to_owned).collect();
+        let passes = passes_in_out(&self.program, is_there);
+        features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
+        if features.is_empty() {
+            return match operations.is_empty() {
+                true => Words::from(["statement".to_owned()]),
+                false => operations,
+            };
+        }
+        match unit_of(&self.program, line) {
+            Some(_) => features.extend(["function or function block".to_owned()]),
+            None => features.extend(operations.into_iter().filter(|one| one == "bit access")),
+        }
+        features
+    }
+
+    /// Returns the kind of a variable, unless that is a plain one.
+    fn kind_of(&self, declared: &DeclaredName<'_, '_>) -> Option<&'static str> {
+        let mut specification: &TypeSpecification<'_> = &declared.group?.specification;
+        if let TypeSpecificationKind::Named(name) = &specification.kind {
+            let unit = self.program.unit_of(name.text);
+            if unit.is_some_and(|pou| pou.kind == PouKind::FunctionBlock) {
+                return Some("instance of a function block");
+            }
+            specification = &self.program.declared_type(name.text)?.specification;
+        }
+        match specification.kind {
+            TypeSpecificationKind::Array { .. } => Some("array"),
+            TypeSpecificationKind::Structure(_) => Some("structure"),
+            _ => None,
+        }
+    }
+
+    /// Returns whether the program converts between values of different kinds.
+    pub(crate) fn mixes_kinds(&self) -> bool {
+        self.kinds().len() > 1
+    }
+
+    /// Returns the kinds of the values of the program between which conversions are one piece of work.
+    fn kinds(&self) -> BTreeSet<&'static str> {
+        let types = valued_types(self.program.program.text).into_iter();
+        types.filter_map(kind).collect()
+    }
+
+    /// Returns the kinds of loops of the program.
+    pub(crate) fn loops(&self) -> Words {
+        let loops = self
+            .program
+            .parts
+            .iter()
+            .filter_map(|part| part.statement)
+            .filter_map(|one| match one.kind {
+                StatementKind::For { .. } => Some("FOR"),
+                StatementKind::While { .. } => Some("WHILE"),
+                StatementKind::Repeat { .. } => Some("REPEAT"),
+                _ => None,
+            });
+        loops.map(str::to_owned).collect()
+    }
+
+    /// Returns the features of a program that stops, or does not stop, with a fault.
+    pub(crate) fn of_fault(&self) -> Words {
+        let mut features = words_of(&self.works, Role::Operation);
+        features.remove("call");
+        features
+    }
+
+    /// Returns the features of a program that is rejected wrongly: those of the line, and, where the engine could read the
+    /// program, the kinds of declarations.
+    pub(crate) fn of_rejection(&self) -> Words {
+        let operations = self.on_line(Role::Operation).into_iter();
+        let mut features: Words = operations.map(|one| either_way(&one)).collect();
+        let literals = self.suspect_literals();
+        // An operator whose types are refused is refused anywhere, and so is one of the sign of a number.
+        let operators = match self.is_unread {
+            true => Words::new(),
+            false => self.operators(&features),
+        };
+        // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
+        let is_unknown_anywhere = self.is_unread && self.calls_library();
+        if literals.is_empty() && !is_unknown_anywhere {
+            let place = if operators.is_empty() {
+                self.place()
+            } else {
+                PLACES[2]
+            };
+            features.insert(place.to_owned());
+        }
+        if !operators.is_empty() {
+            features.remove("sign");
+            features.extend(operators);
+            features.extend(self.operand_kinds());
+        }
+        features.extend(literals);
+        let by_name = |part: &crate::program::Part<'_, '_>| {
+            part.place == Place::InitialValue
+                && self.is_on_line(part.expression.span)
+                && matches!(part.expression.kind, ExpressionKind::Name(_))
+        };
+        if features.contains("declaration") && self.program.parts.iter().any(by_name) {
+            features.insert("initial value by name".to_owned());
+        }
+        if !self.is_unread {
+            features.extend(words_of(&self.works, Role::Declaration));
+        }
+        features
+    }
+
+    /// Returns the operators among the features of the line; the sign of a number is one that calculates.
+    fn operators(&self, features: &Words) -> Words {
+        let is_operator = |one: &&String| {
+            matches!(
+                one.as_str(),
+                "arithmetic" | "comparison" | "bitwise operator" | "power"
+            )
+        };
+        let mut found: Words = features.iter().filter(is_operator).cloned().collect();
+        let has_sign = words(self.text()).iter().any(|word| matches!(*word, "+" | "-"));
+        found.extend(has_sign.then(|| "arithmetic".to_owned()));
+        found
+    }
+
+    /// Returns the kinds of the operands on the line; numbers are of one kind.
+    fn operand_kinds(&self) -> Words {
+        let kinds = words(self.text()).into_iter().filter_map(|word| {
+            let is_number = word.starts_with(|first: char| first.is_ascii_digit());
+            match self.program.type_of_word(word).and_then(kind) {
+                _ if is_number => Some("number"),
+                Some("integer" | "real") => Some("number"),
+                other => other,
+            }
+        });
+        kinds.map(str::to_owned).collect()
+    }
+
+    /// Returns whether the line calls a function that the program does not declare.
+    fn calls_library(&self) -> bool {
+        self.callees().any(|name| !self.program.declares(name))
+    }
+
+    /// Returns the forms of those literals of the line that are not known to be taken by the engine.
+    fn suspect_literals(&self) -> Words {
+        self.suspects(|work| self.is_on_line(work.span))
+    }
+
+    fn suspects(&self, is_here: impl Fn(&Work) -> bool) -> Words {
+        let is_innocent = |work: &Work| self.innocent.contains(work.span.text(self.program.program.text));
+        let literals = self
+            .works
+            .iter()
+            .filter(|work| is_here(work) && !is_innocent(work));
+        words_of(literals, Role::Literal)
+    }
+
+    /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
+    /// and no function.
+    pub(crate) fn has_special_literal(&self) -> bool {
+        !self.is_unread && !self.calls_library() && !self.suspect_literals().is_empty()
+    }
+
+    /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
+    /// the value is one that a variable begins with.
+    pub(crate) fn of_value(&self, is_initial: bool) -> (Words, bool) {
+        let operations = words_of(&self.works, Role::Operation);
+        let mut features: Words = operations.iter().map(|one| of_numbers(one)).collect();
+        features.remove("call");
+        // What is converted may have a sign before it.
+        features.remove("sign");
+        let begins = self
+            .program
+            .parts
+            .iter()
+            .any(|part| part.place == Place::InitialValue);
+        let is_initial = is_initial && begins;
+        let kinds = self.kinds();
+        let text = self.program.program.text;
+        // A plain literal has the type of what begins with it.
+        let has_typed_literal = || {
+            words(text)
+                .iter()
+                .any(|word| word.contains('#') && type_of_word(word).is_some())
+        };
+        let converts = valued_types(text).len() > 1 && (!is_initial || has_typed_literal());
+        // An assignment converts between these types, or it would be the normal form; the place converts nothing.
+        let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));
+        if converts && are_numbers && (is_initial || features.contains("output argument")) {
+            features.extend(is_initial.then(|| "initial value".to_owned()));
+            features.insert("conversion".to_owned());
+            return (features, true);
+        }
+        if converts {
+            let kinds: Vec<&str> = kinds.into_iter().collect();
+            features.insert(format!("conversion {}", kinds.join(" and ")));
+            // Whether a variable or an element of a list is converted is one piece of work.
+            features.remove("subscript or list");
+            return (features, true);
+        }
+        let literals = self.suspects(|_| true);
+        // A text with an escape is read in one way wherever it stands.
+        let is_escaped = literals.contains("escape in a text");
+        let declarations = words_of(&self.works, Role::Declaration);
+        if operations.is_empty() && !is_escaped {
+            features.insert(if begins { "initial value" } else { "assigned value" }.to_owned());
+            if declarations.is_empty() {
+                features.extend(kinds.into_iter().map(str::to_owned));
+            }
+        }
+        features.extend(literals);
+        features.extend(declarations);
+        (features, false)
+    }
+}
+
+/// Returns whether an argument is passed to a variable of VAR_IN_OUT by its name, in a call at one of some places.
+pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span) -> bool) -> bool {
+    let is_in_out = |argument: &Argument<'_>| match argument {
+        Argument::Named { name, .. } => program.section(name.text, None) == Some(VariableKind::InOut),
+        _ => false,
+    };
+    program.parts.iter().any(|part| {
+        let call = program.call(part.id).filter(|_| is_here(part.expression.span));
+        call.is_some_and(|(_, arguments)| arguments.iter().any(is_in_out))
+    })
+}
+
+/// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
+/// work, and numbers that one family does not have are properties of the value.
+fn of_numbers(operation: &str) -> String {
+    let side = |side: &str| match side {
+        "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
+        other => other.to_owned(),
+    };
+    match operation.split_once("_TO_") {
+        Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
+        _ => operation.to_owned(),
+    }
+}
+
+/// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
+/// types, and one that lacks some of those from and to texts lacks them all.
+fn either_way(operation: &str) -> String {
+    match operation.split_once("_TO_") {
+        Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
+        Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
+        None => operation.to_owned(),
+    }
+}
+
+/// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
+fn form_of_number(word: &str) -> Option<String> {
+    let upper = word.to_ascii_uppercase();
+    let prefixed = upper.split_once('#');
+    let ty = type_of_word(&upper).filter(|_| prefixed.is_some());
+    let number = prefixed.filter(|_| ty.is_some_and(crate::program::is_number));
+    let mut form = String::new();
+    for character in number.map_or(upper.as_str(), |(_, number)| number).chars() {
+        let shown = if character.is_ascii_digit() {
+            '0'
+        } else {
+            character
+        };
+        if shown != '0' || !form.ends_with('0') {
+            form.push(shown);
+        }
+    }
+    // Whatever it is a digit of, one with an underscore behind the last is read by mistake in one way. The unit of a duration may stand
+    // behind it.
+    let is_digit = |byte: u8| byte.is_ascii_hexdigit() || matches!(byte, b'_' | b'.' | b'#');
+    let ends = form.ends_with('_') && form.trim_start_matches(['-', '+']).bytes().all(is_digit);
+    let value = form.rsplit('#').next().unwrap_or_default();
+    let is_before_unit = |rest: &str| rest.bytes().all(|byte| byte.is_ascii_alphabetic());
+    if ends || value.strip_prefix("0_").is_some_and(is_before_unit) {
+        return Some("0_".to_owned());
+    }
+    let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && prefixed.is_none();
+    let moment = ty.and_then(|ty| form_of_moment(ty, form.split_once('#')?.1));
+    let form = moment.unwrap_or(form);
+    let is_plain = matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0");
+    (!is_name && !is_plain && form.contains(['0', '#'])).then_some(form)
+}
+
+/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is
+/// written, and the date before the time of day; `None` for other types.
+fn form_of_moment(ty: stickler_types::ElementaryType, value: &str) -> Option<String> {
+    match kind(ty)? {
+        "duration" => {
+            let mut units = String::from("T#");
+            for character in value.chars() {
+                match character.is_ascii_alphabetic() {
+                    true if units.ends_with('u') => {}
+                    true => units.push('u'),
+                    false => units.push(character),
+                }
+            }
+            Some(units)
+        }
+        "date or time" if value.contains(':') => {
+            let time = value.strip_prefix("0-0-0-").unwrap_or(value);
+            Some(format!("TOD#{time}"))
+        }
+        _ => None,
+    }
+}

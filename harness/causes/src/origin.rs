@@ -1,0 +1,156 @@
+//! The lines of a small program that give a variable its value.
+
+use crate::program::{Part, Program, ReadProgram, tokens};
+use crate::question::Deviation;
+use stickler_run::Fact;
+use stickler_syntax::names::{UseKind, used};
+use stickler_syntax::source::Span;
+use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind};
+use stickler_syntax::visitor::Place;
+
+/// The maximum number of variables through which a value is followed.
+const MAX_COPIES: usize = 4;
+
+impl<'t, 's> ReadProgram<'t, 's> {
+    /// Returns the line that computes the value of a variable: behind those that only copy it from another variable of its type, the
+    /// line that assigns that one. An output of a function block is computed from what the block is given last, and the result of a
+    /// function by its body.
+    pub(crate) fn computation(&self, path: &str) -> Option<u32> {
+        let Some(mut last) = self.assignment(path) else {
+            return self.field_value(path).map(|span| self.program.line(span));
+        };
+        for _ in 0..MAX_COPIES {
+            let source = self.copied(&last).and_then(|source| self.assignment(source));
+            match source {
+                Some(source)
+                    if self.start(&source) < self.start(&last) && !self.is_passed_on(&source, &last) =>
+                {
+                    last = source
+                }
+                _ => break,
+            }
+        }
+        last.statement.map(|statement| self.program.line(statement.span))
+    }
+
+    /// Returns the last place that assigns a variable, a field or an element of it, counts with it, or gives it to an output or an in-out
+    /// variable of a call.
+    fn assignment(&self, path: &str) -> Option<Part<'t, 's>> {
+        let name = path.split(['@', '[', '.']).next().unwrap_or(path);
+        let assigns = |part: &&Part<'t, 's>| {
+            let is_it = matches!(&part.expression.kind, ExpressionKind::Name(one) if one.is(name));
+            let targets = [Place::Target, Place::Control, Place::OutputArgument];
+            // An argument that is the variable alone may be changed by the call.
+            let changes = part.place == Place::NamedArgument || targets.contains(&self.outermost(part).place);
+            is_it && changes
+        };
+        self.parts
+            .iter()
+            .filter(assigns)
+            .max_by_key(|part| self.start(part))
+            .copied()
+    }
+
+    /// Returns the variable with all of its fields, subscripts and bits that a name is a part of.
+    pub(crate) fn outermost(&self, name: &Part<'t, 's>) -> Part<'t, 's> {
+        let mut outer = *name;
+        while outer.place == Place::Base
+            && let Some(around) = outer.around.and_then(|id| self.part(id))
+        {
+            outer = *around;
+        }
+        outer
+    }
+
+    fn start(&self, part: &Part<'t, 's>) -> u32 {
+        part.statement
+            .map_or(part.expression.span, |statement| statement.span)
+            .start
+    }
+
+    /// Returns where a field is given a value in the initial value of a structure.
+    fn field_value(&self, path: &str) -> Option<Span> {
+        let (_, field) = path.split('@').next()?.rsplit_once('.')?;
+        let field = field.split('[').next()?;
+        let is_selected = |span: Span| {
+            let covers = |part: &Part<'_, '_>| {
+                part.expression.span.start <= span.start && span.end <= part.expression.span.end
+            };
+            self.parts.iter().any(covers)
+        };
+        let mut uses = used(&self.program.unit).into_iter();
+        let found =
+            uses.find(|one| one.kind == UseKind::Field && one.name.is(field) && !is_selected(one.name.span))?;
+        Some(found.name.span)
+    }
+
+    /// Returns the line that declares a variable, or the field that a path ends with.
+    pub(crate) fn declaration(&self, path: &str) -> u32 {
+        let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
+        let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
+        let declared = self
+            .names
+            .iter()
+            .find(|one| one.name.is(name) && one.group.is_some());
+        declared.map_or_else(|| self.last_statement(), |one| self.program.line(one.name.span))
+    }
+
+    /// Returns the variable that a statement copies to another of the same type, or the function whose result it copies and that
+    /// it gives variables and literals only; `None` where it does more.
+    fn copied(&self, assigning: &Part<'t, 's>) -> Option<&'s str> {
+        let StatementKind::Assignment { target, value } = assigning.statement?.kind else {
+            return None;
+        };
+        let is_same = self.type_of(value)? == self.type_of(target)?;
+        let source = self.text(value);
+        match &self.part(value)?.expression.kind {
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => {
+                is_same.then_some(source)
+            }
+            ExpressionKind::Call { .. } => {
+                let (callee, arguments) = self.call(value)?;
+                let is_plain = |argument: &Argument<'s>| match argument {
+                    Argument::Positional(value) | Argument::Named { value, .. } => {
+                        self.literal(*value).is_some() || self.specification(*value).is_some()
+                    }
+                    Argument::Output { .. } => false,
+                };
+                let is_own = self.unit_of(callee).is_some() && arguments.iter().all(is_plain);
+                (is_own && is_same).then_some(callee)
+            }
+            _ => None,
+        }
+    }
+
+    /// Returns whether a function only passes a literal on, so that it computes nothing.
+    fn is_passed_on(&self, source: &Part<'t, 's>, last: &Part<'t, 's>) -> bool {
+        let is_plain = matches!(source.statement.map(|one| &one.kind), Some(StatementKind::Assignment { value, .. })
+            if matches!(self.part(*value).map(|part| &part.expression.kind), Some(ExpressionKind::Name(_))));
+        let text = last
+            .statement
+            .map_or("", |statement| statement.span.text(self.program.text));
+        is_plain && tokens(text).iter().any(|token| token.kind.is_literal())
+    }
+
+    /// Returns the last line of a program that is no end of anything.
+    pub(crate) fn last_statement(&self) -> u32 {
+        let lines = self.program.text.lines().zip(1..);
+        let is_statement = |(line, _): &(&str, u32)| {
+            let first = line.trim().to_ascii_uppercase();
+            !first.trim_matches(';').is_empty() && !first.starts_with("END_")
+        };
+        lines.filter(is_statement).last().map_or(1, |(_, number)| number)
+    }
+}
+
+/// Returns whether the first value that a small program has wrong is one that a variable begins with, and nothing assigns.
+pub(crate) fn shows_initial_value(text: &str, deviation: &Deviation) -> bool {
+    let differs = |fact: &&Fact| !deviation.got.contains(fact);
+    let Some(Fact::Value { name, .. }) = deviation.expected.iter().find(differs) else {
+        return false;
+    };
+    let program = Program::new(text);
+    let program = program.read();
+    let declaration = program.program.line_text(program.declaration(name));
+    program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
+}

@@ -1,0 +1,423 @@
+//! Runs the tables of `tests/*.toml`: which programs show one cause, which a reduction may make of others, and what the parts of this
+//! crate find in a program.
+
+use crate::alone::alone;
+use crate::claim::keeps_work;
+use crate::essence::Essence;
+use crate::forms;
+use crate::guard::Constructs;
+use crate::lines::{described, line_with_number, suspect, unimplemented};
+use crate::normal::Normal;
+use crate::program::{Program, ReadProgram};
+use crate::promised;
+use crate::question::Deviation;
+use crate::reduction::Smallest;
+use crate::shape::{KeptTypes, shape, token_at};
+use crate::sign::Sign;
+use crate::title::{condition, title};
+use crate::values;
+use crate::work::operations;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use stickler_run::{Fact, Grade, Reduced, Verdict};
+use stickler_suite::Features;
+use stickler_types::{Diagnostic, Dialect, DialectName, Value};
+
+/// A small program, and what a compiler made of it. `same_cause.toml` says what each key means.
+#[derive(Deserialize, Default)]
+#[serde(default, deny_unknown_fields)]
+struct Failing {
+    units: String,
+    has: String,
+    does: String,
+    program: Option<String>,
+    at: Option<u32>,
+    column: Option<u32>,
+    rejected: Option<String>,
+    said: Option<String>,
+    accepted: Option<String>,
+    otherwise: Option<(String, String)>,
+    elsewhere: Option<(String, String)>,
+    wrong: Option<Vec<String>>,
+    fault: Option<String>,
+    lacks: Option<String>,
+    unusable: Option<String>,
+    hangs: bool,
+    asked: bool,
+    normally: Option<String>,
+}
+
+/// Programs that show one cause, and others.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SameCause {
+    first: Failing,
+    #[serde(default)]
+    same: Vec<Failing>,
+    #[serde(default)]
+    other: Vec<Failing>,
+    construct: Option<String>,
+    #[serde(default)]
+    title_starts: String,
+    #[serde(default)]
+    title_ends: String,
+}
+
+/// Returns the text of a program: `declarations | statements` is short for one.
+fn whole(text: &str) -> String {
+    match text.split_once(" | ") {
+        Some((has, does)) => format!("PROGRAM p\nVAR\n{has}\nEND_VAR\n{does}\nEND_PROGRAM\n"),
+        None => text.to_owned(),
+    }
+}
+
+fn diagnostic(code: Option<&str>, message: &str, line: Option<u32>, column: Option<u32>) -> Fact {
+    Fact::Diagnostic(Diagnostic {
+        line,
+        column,
+        code: code.map(str::to_owned),
+        message: message.to_owned(),
+        ..Diagnostic::default()
+    })
+}
+
+impl Failing {
+    /// Returns what had to happen, what happened, and the verdict.
+    fn facts(&self, program: &str) -> (Vec<Fact>, Vec<Fact>, Verdict) {
+        let at = self.at.or(Some(5));
+        let mistake = |code: &str| diagnostic(Some(code), "", at, None);
+        let last = program.lines().count() as u32 - 1;
+        let value = |text: &str| Value::parse(text).expect("a literal");
+        let (expected, got) = if let Some(code) = &self.rejected {
+            (Fact::Accepted, diagnostic(Some(code), "no", at, self.column))
+        } else if let Some(message) = &self.said {
+            (Fact::Accepted, diagnostic(None, message, at, None))
+        } else if let Some(code) = &self.accepted {
+            (mistake(code), Fact::Accepted)
+        } else if let Some((code, reported)) = &self.otherwise {
+            (mistake(code), diagnostic(Some(reported), "", at, self.column))
+        } else if let Some((code, reported)) = &self.elsewhere {
+            (
+                diagnostic(Some(code), "", Some(last), None),
+                diagnostic(Some(reported), "no", at, None),
+            )
+        } else if let Some([name, wanted, is]) = self.wrong.as_deref() {
+            let fact = |text: &str| Fact::Value {
+                name: name.clone(),
+                value: value(text),
+            };
+            (fact(wanted), fact(is))
+        } else if let Some(name) = self.wrong.as_ref().and_then(|wrong| wrong.first()) {
+            let name = name.clone();
+            (
+                Fact::Value {
+                    name: name.clone(),
+                    value: value("BOOL#TRUE"),
+                },
+                Fact::OtherValue { name },
+            )
+        } else if let Some(fault) = &self.fault {
+            let fault = fault.parse().expect("a fault");
+            (Fact::Accepted, Fact::Fault { fault, line: None })
+        } else if let Some(reason) = self.lacks.clone() {
+            (
+                Fact::Accepted,
+                Fact::NotImplemented {
+                    reason,
+                    promised_by: None,
+                },
+            )
+        } else if let Some(reason) = self.unusable.clone() {
+            (Fact::Accepted, Fact::Unusable { reason })
+        } else {
+            assert!(self.hangs, "nothing happens");
+            (Fact::Accepted, Fact::TimedOut { after_ms: 1000 })
+        };
+        let verdict = if self.hangs {
+            Verdict::Timeout
+        } else {
+            Verdict::Fail
+        };
+        (vec![expected], vec![got], verdict)
+    }
+
+    fn smallest(&self) -> Smallest {
+        let text = || {
+            format!(
+                "{}{}",
+                self.units,
+                whole(&format!("{} | {}", self.has, self.does))
+            )
+        };
+        let program = self.program.clone().unwrap_or_else(text);
+        let (expected, got, verdict) = self.facts(&program);
+        let grade = if self.otherwise.is_some() {
+            Grade::Code
+        } else {
+            Grade::Line
+        };
+        let sign = Sign::of(&program, verdict, (&expected, &got), grade);
+        Smallest {
+            program,
+            deviation: Deviation { sign, expected, got },
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        }
+    }
+
+    fn essence(&self) -> Essence {
+        let smallest = self.smallest();
+        let mut normal = Normal::unasked(&smallest);
+        normal.is_asked = self.asked;
+        if let Some(normally) = &self.normally {
+            normal.program = smallest.program.replace(&self.does, normally);
+        }
+        Essence::of(&smallest, &normal)
+    }
+}
+
+#[test]
+fn programs_show_one_cause_or_several_and_have_the_titles_that_the_table_says() {
+    let tables: BTreeMap<String, Vec<SameCause>> =
+        toml::from_str(include_str!("tests/same_cause.toml")).expect("a table");
+    let mut failures = Vec::new();
+    for (name, one) in tables
+        .iter()
+        .flat_map(|(name, all)| all.iter().map(move |one| (name, one)))
+    {
+        let first = one.first.essence();
+        let others = one
+            .same
+            .iter()
+            .map(|other| (other, true))
+            .chain(one.other.iter().map(|other| (other, false)));
+        for (number, (other, is_same)) in others.enumerate() {
+            let other = other.essence();
+            if first.explains(&other) != is_same {
+                failures.push(format!(
+                    "{name}, program {number}: {is_same} is said\n  {first:?}\n  {other:?}"
+                ));
+            }
+        }
+        if one
+            .construct
+            .as_ref()
+            .is_some_and(|construct| *construct != first.construct())
+        {
+            failures.push(format!("{name}: {}", first.construct()));
+        }
+        let title = title(&one.first.smallest(), false);
+        if !title.starts_with(&one.title_starts) || !title.ends_with(&one.title_ends) {
+            failures.push(format!("{name}: {title}"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MayBecome {
+    program: Option<String>,
+    may: Vec<(String, String)>,
+    may_not: Vec<(String, String)>,
+}
+
+#[test]
+fn a_reduction_makes_only_those_programs_of_others_that_the_table_says() {
+    let tables: BTreeMap<String, Vec<MayBecome>> =
+        toml::from_str(include_str!("tests/may_become.toml")).expect("a table");
+    let mut failures = Vec::new();
+    for (name, one) in tables
+        .iter()
+        .flat_map(|(name, all)| all.iter().map(move |one| (name, one)))
+    {
+        let of = |inside: &str| match &one.program {
+            Some(program) => Constructs::of(&program.replace('…', inside)),
+            None => Constructs::of(inside),
+        };
+        for (pair, may) in one
+            .may
+            .iter()
+            .map(|pair| (pair, true))
+            .chain(one.may_not.iter().map(|pair| (pair, false)))
+        {
+            if of(&pair.0).may_become(&of(&pair.1)) != may {
+                failures.push(format!("{name}: {may} is said of {pair:?}"));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Returns a text in one line.
+fn in_line(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Returns what stands between the last END_VAR and the end of a program.
+fn body(text: &str) -> String {
+    let (_, body) = text.rsplit_once("END_VAR").unwrap_or(("", text));
+    in_line(body.trim_end().trim_end_matches("END_PROGRAM"))
+}
+
+/// Returns an operand alone without what all of these programs have.
+fn operand(text: &str) -> String {
+    in_line(
+        &text
+            .replace("PROGRAM main\nVAR", "")
+            .replace("END_VAR", "")
+            .replace("END_PROGRAM", ""),
+    )
+}
+
+fn joined(texts: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+    texts
+        .into_iter()
+        .map(|text| text.as_ref().to_owned())
+        .collect::<Vec<_>>()
+        .join(" ; ")
+}
+
+fn yes(is_it: bool) -> String {
+    if is_it { "yes" } else { "no" }.to_owned()
+}
+
+/// Returns the answer to a question about a program, by the inputs of a row.
+fn answer(question: &str, inputs: &[String]) -> String {
+    let text = whole(&inputs[0]);
+    let parsed = Program::new(&text);
+    let program = parsed.read();
+    let other = || whole(&inputs[1]);
+    let line = |number: Option<u32>| {
+        number
+            .and_then(|number| parsed.line_text(number))
+            .unwrap_or_default()
+            .to_owned()
+    };
+    let line_of = |wanted: &str| {
+        let place = text.lines().position(|line| line == wanted);
+        place.expect("a line of the program") as u32 + 1
+    };
+    let lacking = |reason: &str| {
+        let reason = reason.to_owned();
+        vec![Fact::NotImplemented {
+            reason,
+            promised_by: None,
+        }]
+    };
+    let sign =
+        |text: &str, got: Vec<Fact>| Sign::of(text, Verdict::Fail, (&[Fact::Accepted], &got), Grade::Code);
+    let deviation = || {
+        let fact = |text: &String| Fact::Value {
+            name: "x".to_owned(),
+            value: Value::parse(text).expect("a literal"),
+        };
+        let (expected, got) = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
+        Deviation {
+            sign: Sign::of("", Verdict::Fail, (&expected, &got), Grade::Line),
+            expected,
+            got,
+        }
+    };
+    let bodies =
+        |texts: Vec<String>| joined(texts.into_iter().filter(|one| *one != text).map(|one| body(&one)));
+    let lines = |texts: Vec<String>| {
+        joined(
+            texts
+                .into_iter()
+                .filter(|one| *one != text)
+                .map(|one| in_line(&one)),
+        )
+    };
+    let alone = |program: &ReadProgram<'_, '_>| {
+        alone(program)
+            .into_iter()
+            .map(|one| operand(&one.program))
+            .collect::<Vec<_>>()
+    };
+    match question {
+        "computation" => line(program.computation(&inputs[1])),
+        "declaration" => line(Some(program.declaration(&inputs[1]))),
+        "culprit" => line(Some(suspect::culprit(&program))),
+        "line_with_number" => line(line_with_number(&program, &inputs[1])),
+        "unimplemented" => line(Some(unimplemented(&program, &lacking(&inputs[1])))),
+        "described" => described(&program, line_of(&inputs[1])),
+        "condition" => line(condition(&program, line_of(&inputs[1]))),
+        "promised" => {
+            let got = [diagnostic(Some("P4035"), "no", Some(3), None)];
+            let dialect = Dialect::of(DialectName::IRONPLC_ED3);
+            let found = promised::specific(&program, (3, &got), dialect, Features::built_in());
+            found.map_or(String::new(), |feature| feature.key.clone())
+        }
+        "keeps_work" => yes(keeps_work(&text, &other(), &operations(&other()))),
+        "shape" => yes(shape(&text, KeptTypes::Equal) == shape(&other(), KeptTypes::Equal)),
+        "shape_of_families" => yes(shape(&text, KeptTypes::Families) == shape(&other(), KeptTypes::Families)),
+        "token_at" => token_at(&text, 5, inputs[1].parse().expect("a column")),
+        "unread_alike" => {
+            let unread = || vec![diagnostic(Some("P0002"), "", Some(5), inputs[2].parse().ok())];
+            yes(sign(&text, unread()) == sign(&other(), unread()))
+        }
+        "missing_alike" => yes(sign(&text, lacking("no")) == sign(&other(), lacking("no"))),
+        "alone" => joined(alone(&program)),
+        "alone_has" => yes(alone(&program).contains(&inputs[1])),
+        "only_initial_values" => lines(forms::only_initial_values(&program)),
+        "with_one_statement" => bodies(forms::with_one_statement(&program)),
+        "with_other_operand" => bodies(forms::with_other_operand(&program, 5)),
+        "in_two_steps" => {
+            let found = forms::in_two_steps(&program).map(|one| {
+                one.split_once("END_VAR\n")
+                    .map_or(String::new(), |(_, rest)| in_line(rest))
+            });
+            found.unwrap_or_default().replace(" END_PROGRAM", "")
+        }
+        "turned_round" => bodies(Vec::from_iter(forms::turned_round(&program))),
+        "with_whole_output" => lines(forms::with_whole_output(&program)),
+        "with_fitting_operand" => lines(forms::with_fitting_operand(&program)),
+        "with_first_parts" => bodies(forms::with_first_parts(&program)),
+        "with_plainer_type" => lines(forms::with_plainer_type(&program)),
+        "with_same_types" => lines(forms::with_same_types(&program)),
+        "plainer_numbers" => bodies(
+            values::plainer_numbers(&program)
+                .iter()
+                .map(|one| one.apply(&text))
+                .collect(),
+        ),
+        "value_features" => joined(values::value_features(&text)),
+        "has_first_bit" => yes(values::has_first_bit(&text)),
+        "leaves_range" => yes(values::leaves_range(&text, &deviation())),
+        "number_pattern" => values::number_pattern(&text, &deviation())
+            .unwrap_or_default()
+            .to_owned(),
+        _ => panic!("nobody asks `{question}`"),
+    }
+}
+
+#[test]
+fn the_parts_of_a_program_are_found_as_the_tables_say() {
+    let tables: BTreeMap<String, Vec<Vec<String>>> =
+        toml::from_str(include_str!("tests/tables.toml")).expect("tables");
+    let mut failures = Vec::new();
+    for (question, row) in tables
+        .iter()
+        .flat_map(|(question, rows)| rows.iter().map(move |row| (question, row)))
+    {
+        let (expected, inputs) = row.split_last().expect("an answer");
+        // The function and the block that some programs of the tables use.
+        let mut inputs = inputs.to_vec();
+        if matches!(
+            question.as_str(),
+            "computation" | "unimplemented" | "with_one_statement" | "described"
+        ) {
+            inputs[0] = format!("{}{}", include_str!("tests/units.st"), whole(&inputs[0]));
+        }
+        let found = answer(question, &inputs);
+        if found != *expected {
+            failures.push(format!(
+                "{question}: {}\n  is {found:?}\n  not {expected:?}",
+                row[0]
+            ));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}

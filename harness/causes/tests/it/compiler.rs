@@ -1,0 +1,246 @@
+//! A compiler with defects that are described as data: it does what the reference does, but for them.
+
+use serde::Deserialize;
+use std::sync::Mutex;
+use stickler_engines::{
+    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Reproduction, ReproductionFile,
+    RunRequest, Session,
+};
+use stickler_types::{Diagnostic, DialectName, Fault, Value};
+
+/// The defects of a compiler, in the order in which they show.
+#[derive(Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct Defects {
+    /// Texts that it takes for others.
+    pub replaces: Vec<(String, String)>,
+    /// Lines that it rejects.
+    pub rejects: Vec<RejectedLine>,
+    /// A text that it does not implement, and what it says then.
+    pub lacks: Option<(String, String)>,
+    /// A text at which it crashes, and what it says then.
+    pub crashes: Option<(String, String)>,
+    /// Whether it dies over each program with a mistake when that is run.
+    pub dies_of_mistakes: bool,
+    /// The codes of the mistakes that it does not see.
+    pub accepts: Vec<String>,
+    /// Whether it says line 1, column 1 of every mistake.
+    pub loses_places: bool,
+    /// Values that it computes wrongly.
+    pub computes: Vec<WrongValue>,
+    /// Whether a loop that does not end takes all of its time.
+    pub hangs: bool,
+}
+
+/// A kind of line that a compiler rejects.
+#[derive(Clone, Default, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct RejectedLine {
+    /// Texts of which such a line has one.
+    pub with: Vec<String>,
+    pub code: Option<String>,
+    pub message: String,
+    pub column: Option<u32>,
+    /// Whether it says so once more, without a place.
+    pub twice: bool,
+}
+
+/// The value of a variable, or of all variables of a type, in programs with one of some texts.
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WrongValue {
+    pub of: String,
+    pub with: Vec<String>,
+    pub is: String,
+}
+
+/// A compiler with defects, and the programs that it was asked to run.
+pub struct DefectiveCompiler {
+    pub identity: Identity,
+    pub defects: Defects,
+    /// The interval at which programs are rejected, whatever they are; 0 stands for none.
+    pub rejects_every: usize,
+    pub asked: Mutex<Vec<String>>,
+}
+
+impl DefectiveCompiler {
+    /// Creates a compiler that speaks two dialects and is judged by codes.
+    pub fn new(defects: &Defects) -> DefectiveCompiler {
+        DefectiveCompiler {
+            identity: Identity {
+                name: "defective".to_owned(),
+                version: "1".to_owned(),
+                dialects: vec![DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3],
+                abilities: vec![Ability::Execute],
+                grade: Grade::Code,
+                lacks: Vec::new(),
+            },
+            defects: defects.clone(),
+            rejects_every: 0,
+            asked: Mutex::default(),
+        }
+    }
+
+    /// Returns the number of programs with a text that were run.
+    pub fn number_asked(&self, text: &str) -> usize {
+        let asked = self.asked.lock().expect("no test panics while it asks");
+        asked.iter().filter(|source| source.contains(text)).count()
+    }
+}
+
+impl Engine for DefectiveCompiler {
+    fn identity(&self) -> &Identity {
+        &self.identity
+    }
+
+    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
+        Ok(Box::new(Running(self)))
+    }
+
+    /// Returns the program and the names of what is observed.
+    fn reproduce(&self, request: &RunRequest<'_>, _: Ability) -> Result<Reproduction, NoReproduction> {
+        let observed: Vec<&str> = request.observe.iter().map(|one| &*one.name).collect();
+        let file = |name: &str, text: &str| ReproductionFile {
+            name: name.to_owned(),
+            text: text.to_owned(),
+        };
+        Ok(Reproduction {
+            files: vec![
+                file("program.st", request.source),
+                file("observed.txt", &observed.join(" ")),
+            ],
+            tools: Vec::new(),
+            commands: vec!["echo shown".to_owned()],
+        })
+    }
+}
+
+struct Running<'c>(&'c DefectiveCompiler);
+
+impl Session for Running<'_> {
+    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
+        let number = {
+            let mut asked = self.0.asked.lock().expect("no test panics while it asks");
+            asked.push(request.source.to_owned());
+            asked.len() - 1
+        };
+        match self.0.rejects_every {
+            every if every > 0 && number.is_multiple_of(every) => {
+                rejected(&[line(1, None, "the dice said no", Some(1))])
+            }
+            _ => self.0.defects.run(request),
+        }
+    }
+
+    fn check(&mut self, _: DialectName, _: &str) -> Outcome {
+        Outcome::ACCEPTED
+    }
+
+    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
+        Outcome::Rendered {
+            text: source.to_owned(),
+        }
+    }
+}
+
+impl Defects {
+    fn run(&self, request: &RunRequest<'_>) -> Outcome {
+        let has = |text: &String| request.source.contains(text.as_str());
+        if let Some((_, reason)) = self.crashes.as_ref().filter(|(text, _)| has(text)) {
+            let reason = reason.clone();
+            return Outcome::Crashed { reason };
+        }
+        if let Some((_, reason)) = self.lacks.as_ref().filter(|(text, _)| has(text)) {
+            let reason = reason.clone();
+            return Outcome::NotImplemented { reason };
+        }
+        if let Some(outcome) = self.rejection(request.source) {
+            return outcome;
+        }
+        let replaced = self.replaces.iter();
+        let source = replaced.fold(request.source.to_owned(), |source, (from, into)| {
+            source.replace(from, into)
+        });
+        let request = RunRequest {
+            source: &source,
+            ..*request
+        };
+        let outcome = stickler_reference::run(&request, stickler_reference::Limits::default());
+        self.changed(&source, outcome.expect("observed variables are there"))
+    }
+
+    fn rejection(&self, source: &str) -> Option<Outcome> {
+        for rejects in &self.rejects {
+            let mut lines = source.lines().zip(1..);
+            let found = lines.find(|(text, _)| rejects.with.iter().any(|with| text.contains(with.as_str())));
+            let Some((_, number)) = found else { continue };
+            let code = rejects.code.as_deref();
+            let first = line(number, code, &rejects.message, rejects.column);
+            let again = Diagnostic {
+                line: None,
+                ..first.clone()
+            };
+            let both = [first, again];
+            return Some(rejected(&both[..=usize::from(rejects.twice)]));
+        }
+        None
+    }
+
+    /// Returns what this compiler makes of what the reference did.
+    fn changed(&self, source: &str, outcome: Outcome) -> Outcome {
+        match outcome {
+            Outcome::Rejected { .. } if self.dies_of_mistakes => Outcome::Crashed {
+                reason: "the virtual machine ended".to_owned(),
+            },
+            Outcome::Rejected { mut diagnostics } => {
+                let is_seen = |reported: &Diagnostic| {
+                    let code = reported.code.as_deref().unwrap_or_default();
+                    !self.accepts.iter().any(|accepted| accepted == code)
+                };
+                diagnostics.retain(is_seen);
+                if self.loses_places {
+                    for reported in &mut diagnostics {
+                        (reported.line, reported.column) = (Some(1), Some(1));
+                    }
+                }
+                match diagnostics.is_empty() {
+                    true => Outcome::ACCEPTED,
+                    false => Outcome::Rejected { diagnostics },
+                }
+            }
+            Outcome::Faulted {
+                fault: Fault::StepLimit,
+                ..
+            } if self.hangs => Outcome::TimedOut { after_ms: 1000 },
+            Outcome::Executed { mut values, .. } => {
+                for (name, value) in &mut values {
+                    let is_wrong = |wrong: &&WrongValue| {
+                        (*name == wrong.of || value.type_name() == wrong.of)
+                            && wrong.with.iter().any(|with| source.contains(with.as_str()))
+                    };
+                    if let Some(wrong) = self.computes.iter().find(is_wrong) {
+                        *value = Value::parse(&wrong.is).expect("a literal");
+                    }
+                }
+                Outcome::executed(values)
+            }
+            other => other,
+        }
+    }
+}
+
+fn line(number: u32, code: Option<&str>, message: &str, column: Option<u32>) -> Diagnostic {
+    Diagnostic {
+        line: Some(number),
+        column,
+        code: code.map(str::to_owned),
+        message: message.to_owned(),
+        ..Diagnostic::default()
+    }
+}
+
+fn rejected(diagnostics: &[Diagnostic]) -> Outcome {
+    Outcome::Rejected {
+        diagnostics: diagnostics.to_vec(),
+    }
+}
