@@ -4,7 +4,9 @@
 //! Where a compiler shows no value of a variable, the adapter adds variables to the program that copy the observed value into
 //! something that the compiler does show; no line of the program moves. An adapter corrects nothing that a compiler does wrong.
 
+mod adapter;
 mod builder;
+mod command;
 mod dependencies;
 mod described;
 mod driver;
@@ -13,17 +15,18 @@ mod ironplc;
 mod locate;
 mod matiec;
 pub(crate) mod plain;
-mod printed;
-pub(crate) mod probe_variable;
-mod readable;
+mod probe_variable;
+mod recipe;
 mod rename;
 mod reproduction;
 mod rounds;
 mod rusty;
 mod source;
 mod strucpp;
+mod values;
 
 use crate::{Ability, Engine, EngineError, NoReproduction, Reproduction, RunRequest};
+use adapter::Adapter;
 use dependencies::DependencySearch;
 pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
@@ -104,10 +107,10 @@ impl Compiler {
         ability: Ability,
     ) -> Result<Reproduction, NoReproduction> {
         match self {
-            Compiler::Ironplc => ironplc::reproduce(request, ability),
-            Compiler::Matiec => matiec::reproduce(request, ability),
-            Compiler::Rusty => rusty::reproduce(request, ability),
-            Compiler::Strucpp => strucpp::reproduce(request, ability),
+            Compiler::Ironplc => Ironplc::reproduce(request, ability),
+            Compiler::Matiec => Matiec::reproduce(request, ability),
+            Compiler::Rusty => Rusty::reproduce(request, ability),
+            Compiler::Strucpp => Strucpp::reproduce(request, ability),
         }
     }
 

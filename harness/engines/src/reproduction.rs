@@ -1,9 +1,8 @@
 //! Reproductions: the files and commands by which a person runs a program on a compiler without Stickler.
 
 use crate::adapters::plain::without_colours;
-use crate::adapters::probe_variable::ProbeVariable;
 use crate::process::{Folder, ToolLimits, run_tool_with};
-use crate::{Ability, Engine, Outcome, RunRequest, shell_quote};
+use crate::{Ability, Engine, Outcome, RunRequest};
 use serde::{Deserialize, Serialize};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -70,70 +69,10 @@ impl From<Outcome> for NoReproduction {
     }
 }
 
-/// The name of the file of the program.
-pub(crate) const PROGRAM: &str = "program.st";
-
 /// The name of the file of [`Reproduction::script`].
 const SCRIPT: &str = "run.sh";
 
 impl Reproduction {
-    /// Returns a reproduction that has only a program and no commands yet.
-    pub(crate) fn of(name: &str, program: String) -> Reproduction {
-        Reproduction {
-            files: Vec::new(),
-            tools: Vec::new(),
-            commands: Vec::new(),
-        }
-        .file(name, program)
-    }
-
-    /// Adds a file.
-    pub(crate) fn file(mut self, name: &str, text: String) -> Reproduction {
-        self.files.push(ReproductionFile {
-            name: name.to_owned(),
-            text,
-        });
-        self
-    }
-
-    /// Adds a program or folder, by the variable that names it and its usual value, unless it is there.
-    pub(crate) fn tool(mut self, variable: &str, default: &str) -> Reproduction {
-        if self.tools.iter().any(|tool| tool.variable == variable) {
-            return self;
-        }
-        self.tools.push(ReproductionTool {
-            variable: variable.to_owned(),
-            default: default.to_owned(),
-        });
-        self
-    }
-
-    /// Adds a command.
-    pub(crate) fn command(mut self, command: impl Into<String>) -> Reproduction {
-        self.commands.push(command.into());
-        self
-    }
-
-    /// Adds the command that says that a program was accepted, for compilers that say nothing then.
-    pub(crate) fn accepted(self) -> Reproduction {
-        self.command("echo 'The program is accepted.'")
-    }
-
-    /// Adds the command that says what the probe variables of a program stand for at its end, where its values are printed by
-    /// their names: those that keep an initial value stand for nothing, those that take several values in turn for the last.
-    pub(crate) fn legend(self, probes: &[ProbeVariable]) -> Reproduction {
-        let stands = |(at, probe): (usize, &ProbeVariable)| {
-            let is_last = probes[at + 1..].iter().all(|later| later.name != probe.name);
-            let stands = format!("{} is {}", probe.name, probe.expression);
-            (is_last && !probe.expression.is_empty()).then_some(stands)
-        };
-        let stand: Vec<String> = probes.iter().enumerate().filter_map(stands).collect();
-        match stand.is_empty() {
-            true => self,
-            false => self.command(format!("echo {}", shell_quote(&stand.join(", ")))),
-        }
-    }
-
     /// Returns the name and text of a shell script that runs the commands in its own folder.
     #[must_use]
     pub fn script(&self) -> ReproductionFile {
@@ -265,12 +204,6 @@ fn executable(_: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// Joins words to a command of a POSIX shell.
-pub(crate) fn command_line<'w>(words: impl IntoIterator<Item = &'w str>) -> String {
-    let words: Vec<_> = words.into_iter().map(shell_quote).collect();
-    words.join(" ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -285,36 +218,23 @@ mod tests {
     }
 
     #[test]
-    fn a_legend_says_what_each_probe_variable_stands_for_at_the_end() {
-        let probe = |name: &str, expression: &str| ProbeVariable {
-            name: name.to_owned(),
-            type_name: "INT".to_owned(),
-            expression: expression.to_owned(),
-        };
-        let probes = [
-            probe("a", ""),
-            probe("b", "x.1"),
-            probe("c", "y"),
-            probe("b", "x.2"),
-        ];
-        let of = |probes| Reproduction::of(PROGRAM, String::new()).legend(probes).commands;
-        assert_eq!(of(&probes), ["echo 'c is y, b is x.2'"]);
-        assert_eq!(of(&probes[..1]), [""; 0]);
-    }
-
-    #[test]
     fn the_script_names_its_tools_first_and_runs_where_it_stands() {
-        let reproduction = Reproduction::of(PROGRAM, "PROGRAM main END_PROGRAM\n".to_owned())
-            .tool("STC", "stc")
-            .command("\"$STC\" program.st")
-            .accepted();
+        let tool = ReproductionTool {
+            variable: "STC".to_owned(),
+            default: "stc".to_owned(),
+        };
+        let reproduction = Reproduction {
+            files: Vec::new(),
+            tools: vec![tool],
+            commands: vec!["\"$STC\" program.st".to_owned(), "echo done".to_owned()],
+        };
         let script = reproduction.script();
         assert_eq!(script.name, "run.sh");
         assert_eq!(
             script.text,
             "#!/bin/sh\n# Set a variable where a program or folder of the compiler is elsewhere.\n\
              STC=\"${STC:-stc}\"\nset -e\ncd \"$(dirname \"$0\")\"\n\"$STC\" program.st\n\
-             echo 'The program is accepted.'\n"
+             echo done\n"
         );
     }
 }

@@ -2,7 +2,8 @@
 
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{call, failed, first_error};
+use super::locate::{call, first_error};
+use super::recipe::{Purpose, Recipe, Workplace};
 use crate::Outcome;
 use crate::process::{Ended, Folder};
 use std::ffi::OsString;
@@ -13,6 +14,7 @@ pub(super) const CC: Dependency = Dependency {
     key: "cc",
     variable: "STICKLER_CC",
     name: "cc",
+    script: "cc",
 };
 
 /// A C++ compiler.
@@ -20,6 +22,7 @@ pub(super) const CXX: Dependency = Dependency {
     key: "cxx",
     variable: "STICKLER_CXX",
     name: "c++",
+    script: "c++",
 };
 
 /// The language that a compiler under test writes.
@@ -38,13 +41,11 @@ struct TargetLanguage {
     options: &'static [&'static str],
     header: &'static str,
     header_kind: &'static str,
-    driver: &'static str,
-    libraries: &'static [&'static str],
 }
 
 impl Language {
     /// Returns the properties of the language. Programs are built without optimisation, so that what C leaves undefined does
-    /// what the machine does.
+    /// what the machine does; the commands of recipes have the same options, without which compiled headers are not used.
     const fn words(self) -> TargetLanguage {
         match self {
             Language::C => TargetLanguage {
@@ -53,8 +54,6 @@ impl Language {
                 options: &["-O0", "-w"],
                 header: "stickler.h",
                 header_kind: "c-header",
-                driver: "driver.c",
-                libraries: &["-lm"],
             },
             Language::Cpp => TargetLanguage {
                 name: "C++",
@@ -62,32 +61,16 @@ impl Language {
                 options: &["-std=c++17", "-O0", "-w"],
                 header: "stickler.hpp",
                 header_kind: "c++-header",
-                driver: "driver.cpp",
-                libraries: &[],
             },
         }
-    }
-}
-
-impl Language {
-    /// Returns the options of every call of the compiler.
-    pub(super) const fn options(self) -> &'static [&'static str] {
-        self.words().options
-    }
-
-    /// Returns the libraries that every program is linked with.
-    pub(super) const fn libraries(self) -> &'static [&'static str] {
-        self.words().libraries
-    }
-
-    /// Returns the compiler of the language.
-    pub(super) const fn compiler(self) -> Dependency {
-        self.words().compiler
     }
 
     /// Returns the name of the file of a driver.
     pub(super) const fn driver(self) -> &'static str {
-        self.words().driver
+        match self {
+            Language::C => "driver.c",
+            Language::Cpp => "driver.cpp",
+        }
     }
 }
 
@@ -122,8 +105,7 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// Finds a compiler and compiles `text`, which includes headers of the folder `headers`. A driver includes it as
-    /// `stickler.h` or `stickler.hpp`.
+    /// Finds a compiler and compiles `text`, which includes headers of the folder `headers`.
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
@@ -195,26 +177,13 @@ impl Builder {
         fingerprint.finish()
     }
 
-    /// Builds the program `driver` of a folder from the text of a driver and from what it includes there.
+    /// Executes the step of a recipe that builds its driver.
     ///
     /// # Errors
     /// [`Outcome::Unusable`] where the program cannot be built: the compiler under test neither rejected its program nor made
-    /// one that runs. Otherwise an outcome as [`call`] returns.
-    pub(super) fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
-        self.build_with(driver, &[], folder)
-    }
-
-    /// Builds a program with further files and libraries to link.
-    ///
-    /// # Errors
-    /// An outcome as [`Builder::build`] returns.
-    pub(super) fn build_with(
-        &self,
-        driver: &str,
-        further: &[OsString],
-        folder: &Folder,
-    ) -> Result<(), Outcome> {
-        let ended = self.try_build(driver, further, folder)?;
+    /// one that runs. Otherwise an outcome as [`Workplace::step`] returns.
+    pub(super) fn build(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Result<(), Outcome> {
+        let ended = self.try_build(recipe, workplace)?;
         match ended.code()? {
             0 => Ok(()),
             _ => Err(Outcome::Unusable {
@@ -227,23 +196,15 @@ impl Builder {
         }
     }
 
-    /// Builds a program with further files and libraries to link, as [`Builder::build_with`] does. Returns the output and the
-    /// end of the compiler.
+    /// Executes the step of a recipe that builds its driver, as [`Builder::build`] does. Returns the output and the end of the
+    /// compiler.
     ///
     /// # Errors
-    /// An outcome as [`call`] returns.
-    pub(super) fn try_build(
-        &self,
-        driver: &str,
-        further: &[OsString],
-        folder: &Folder,
-    ) -> Result<Ended, Outcome> {
-        let words = self.language.words();
-        folder.write(words.driver, driver).map_err(failed)?;
-        let mut arguments = self.arguments(&[words.driver, "-I", ".", "-o", "driver"]);
-        arguments.extend_from_slice(further);
-        arguments.extend(words.libraries.iter().map(OsString::from));
-        call(&self.compiler, &arguments, folder)
+    /// An outcome as [`Workplace::step`] returns.
+    pub(super) fn try_build(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Result<Ended, Outcome> {
+        let header = self.prepared.path().join(self.language.words().header);
+        let compiled = ["-include".as_ref(), header.as_os_str()];
+        workplace.step(recipe, Purpose::Build, &compiled)
     }
 
     /// Returns the arguments of every call, followed by `further`.

@@ -1,5 +1,6 @@
 //! Finds the programs and folders that a compiler needs: by an environment variable, by `stickler.toml`, or on PATH.
 
+use crate::reproduction::ReproductionTool;
 use std::collections::BTreeMap;
 use std::env;
 use std::ffi::OsStr;
@@ -15,6 +16,8 @@ pub struct Dependency {
     pub variable: &'static str,
     /// The name of a program on PATH, or the description of a folder.
     pub name: &'static str,
+    /// The usual path of the dependency, as a shell expands it between double quotes.
+    pub script: &'static str,
 }
 
 impl Dependency {
@@ -27,6 +30,14 @@ impl Dependency {
     /// Returns the variable of scripts with the path of the dependency on this machine.
     pub(super) fn at(&self, path: &Path) -> (String, PathBuf) {
         (self.shell_variable().to_owned(), path.to_owned())
+    }
+
+    /// Returns the variable of scripts with the usual path of the dependency.
+    pub(super) fn usual(&self) -> ReproductionTool {
+        ReproductionTool {
+            variable: self.shell_variable().to_owned(),
+            default: self.script.to_owned(),
+        }
     }
 }
 
@@ -267,6 +278,7 @@ mod tests {
         key: "compiler",
         variable: "STICKLER_NO_SUCH_COMPILER",
         name: "no-such-compiler",
+        script: "no-such-compiler",
     };
 
     #[test]

@@ -10,12 +10,13 @@ mod reproduction;
 mod template;
 mod values;
 
+use super::command::CommandTemplate;
 use super::dependencies::{FoundBy, FoundDependency, may_be_executed, on_path};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, faulted, speaks_not, unsupported};
 use super::plain::without_colours;
 use super::probe_variable::{ProbeVariables, translate_with};
-use super::source::main_program;
+use super::source::{main_program, observed_scans};
 use crate::engine::no_rendering;
 use crate::process::Folder;
 use crate::{
@@ -26,11 +27,11 @@ use call::{DescribedCall, Execution};
 pub use description::Description;
 pub(super) use pattern::DiagnosticPattern;
 use regex_lite::Regex;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::env;
 use std::path::{Path, PathBuf};
 use stickler_types::DialectName;
-use template::{CommandTemplate, HERE, Placeholder};
+use template::{HERE, SCANS, fixed};
 use values::Printed;
 
 /// A compiler whose command line a table describes.
@@ -117,7 +118,7 @@ fn located(
     template: &CommandTemplate,
     here: &Path,
 ) -> Result<Option<FoundDependency>, String> {
-    let Some(program) = template.program(here) else {
+    let Some(program) = fixed(template, here).0 else {
         return Ok(None);
     };
     let (path, by) = match program.components().count() {
@@ -146,7 +147,7 @@ fn abilities(description: &Description) -> Vec<Ability> {
     let mut abilities = vec![Ability::Check];
     if let Some(run) = &description.run {
         abilities.push(Ability::Execute);
-        if run.0.has(Placeholder::Scans) {
+        if run.0.has(SCANS) {
             abilities.push(Ability::Scans);
         }
     }
@@ -184,7 +185,7 @@ impl Engine for DescribedEngine {
             fingerprint = fingerprint.program(&located.path);
         }
         for (_, template) in self.description.commands() {
-            for file in template.files(&self.here) {
+            for file in fixed(template, &self.here).1 {
                 fingerprint = fingerprint.text(&file.to_string_lossy()).file(&file);
             }
         }
@@ -271,7 +272,7 @@ impl DescribedSession<'_> {
                     Some(compile) => call.all(compile)?,
                     None => Vec::new(),
                 };
-                let executions = scans(request)
+                let executions = observed_scans(request)
                     .into_iter()
                     .map(|scan| Ok((scan, call.execute(&run.0, scan)?)));
                 Ok((warnings, executions.collect::<Result<_, Outcome>>()?))
@@ -341,17 +342,8 @@ fn takes_scans(run: &CommandTemplate, request: &RunRequest<'_>) -> Result<(), Ou
             "its commands take neither a clock nor values between scans",
         ));
     }
-    if request.needs_scans() && !run.has(Placeholder::Scans) {
+    if request.needs_scans() && !run.has(SCANS) {
         return Err(unsupported("its command `run` takes no number of scans"));
     }
     Ok(())
 }
-
-/// Returns the numbers of the scans after which a value is observed, and of the last.
-fn scans(request: &RunRequest<'_>) -> BTreeSet<u32> {
-    let asked = request.observe.iter().filter_map(|asked| asked.after);
-    asked.chain([request.scans]).collect()
-}
-
-#[cfg(all(test, unix))]
-mod tests;

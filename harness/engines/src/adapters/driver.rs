@@ -1,54 +1,95 @@
-//! Drivers: programs that run translated programs and print the observed values.
+//! Drivers: short C and C++ programs that run translated programs and print the observed values by name.
+//!
+//! A driver of one program is what a person gets to reproduce it, and what an adapter builds and runs itself. One of several
+//! programs is the same for each, and runs each in a process of its own.
 
-use super::locate::{self, failed, faulted};
-use super::printed::{self, PrintedKind};
-use crate::process::Folder;
-use crate::{NamedValue, Outcome, RunRequest};
+use super::builder::Language;
+use super::locate::{failed, faulted};
+use super::recipe::{Purpose, Recipe, Workplace};
+use super::values::{self, ObservedKind};
+use crate::{Outcome, RunRequest};
+use std::ffi::OsStr;
 use std::fmt::Write;
-use stickler_types::{Fault, Value};
+use stickler_types::Fault;
 
-/// A driver program, and how its output is read.
-pub(super) struct Driver<'r> {
-    /// The program in C or C++.
-    pub(super) text: String,
-    /// The programs that the driver runs, in order.
-    pub(super) subjects: Vec<DrivenProgram<'r>>,
-    /// Parses one printed value; returns `None` where the text is no such value.
-    pub(super) read: fn(&PrintedKind<'_>, &str) -> Option<Value>,
-    /// The exit codes by which the driver reports faults.
-    pub(super) faults: &'static [(i32, Fault)],
-}
-
-/// A translated program that a driver runs.
+/// A translated program as a driver runs it.
 pub(super) struct DrivenProgram<'r> {
     /// The request that the program answers.
     pub(super) request: RunRequest<'r>,
     /// The kind of each observed value, in the order of the observations.
-    pub(super) kinds: Vec<PrintedKind<'r>>,
+    pub(super) kinds: Vec<ObservedKind<'r>>,
+    /// The declarations that the statements need.
+    pub(super) declarations: String,
+    /// The statements before the first scan.
+    pub(super) start: Vec<String>,
+    /// The statements before a scan, each with the number of the scan.
+    pub(super) before: Vec<(u32, String)>,
+    /// The statement that makes a scan.
+    pub(super) scan: String,
+    /// The statements that print values, each with the number of the scan after which it does; `None` for the last.
+    pub(super) after: Vec<(Option<u32>, String)>,
+    /// The namespace that the declarations open, where they open one.
+    pub(super) namespace: Option<String>,
 }
 
-/// The C functions that run several programs, each for at most 5 seconds, after which a program is run alone.
+impl DrivenProgram<'_> {
+    /// Returns the function that runs the program, without a loop where there is nothing to repeat.
+    fn function(&self, head: &str) -> String {
+        let mut text = format!("{head} {{\n");
+        for statement in &self.start {
+            // Writing into a String does not fail.
+            let _ = writeln!(text, "    {statement}");
+        }
+        let between = self.after.iter().any(|(scan, _)| scan.is_some());
+        if self.request.scans == 1 && self.before.is_empty() && !between {
+            let _ = writeln!(text, "    {}", self.scan);
+        } else {
+            self.write_loop(&mut text);
+        }
+        for (_, statement) in self.after.iter().filter(|(scan, _)| scan.is_none()) {
+            let _ = writeln!(text, "    {statement}");
+        }
+        text.push_str("    return 0;\n}\n");
+        text
+    }
+
+    fn write_loop(&self, text: &mut String) {
+        let scans = self.request.scans;
+        let _ = writeln!(text, "    for (unsigned scan = 1; scan <= {scans}; scan++) {{");
+        for (scan, statement) in &self.before {
+            let _ = writeln!(text, "        if (scan == {scan}) {{ {statement} }}");
+        }
+        let _ = writeln!(text, "        {}", self.scan);
+        for (scan, statement) in &self.after {
+            if let Some(scan) = scan {
+                let _ = writeln!(text, "        if (scan == {scan}) {{ {statement} }}");
+            }
+        }
+        text.push_str("    }\n");
+    }
+}
+
+/// A driver of programs.
+pub(super) struct Driver<'r> {
+    pub(super) language: Language,
+    /// The text before the programs: headers, and the translated text where one file has all of it.
+    pub(super) head: String,
+    /// The programs, in order.
+    pub(super) programs: Vec<DrivenProgram<'r>>,
+    /// Words on stderr at the end of a program that stopped at a fault.
+    pub(super) faults: &'static [(&'static str, Fault)],
+}
+
+/// The file of a driver, and its text.
+pub(super) struct DriverText {
+    pub(super) file: &'static str,
+    pub(super) text: String,
+}
+
+/// The C functions that run several programs, each for at most 5 seconds, after which a program is run alone. Given the number of
+/// a program, they run only that one; otherwise each runs in a process of its own, so that none sees what another left behind, and
+/// a failing program does not affect the others.
 const SEVERAL: &str = include_str!("driver/several.c");
-
-/// Returns the end of the text of a driver, which calls `runs(number)` for one of `count` programs and returns its result as
-/// the exit code. Where there are several programs, the driver takes the number of one, or else runs all of them one after the
-/// other, each in a process of its own, so that none sees what another left behind, and a failing program does not affect the
-/// others.
-pub(super) fn main(count: usize, runs: impl Fn(usize) -> String) -> String {
-    if count == 1 {
-        return format!("int main(void) {{\n    return {};\n}}\n", runs(0));
-    }
-    let mut text = "static int run(int number) {\n    switch (number) {\n".to_owned();
-    for number in 0..count {
-        // Writing into a String does not fail.
-        let _ = writeln!(text, "    case {number}: return {};", runs(number));
-    }
-    let _ = write!(
-        text,
-        "    }}\n    return 1;\n}}\n#define PROGRAMS {count}\n{SEVERAL}"
-    );
-    text
-}
 
 /// The mark before the output of a program that is run among others; its number follows.
 const BEGINS: &str = "< ";
@@ -56,73 +97,95 @@ const BEGINS: &str = "< ";
 /// The mark behind the output of a program that ran to its end; its number follows.
 const ENDS: &str = "> ";
 
-impl<'r> Driver<'r> {
-    /// Runs the driver's only program, which was built in a folder.
+impl Driver<'_> {
+    /// Returns the text of the driver.
+    pub(super) fn text(&self) -> DriverText {
+        let mut programs = String::new();
+        let mut cases = String::new();
+        for (number, program) in self.programs.iter().enumerate() {
+            let head = match self.programs.len() {
+                1 => "int main(void)".to_owned(),
+                _ => format!("static int run_{number}(void)"),
+            };
+            programs.push_str(&program.declarations);
+            programs.push_str(&program.function(&head));
+            let scope = match &program.namespace {
+                Some(namespace) => {
+                    programs.push_str("}\n");
+                    format!("{namespace}::")
+                }
+                None => String::new(),
+            };
+            let _ = writeln!(cases, "    case {number}: return {scope}run_{number}();");
+        }
+        let mut text = format!("{}{}{programs}", self.head, values::functions(&programs));
+        let count = self.programs.len();
+        if count > 1 {
+            let _ = write!(
+                text,
+                "static int run(int number) {{\n    switch (number) {{\n{cases}    }}\n    return 1;\n}}\n\
+                 #define PROGRAMS {count}\n{SEVERAL}"
+            );
+        }
+        DriverText {
+            file: self.language.driver(),
+            text,
+        }
+    }
+
+    /// Runs the driver's only program, which was built by a recipe.
     ///
     /// # Errors
     /// [`Outcome::Unusable`] where the program dies, [`Outcome::Error`] for output that is no value, otherwise an outcome as
-    /// [`locate::execute`] returns.
-    pub(super) fn execute(&self, folder: &Folder) -> Result<Outcome, Outcome> {
-        let only = self.subjects.first();
+    /// [`Workplace::step`] returns.
+    pub(super) fn execute(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Result<Outcome, Outcome> {
+        let only = self.programs.first();
         let only = only.ok_or_else(|| failed("its driver runs nothing".to_owned()))?;
-        let nothing: [&str; 0] = [];
-        self.execute_one(only, &nothing, folder)
+        self.execute_one(only, &[], recipe, workplace)
     }
 
-    /// Runs all programs of the driver, which were built in a folder.
-    pub(super) fn execute_all(&self, folder: &Folder) -> Vec<Outcome> {
-        let nothing: [&str; 0] = [];
-        let ended = locate::execute(&folder.path().join("driver"), &nothing, folder).ok();
+    /// Runs all programs of the driver, which were built by a recipe.
+    pub(super) fn execute_all(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Vec<Outcome> {
+        let ended = workplace.step(recipe, Purpose::Execute(None), &[]).ok();
         let printed = ended.filter(|ended| ended.status.success());
         let printed = printed.map_or_else(String::new, |ended| ended.stdout);
-        let printed = parts(&printed, self.subjects.len());
-        let alone = |number: usize, subject: &DrivenProgram<'_>| {
-            let outcome = self.execute_one(subject, &[number.to_string()], folder);
-            outcome.unwrap_or_else(|outcome| outcome)
-        };
-        let subjects = self.subjects.iter().zip(printed).enumerate();
-        subjects
-            .map(|(number, (subject, printed))| match printed {
-                Some(printed) => match self.values(&printed, subject) {
-                    Ok(values) => Outcome::executed(values),
-                    Err(_) => alone(number, subject),
-                },
-                None => alone(number, subject),
+        let printed = parts(&printed, self.programs.len());
+        let programs = self.programs.iter().zip(printed).enumerate();
+        programs
+            .map(|(number, (program, printed))| {
+                let values =
+                    printed.map(|printed| values::values(&printed, &program.request, &program.kinds));
+                match values {
+                    Some(Ok(values)) => Outcome::executed(values),
+                    _ => self
+                        .execute_one(program, &[number.to_string().as_ref()], recipe, workplace)
+                        .unwrap_or_else(|outcome| outcome),
+                }
             })
             .collect()
     }
 
-    fn execute_one<A: AsRef<std::ffi::OsStr>>(
+    fn execute_one(
         &self,
-        subject: &DrivenProgram<'_>,
-        arguments: &[A],
-        folder: &Folder,
+        program: &DrivenProgram<'_>,
+        arguments: &[&OsStr],
+        recipe: &Recipe,
+        workplace: &Workplace<'_>,
     ) -> Result<Outcome, Outcome> {
-        let ended = locate::execute(&folder.path().join("driver"), arguments, folder).map_err(unusable)?;
+        let ended = workplace
+            .step(recipe, Purpose::Execute(None), arguments)
+            .map_err(unusable)?;
         if ended.stopped_by_arithmetic() {
             return Ok(faulted(Fault::DivisionByZero, Vec::new()));
         }
-        let code = ended.code().map_err(unusable)?;
-        if code == 0 {
-            let values = self.values(&ended.stdout, subject).map_err(failed)?;
+        if ended.status.success() {
+            let values = values::values(&ended.stdout, &program.request, &program.kinds).map_err(failed)?;
             return Ok(Outcome::executed(values));
         }
-        let listed = self.faults.iter().find(|(of, _)| *of == code);
+        let listed = self.faults.iter().find(|(words, _)| ended.stderr.contains(words));
         listed
             .map(|(_, fault)| faulted(*fault, Vec::new()))
             .ok_or_else(|| unusable(ended.crashed()))
-    }
-
-    /// Parses the values that the driver printed of a program.
-    ///
-    /// # Errors
-    /// A fragment that says what is wrong with the output.
-    pub(super) fn values(
-        &self,
-        printed: &str,
-        subject: &DrivenProgram<'_>,
-    ) -> Result<Vec<NamedValue>, String> {
-        printed::values(printed, &subject.request, &subject.kinds, self.read)
     }
 }
 
@@ -163,8 +226,8 @@ mod tests {
 
     #[test]
     fn only_what_ran_to_its_end_has_printed_something() {
-        let printed = "\n< 0\n0 1\n1 2\n\n> 0\n\n< 1\n0 \n< 2\n\n> 2\n\n> 9\n\n> x\n";
-        let whole = Some("0 1\n1 2\n".to_owned());
+        let printed = "\n< 0\nx = 1\ny = 2\n\n> 0\n\n< 1\nx = 3\n< 2\n\n> 2\n\n> 9\n\n> x\n";
+        let whole = Some("x = 1\ny = 2\n".to_owned());
         assert_eq!(parts(printed, 3), [whole, None, Some(String::new())]);
     }
 }

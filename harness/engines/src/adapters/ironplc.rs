@@ -10,24 +10,23 @@ mod diagnostics;
 mod dump;
 mod options;
 mod readback;
-mod reproduction;
 mod texts;
 
+use super::adapter::{Adapter, AdapterEngine};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed, faulted, unsupported};
-use super::probe_variable::translate_with;
-use super::source::main_program;
+use super::locate::{self, failed, faulted, unsupported};
+use super::probe_variable::{translate_with, with_shown_probes};
+use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
+use super::source::{main_program, observed_scans};
 use crate::process::{Ended, Folder};
 use crate::{
-    Ability, Engine, EngineError, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction,
-    RunRequest, Session,
+    Ability, Diagnostic, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction, RunRequest,
 };
 use dump::Dump;
 use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
-pub(super) use reproduction::reproduce;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use stickler_types::{DialectName, Fault};
 use texts::ReadableTexts;
 
@@ -35,20 +34,62 @@ const COMPILER: Dependency = Dependency {
     key: "ironplcc",
     variable: "STICKLER_IRONPLCC",
     name: "ironplcc",
+    script: "ironplcc",
 };
 
 const MACHINE: Dependency = Dependency {
     key: "ironplcvm",
     variable: "STICKLER_IRONPLCVM",
     name: "ironplcvm",
+    script: "ironplcvm",
 };
 
 /// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, MACHINE];
 
-/// The compiler and its virtual machine.
+/// The bytecode that the compiler writes.
+const BYTECODE: &str = "program.iplc";
+
+/// Returns the recipe that compiles a program.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
+fn compilation(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
+    let options = options(dialect)?.join(" ");
+    let line = format!("{{IRONPLCC}} compile --dialect {options} {PROGRAM} -o {BYTECODE}");
+    let recipe = Recipe::of(PROGRAM, text).makes(&[BYTECODE]);
+    Ok(recipe.step(DEPENDENCIES, Purpose::Translate, &line))
+}
+
+/// Returns the recipe that compiles the text of a request and runs it anew for each scan after which a value is observed.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
+fn execution(request: &RunRequest<'_>, text: &str, readbacks: &Readbacks) -> Result<Recipe, Outcome> {
+    let runs = observed_scans(request);
+    let compiled = compilation(request.dialect, text)?.legend(readbacks.probes());
+    Ok(runs.iter().fold(compiled, |recipe, &scans| {
+        let recipe = match runs.len() {
+            1 => recipe,
+            _ => recipe.shell(&[], format!("echo 'After scan {scans}:'")),
+        };
+        let line = format!("{{IRONPLCVM}} run {BYTECODE} --scans {scans} --dump-vars");
+        recipe.step(DEPENDENCIES, Purpose::Execute(Some(scans)), &line)
+    }))
+}
+
+/// Returns the recipe that renders a program.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
+fn rendering(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
+    let options = options(dialect)?.join(" ");
+    let line = format!("{{IRONPLCC}} echo --dialect {options} {PROGRAM}");
+    Ok(Recipe::of(PROGRAM, text).step(DEPENDENCIES, Purpose::Translate, &line))
+}
+
+/// The adapter: the compiler and its virtual machine.
 pub(super) struct Ironplc {
-    identity: Identity,
     compiler: PathBuf,
     machine: PathBuf,
     texts: ReadableTexts,
@@ -59,75 +100,83 @@ impl Ironplc {
     ///
     /// # Errors
     /// A fragment that says which program is missing, or what the compiler did when it was asked for its version.
-    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Ironplc, String> {
+    pub(super) fn find(
+        called: &str,
+        search: &mut DependencySearch<'_>,
+    ) -> Result<AdapterEngine<Ironplc>, String> {
         let compiler = search.program(COMPILER)?;
         let machine = search.program(MACHINE)?;
         let version = locate::version(&compiler, &["version"], &Folder::new()?)?;
-        let version = version.rsplit(' ').next().unwrap_or_default().to_owned();
-        let identity = Identity {
-            name: called.to_owned(),
-            version,
-            dialects: dialects(),
-            abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
-            // The registry's codes are those of this compiler.
-            grade: Grade::Code,
-            lacks: codes::lacking(&compiler),
-        };
-        Ok(Ironplc {
-            identity,
-            compiler,
-            machine,
-            texts: ReadableTexts::default(),
+        Ok(AdapterEngine {
+            identity: Identity {
+                name: called.to_owned(),
+                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
+                dialects: dialects(),
+                abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
+                // The registry's codes are those of this compiler.
+                grade: Grade::Code,
+                lacks: codes::lacking(&compiler),
+            },
+            tools: vec![COMPILER.at(&compiler), MACHINE.at(&machine)],
+            adapter: Ironplc {
+                compiler,
+                machine,
+                texts: ReadableTexts::default(),
+            },
         })
     }
 }
 
-impl Engine for Ironplc {
-    fn identity(&self) -> &Identity {
-        &self.identity
+impl Adapter for Ironplc {
+    fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
+        fingerprint.program(&self.compiler).program(&self.machine)
     }
 
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = locate::session_folder(&self.identity)?;
-        Ok(Box::new(IronplcSession { engine: self, folder }))
+    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
+        let RunRequest { dialect, source, .. } = *request;
+        let recipe = match (ability, main_program(request)) {
+            (Ability::Render, _) => rendering(dialect, source)?,
+            (Ability::Execute | Ability::Scans, Some(main)) => {
+                takes_no_settings(request)?;
+                let readbacks = Readbacks::of(request, RunHints::default());
+                let text = with_shown_probes(request, &main, readbacks.probes())?;
+                execution(request, &text, &readbacks)?
+            }
+            (Ability::Check, _) | (_, None) => compilation(dialect, source)?.accepted(),
+        };
+        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
     }
 
-    fn fingerprint(&self) -> Option<String> {
-        Fingerprint::of("ironplc")
-            .program(&self.compiler)
-            .program(&self.machine)
-            .finish()
+    /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
+    /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
+    fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        let unreadable = self.texts.unreadable(workplace, request);
+        run_with(workplace, request, RunHints::without(unreadable))
     }
 
-    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        reproduce(request, ability)
+    fn check(
+        &self,
+        workplace: &Workplace<'_>,
+        dialect: DialectName,
+        source: &str,
+    ) -> Result<Vec<Diagnostic>, Outcome> {
+        compile(workplace, &compilation(dialect, source)?)?;
+        Ok(Vec::new())
     }
 
-    fn tools(&self) -> Vec<(String, PathBuf)> {
-        vec![COMPILER.at(&self.compiler), MACHINE.at(&self.machine)]
-    }
-}
-
-/// A session: a folder in which one program at a time is compiled and run.
-struct IronplcSession<'e> {
-    engine: &'e Ironplc,
-    folder: Folder,
-}
-
-impl Session for IronplcSession<'_> {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        self.try_run(request).unwrap_or_else(|outcome| outcome)
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match self.compile(dialect, source) {
-            Ok(_) => Outcome::ACCEPTED,
-            Err(outcome) => outcome,
+    fn render(
+        &self,
+        workplace: &Workplace<'_>,
+        dialect: DialectName,
+        source: &str,
+    ) -> Result<Outcome, Outcome> {
+        let recipe = rendering(dialect, source)?;
+        workplace.begin(&recipe)?;
+        let ended = workplace.step(&recipe, Purpose::Translate, &[])?;
+        match ended.code()? {
+            0 => Ok(Outcome::Rendered { text: ended.stdout }),
+            _ => Ok(rejected(&ended)),
         }
-    }
-
-    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        self.echo(dialect, source).unwrap_or_else(|outcome| outcome)
     }
 }
 
@@ -156,99 +205,66 @@ fn takes_no_settings(request: &RunRequest<'_>) -> Result<(), Outcome> {
     }
 }
 
-impl IronplcSession<'_> {
-    /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
-    /// probe variables, the program is compiled without them, to tell whether it is accepted itself.
-    fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        let unreadable = self.engine.texts.unreadable(self, request);
-        self.run_with(request, RunHints::without(unreadable))
-    }
-
-    /// Executes a program with the probe variables that hints ask for, until every value is read.
-    fn run_with(&self, request: &RunRequest<'_>, hints: RunHints) -> Result<Outcome, Outcome> {
-        takes_no_settings(request)?;
-        let mut readbacks = Readbacks::of(request, hints);
-        loop {
-            let container = self.compile_with_probes(request, &readbacks)?;
-            let scans = Scans {
-                session: self,
-                container: &container,
-            };
-            // A second run is needed for texts that turn out to be long, and for names that several variables have.
-            match scans.outcome(request, &readbacks) {
-                Ok(RunResult::Done(early @ Outcome::Faulted { .. }))
-                | Err(early @ Outcome::Crashed { .. })
-                    if !readbacks.probes().is_empty() =>
-                {
-                    return Err(self.without_probes(request, early));
-                }
-                Ok(RunResult::Done(outcome)) => return Ok(outcome),
-                Ok(RunResult::Retry(hints)) => readbacks = Readbacks::of(request, hints),
-                Err(outcome) => return Err(outcome),
-            }
-        }
-    }
-
-    /// Returns the outcome of a program that ended early with its probe variables: what it does by itself, or
-    /// [`Outcome::Error`] where it runs to its end without them, so that only its values cannot be read.
-    fn without_probes(&self, request: &RunRequest<'_>, early: Outcome) -> Outcome {
-        let container = self.compile(request.dialect, request.source);
-        let alone = container.and_then(|container| {
-            let session = self;
-            let container = &container;
-            Scans { session, container }.execute(request.scans)
-        });
-        match alone {
-            Ok(ExecutionEnd::Finished(_)) => failed(format!(
-                "its values cannot be read: the program runs to its end, and not with variables that copy them: {early}"
-            )),
-            Ok(ExecutionEnd::Faulted(..)) => early,
-            Err(outcome) => outcome,
-        }
-    }
-
-    fn compile_with_probes(
-        &self,
-        request: &RunRequest<'_>,
-        readbacks: &Readbacks,
-    ) -> Result<PathBuf, Outcome> {
-        let Some(main) = main_program(request) else {
-            return self.compile(request.dialect, request.source);
+/// Executes a program with the probe variables that hints ask for, until every value is read.
+fn run_with(
+    workplace: &Workplace<'_>,
+    request: &RunRequest<'_>,
+    hints: RunHints,
+) -> Result<Outcome, Outcome> {
+    takes_no_settings(request)?;
+    let mut readbacks = Readbacks::of(request, hints);
+    loop {
+        let compiled = |text: &str| {
+            let recipe = execution(request, text, &readbacks)?;
+            compile(workplace, &recipe).map(|()| recipe)
         };
-        translate_with(request, &main, readbacks.probes(), |text| {
-            self.compile(request.dialect, text)
-        })
-    }
-
-    /// Compiles a program and returns the path of its bytecode.
-    fn compile(&self, dialect: DialectName, source: &str) -> Result<PathBuf, Outcome> {
-        let container = self.folder.path().join("program.iplc");
-        let arguments = ["compile", "program.st", "-o", "program.iplc", "--dialect"];
-        // The bytecode of an earlier program must not be taken for that of this one.
-        let _ = std::fs::remove_file(&container);
-        let ended = self.on_program(&arguments, dialect, source)?;
-        match ended.code()? {
-            0 if container.is_file() => Ok(container),
-            0 => Err(failed("it accepted the program and wrote no bytecode".to_owned())),
-            _ => Err(rejected(&ended)),
+        let recipe = match main_program(request) {
+            Some(main) => translate_with(request, &main, readbacks.probes(), compiled)?,
+            None => compiled(request.source)?,
+        };
+        // A second run is needed for texts that turn out to be long, and for names that several variables have.
+        match outcome(workplace, &recipe, request, &readbacks) {
+            Ok(RunResult::Done(early @ Outcome::Faulted { .. })) | Err(early @ Outcome::Crashed { .. })
+                if !readbacks.probes().is_empty() =>
+            {
+                return Err(without_probes(workplace, request, &readbacks, early));
+            }
+            Ok(RunResult::Done(outcome)) => return Ok(outcome),
+            Ok(RunResult::Retry(hints)) => readbacks = Readbacks::of(request, hints),
+            Err(outcome) => return Err(outcome),
         }
     }
+}
 
-    /// Renders a program as `ironplcc echo` does.
-    fn echo(&self, dialect: DialectName, source: &str) -> Result<Outcome, Outcome> {
-        let ended = self.on_program(&["echo", "program.st", "--dialect"], dialect, source)?;
-        match ended.code()? {
-            0 => Ok(Outcome::Rendered { text: ended.stdout }),
-            _ => Ok(rejected(&ended)),
-        }
+/// Returns the outcome of a program that ended early with its probe variables: what it does by itself, or [`Outcome::Error`] where
+/// it runs to its end without them, so that only its values cannot be read.
+fn without_probes(
+    workplace: &Workplace<'_>,
+    request: &RunRequest<'_>,
+    readbacks: &Readbacks,
+    early: Outcome,
+) -> Outcome {
+    let alone = execution(request, request.source, readbacks).and_then(|recipe| {
+        compile(workplace, &recipe)?;
+        execute(workplace, &recipe, request.scans)
+    });
+    match alone {
+        Ok(ExecutionEnd::Finished(_)) => failed(format!(
+            "its values cannot be read: the program runs to its end, and not with variables that copy them: {early}"
+        )),
+        Ok(ExecutionEnd::Faulted(..)) => early,
+        Err(outcome) => outcome,
     }
+}
 
-    /// Runs the compiler on a program; the options of the dialect are the last arguments.
-    fn on_program(&self, arguments: &[&str], dialect: DialectName, source: &str) -> Result<Ended, Outcome> {
-        let options = options(dialect)?;
-        self.folder.write("program.st", source).map_err(failed)?;
-        let arguments: Vec<&str> = arguments.iter().copied().chain(options).collect();
-        call(&self.engine.compiler, &arguments, &self.folder)
+/// Compiles the program of a recipe.
+fn compile(workplace: &Workplace<'_>, recipe: &Recipe) -> Result<(), Outcome> {
+    workplace.begin(recipe)?;
+    let ended = workplace.step(recipe, Purpose::Translate, &[])?;
+    match ended.code()? {
+        0 if workplace.folder.path().join(BYTECODE).is_file() => Ok(()),
+        0 => Err(failed("it accepted the program and wrote no bytecode".to_owned())),
+        _ => Err(rejected(&ended)),
     }
 }
 
@@ -277,67 +293,53 @@ enum ExecutionEnd {
     Faulted(Fault, String),
 }
 
-/// A compiled program that is run for one number of scans after another.
-struct Scans<'s> {
-    session: &'s IronplcSession<'s>,
-    container: &'s Path,
-}
-
-impl Scans<'_> {
-    /// Runs the program once for each scan after which a value is observed.
-    fn outcome(&self, request: &RunRequest<'_>, readbacks: &Readbacks) -> Result<RunResult, Outcome> {
-        let last = self.execute(request.scans)?;
-        let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
-        for asked in request.observe {
-            let earlier = match asked.after {
-                Some(scan) if scan != request.scans => Some(self.execute(scan)?),
-                _ => None,
-            };
-            match earlier.as_ref().unwrap_or(&last) {
-                ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
-                    Ok(value) => values.push((asked.key().to_string(), value)),
-                    Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
-                    Err(ReadbackError::Unsupported(reason)) => return Err(unsupported(reason)),
-                    Err(ReadbackError::Failed(reason)) => return Err(failed(reason)),
-                },
-                // The probe variables hold the values from before the fault; values that only they would show are left out.
-                ExecutionEnd::Faulted(_, text) => {
-                    values.extend(
-                        readbacks
-                            .simple(asked, &Dump::read(text))
-                            .map(|value| (asked.key().to_string(), value)),
-                    );
-                }
+/// Runs a compiled program once for each scan after which a value is observed.
+fn outcome(
+    workplace: &Workplace<'_>,
+    recipe: &Recipe,
+    request: &RunRequest<'_>,
+    readbacks: &Readbacks,
+) -> Result<RunResult, Outcome> {
+    let last = execute(workplace, recipe, request.scans)?;
+    let mut values: Vec<NamedValue> = Vec::with_capacity(request.observe.len());
+    for asked in request.observe {
+        let earlier = match asked.after {
+            Some(scan) if scan != request.scans => Some(execute(workplace, recipe, scan)?),
+            _ => None,
+        };
+        match earlier.as_ref().unwrap_or(&last) {
+            ExecutionEnd::Finished(text) => match readbacks.value(asked, &Dump::read(text)) {
+                Ok(value) => values.push((asked.key().to_string(), value)),
+                Err(ReadbackError::Retry(hints)) => return Ok(RunResult::Retry(hints)),
+                Err(ReadbackError::Unsupported(reason)) => return Err(unsupported(reason)),
+                Err(ReadbackError::Failed(reason)) => return Err(failed(reason)),
+            },
+            // The probe variables hold the values from before the fault; values that only they would show are left out.
+            ExecutionEnd::Faulted(_, text) => {
+                let simple = readbacks.simple(asked, &Dump::read(text));
+                values.extend(simple.map(|value| (asked.key().to_string(), value)));
             }
         }
-        Ok(RunResult::Done(match last {
-            ExecutionEnd::Finished(_) => Outcome::executed(values),
-            ExecutionEnd::Faulted(fault, _) => faulted(fault, values),
-        }))
     }
+    Ok(RunResult::Done(match last {
+        ExecutionEnd::Finished(_) => Outcome::executed(values),
+        ExecutionEnd::Faulted(fault, _) => faulted(fault, values),
+    }))
+}
 
-    fn execute(&self, scans: u32) -> Result<ExecutionEnd, Outcome> {
-        let scans = scans.to_string();
-        let container = self.container.as_os_str();
-        let arguments = [
-            "run".as_ref(),
-            container,
-            "--scans".as_ref(),
-            scans.as_ref(),
-            "--dump-vars".as_ref(),
-        ];
-        let ended = locate::execute(&self.session.engine.machine, &arguments, &self.session.folder)?;
-        match ended.code()? {
-            0 => Ok(ExecutionEnd::Finished(ended.stdout)),
-            1 => match fault(&ended.stderr) {
-                Some(fault) => Ok(ExecutionEnd::Faulted(fault, ended.stdout)),
-                None => Err(failed(format!(
-                    "it stopped for a reason that no fault is named after: {}",
-                    ended.stderr.trim()
-                ))),
-            },
-            _ => Err(ended.crashed()),
-        }
+/// Runs a compiled program for this number of scans.
+fn execute(workplace: &Workplace<'_>, recipe: &Recipe, scans: u32) -> Result<ExecutionEnd, Outcome> {
+    let ended = workplace.step(recipe, Purpose::Execute(Some(scans)), &[])?;
+    match ended.code()? {
+        0 => Ok(ExecutionEnd::Finished(ended.stdout)),
+        1 => match fault(&ended.stderr) {
+            Some(fault) => Ok(ExecutionEnd::Faulted(fault, ended.stdout)),
+            None => Err(failed(format!(
+                "it stopped for a reason that no fault is named after: {}",
+                ended.stderr.trim()
+            ))),
+        },
+        _ => Err(ended.crashed()),
     }
 }
 
@@ -353,6 +355,3 @@ fn fault(stderr: &str) -> Option<Fault> {
         _ => None,
     }
 }
-
-#[cfg(all(test, unix))]
-pub(super) mod tests;

@@ -115,22 +115,6 @@ pub(super) fn call<A: AsRef<OsStr>>(
 /// still runs then has an endless loop.
 pub(super) const EXECUTION_TIMEOUT: Duration = Duration::from_secs(10);
 
-/// Runs a compiled program, under the limits that every execution gets.
-///
-/// # Errors
-/// An outcome as [`run_tool`] returns.
-pub(super) fn execute<A: AsRef<OsStr>>(
-    program: &Path,
-    arguments: &[A],
-    folder: &Folder,
-) -> Result<Ended, Outcome> {
-    let limits = ToolLimits {
-        time: EXECUTION_TIMEOUT,
-        ..ToolLimits::default()
-    };
-    run_tool(program, arguments, folder.path(), &limits)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -9,22 +9,23 @@
 mod diagnostics;
 mod driver;
 mod pack;
-mod reproduction;
 
+use super::adapter::{Adapter, AdapterEngine};
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
+use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, call, failed, speaks, unsupported};
-use super::probe_variable::{ProbeVariables, translate_with};
+use super::locate::{self, speaks, unsupported};
+use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
+use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::rename::library_words;
+use super::reproduction::reproduce;
 use super::source::{MainProgram, main_program, words_of};
-use crate::process::{Ended, Folder};
+use crate::process::Folder;
 use crate::{
-    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
-    RunRequest, Session,
+    Ability, Diagnostic, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
 };
 use driver::{LOCATIONS, MatiecSubject, driver};
-pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -47,30 +48,44 @@ fn added_configuration(request: &RunRequest<'_>, main: &MainProgram) -> String {
     }
 }
 
-/// The header that every built program includes; it is compiled once.
-const HEADER: &str =
-    "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
-
 const COMPILER: Dependency = Dependency {
     key: "iec2c",
     variable: "STICKLER_IEC2C",
     name: "iec2c",
+    script: "iec2c",
 };
 
 const LIBRARY: Dependency = Dependency {
     key: "lib",
     variable: "STICKLER_MATIEC_LIB",
     name: "the library of iec2c",
+    script: "$(dirname \"$(command -v \"$IEC2C\")\")/lib",
 };
 
 /// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, LIBRARY, builder::CC];
 
-/// The compiler, its library, and the builder of its C.
+/// Returns the recipe that translates a text to C.
+fn translation(text: impl Into<String>) -> Recipe {
+    Recipe::of(PROGRAM, text)
+        .makes(&["POUS.c", "POUS.h", LOCATIONS])
+        .step(
+            DEPENDENCIES,
+            Purpose::Translate,
+            "{IEC2C} -i -I {MATIEC_LIB} -T . program.st",
+        )
+}
+
+/// Returns the recipe that translates a text to C, builds it with a driver, and runs it.
+fn execution(text: impl Into<String>, driver: &DriverText) -> Recipe {
+    let build = "{CC} -O0 -w -I {MATIEC_LIB}/C -I . driver.c -o driver -lm";
+    translation(text).driver(DEPENDENCIES, driver, build)
+}
+
+/// The adapter: the library of the compiler, and the builder of its C.
 pub(super) struct Matiec {
-    identity: Identity,
-    compiler: PathBuf,
     library: PathBuf,
+    compiler: PathBuf,
     builder: Builder,
     /// The names that programs in a pack must not declare; see [`Matiec::taken`].
     taken: OnceLock<HashSet<String>>,
@@ -81,12 +96,15 @@ impl Matiec {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Matiec, String> {
+    pub(super) fn find(
+        called: &str,
+        search: &mut DependencySearch<'_>,
+    ) -> Result<AdapterEngine<Matiec>, String> {
         let compiler = search.program(COMPILER)?;
         let library = search.folder(LIBRARY, &libraries(&compiler))?;
-        let builder = Builder::find(search, Language::C, library.join("C"), HEADER)?;
+        let builder = Builder::find(search, Language::C, library.join("C"), driver::HEADER)?;
         let version = locate::version(&compiler, &["-v"], &Folder::new()?)?;
-        Ok(Matiec {
+        Ok(AdapterEngine {
             identity: Identity {
                 name: called.to_owned(),
                 version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
@@ -96,10 +114,17 @@ impl Matiec {
                 grade: Grade::Line,
                 lacks: Vec::new(),
             },
-            compiler,
-            library,
-            builder,
-            taken: OnceLock::new(),
+            tools: vec![
+                COMPILER.at(&compiler),
+                LIBRARY.at(&library),
+                builder::CC.at(builder.compiler()),
+            ],
+            adapter: Matiec {
+                library,
+                compiler,
+                builder,
+                taken: OnceLock::new(),
+            },
         })
     }
 
@@ -121,110 +146,66 @@ fn libraries(compiler: &Path) -> [PathBuf; 3] {
     ]
 }
 
-impl Engine for Matiec {
-    fn identity(&self) -> &Identity {
-        &self.identity
-    }
+impl Adapter for Matiec {
+    const PACK_SIZE: usize = 128;
 
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = locate::session_folder(&self.identity)?;
-        Ok(Box::new(MatiecSession { engine: self, folder }))
-    }
-
-    fn fingerprint(&self) -> Option<String> {
-        Fingerprint::of("matiec")
+    fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
+        fingerprint
             .program(&self.compiler)
             .folder(&self.library)
             .with(self.builder.fingerprint())
-            .finish()
     }
 
-    /// Returns the size beyond which the cost of starting the compilers for each pack is less than that of a failing program to
-    /// its pack.
-    fn pack_size(&self) -> usize {
-        128
-    }
-
-    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        reproduce(request, ability)
-    }
-
-    fn tools(&self) -> Vec<(String, PathBuf)> {
-        let tools = [
-            (COMPILER, self.compiler.as_path()),
-            (LIBRARY, self.library.as_path()),
-            (builder::CC, self.builder.compiler()),
-        ];
-        tools.map(|(tool, path)| tool.at(path)).to_vec()
-    }
-}
-
-/// A session: a folder in which one program at a time is translated, built and run.
-struct MatiecSession<'e> {
-    engine: &'e Matiec,
-    folder: Folder,
-}
-
-impl Session for MatiecSession<'_> {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        self.try_run(request).unwrap_or_else(|outcome| outcome)
-    }
-
-    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-        pack::run(self, requests)
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(DialectName::MATIEC, dialect).and_then(|()| self.translate(source)) {
-            Ok(warnings) => Outcome::Accepted { warnings },
-            Err(outcome) => outcome,
-        }
-    }
-}
-
-impl MatiecSession<'_> {
-    fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
         speaks(DialectName::MATIEC, request.dialect)?;
+        let recipe = reproduce(request, ability, translation, |main| {
+            let probes = ProbeVariables::of(request);
+            let text = with_shown_probes(request, main, probes.list())?;
+            let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)])?;
+            Ok(execution(
+                text + &added_configuration(request, main),
+                &driver.text(),
+            ))
+        })?;
+        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
+    }
+
+    fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         let Some(main) = main_program(request) else {
-            let warnings = self.translate(request.source)?;
+            let warnings = self.check(workplace, request.dialect, request.source)?;
             return Ok(Outcome::Accepted { warnings });
         };
+        speaks(DialectName::MATIEC, request.dialect)?;
         let probes = ProbeVariables::of(request);
-        let subject = MatiecSubject {
-            request: *request,
-            probes: &probes,
-            program: main.name.clone(),
-        };
-        let driver = driver(&[subject]).map_err(unsupported)?;
+        let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)]).map_err(unsupported)?;
+        let text = driver.text();
         let configuration = added_configuration(request, &main);
-        let warnings = translate_with(request, &main, probes.list(), |text| {
-            self.translate(&format!("{text}{configuration}"))
+        let (recipe, warnings) = translate_with(request, &main, probes.list(), |source| {
+            let recipe = execution(format!("{source}{configuration}"), &text);
+            let warnings = translate(workplace, &recipe)?;
+            Ok((recipe, warnings))
         })?;
-        self.engine.builder.build(&driver.text, &self.folder)?;
-        Ok(driver.execute(&self.folder)?.with_warnings(warnings))
+        self.builder.build(&recipe, workplace)?;
+        Ok(driver.execute(&recipe, workplace)?.with_warnings(warnings))
     }
 
-    /// Translates a program to C and returns the warnings.
-    fn translate(&self, source: &str) -> Result<Vec<Diagnostic>, Outcome> {
-        diagnostics::accepted(&self.compile(source)?)
+    fn run_pack(&self, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        pack::run(self, workplace, requests)
     }
 
-    /// Runs the compiler on a program, which reports its diagnostics and writes its C.
-    fn compile(&self, source: &str) -> Result<Ended, Outcome> {
-        self.folder.write("program.st", source).map_err(failed)?;
-        for left in ["POUS.c", "POUS.h", LOCATIONS] {
-            // What an earlier program left behind must not be taken for this one.
-            let _ = std::fs::remove_file(self.folder.path().join(left));
-        }
-        let library = self.engine.library.as_os_str();
-        let arguments = [
-            "-i".as_ref(),
-            "-I".as_ref(),
-            library,
-            "-T".as_ref(),
-            ".".as_ref(),
-            "program.st".as_ref(),
-        ];
-        call(&self.engine.compiler, &arguments, &self.folder)
+    fn check(
+        &self,
+        workplace: &Workplace<'_>,
+        dialect: DialectName,
+        source: &str,
+    ) -> Result<Vec<Diagnostic>, Outcome> {
+        speaks(DialectName::MATIEC, dialect)?;
+        translate(workplace, &translation(source))
     }
+}
+
+/// Translates the program of a recipe to C and returns the warnings.
+fn translate(workplace: &Workplace<'_>, recipe: &Recipe) -> Result<Vec<Diagnostic>, Outcome> {
+    workplace.begin(recipe)?;
+    diagnostics::accepted(&workplace.step(recipe, Purpose::Translate, &[])?)
 }

@@ -70,13 +70,12 @@ pub(super) struct Renamed {
 }
 
 impl Renamed {
-    /// Appends the suffix of a place in a pack to each occurrence of these names, which are in capitals.
-    pub(super) fn in_pack(request: &RunRequest<'_>, names: &HashSet<String>, place: usize) -> Renamed {
-        let suffix = pack_suffix(place);
+    /// Appends a suffix to each occurrence of these names, which are in capitals.
+    pub(super) fn with_suffix(request: &RunRequest<'_>, names: &HashSet<String>, suffix: &str) -> Renamed {
         let mut edits = Edits::new();
         let mut insertions = Vec::new();
         for word in words_of(request).filter(|word| names.contains(&word.text.to_ascii_uppercase())) {
-            edits.replace(word.span.after(), &*suffix);
+            edits.replace(word.span.after(), suffix);
             let before = &request.source[..word.span.end as usize];
             let line_start = before.rfind('\n').map_or(0, |at| at + 1);
             insertions.push((
@@ -86,7 +85,7 @@ impl Renamed {
         }
         Renamed {
             text: edits.apply(request.source),
-            suffix,
+            suffix: suffix.to_owned(),
             insertions,
         }
     }
@@ -131,7 +130,7 @@ mod tests {
             "FUNCTION f : INT (* f *)\n  f := 'f';\nEND_FUNCTION\nPROGRAM p x := F(f(y)); END_PROGRAM";
         let names = HashSet::from(["F".to_owned(), "P".to_owned()]);
         let request = RunRequest::once(DialectName::MATIEC, source, &[]);
-        let renamed = Renamed::in_pack(&request, &names, 7);
+        let renamed = Renamed::with_suffix(&request, &names, &pack_suffix(7));
         assert_eq!(
             renamed.text,
             "FUNCTION f_in_pack_7 : INT (* f *)\n  f_in_pack_7 := 'f';\nEND_FUNCTION\n\
@@ -158,5 +157,9 @@ mod tests {
         });
         assert_eq!((original.column, original.end_column), (Some(16), Some(17)));
         assert_eq!(original.message, "no F and no f");
+        assert_eq!(
+            places_named("In function: MAIN_IN_PACK_7, f_in_pack_12 and g_in_pack"),
+            [7, 12]
+        );
     }
 }

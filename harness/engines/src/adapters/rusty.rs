@@ -12,28 +12,28 @@ mod errors;
 mod library;
 mod pack;
 mod program;
-mod reproduction;
 
+use super::adapter::{Adapter, AdapterEngine};
 use super::builder::{self, Builder, Language};
 use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{self, failed, speaks, unsupported};
+use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::rename::library_words;
-use crate::process::{Folder, ToolLimits, run_tool_with};
+use super::reproduction::reproduce;
+use super::source::main_program;
+use crate::process::Folder;
 use crate::{
-    Ability, Diagnostic, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
-    RunRequest, Session,
+    Ability, Diagnostic, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
 };
 use diagnostics::OutputParser;
-use driver::{HEADER, driver, functions};
+use driver::RustyDriver;
 use errors::{ErrorPart, LocatedDiagnostic, sorted};
 use library::StandardLibrary;
 use program::PackedProgram;
-pub(super) use reproduction::reproduce;
 use std::collections::HashSet;
-use std::ffi::OsString;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
-use std::slice;
 use std::sync::OnceLock;
 use stickler_types::DialectName;
 
@@ -41,26 +41,65 @@ const COMPILER: Dependency = Dependency {
     key: "plc",
     variable: "STICKLER_PLC",
     name: "plc",
+    script: "plc",
 };
 
 const DECLARATIONS: Dependency = Dependency {
     key: "include",
     variable: "STICKLER_RUSTY_INCLUDE",
     name: "the folder of the declarations (`*.st`) of RuSTy's standard functions",
+    script: "$(dirname \"$(command -v \"$PLC\")\")/include",
 };
 
 const LIBRARY: Dependency = Dependency {
     key: "lib",
     variable: "STICKLER_RUSTY_LIB",
     name: "the folder of RuSTy's standard library (`libiec61131std`)",
+    script: "$(dirname \"$(command -v \"$PLC\")\")/lib",
 };
 
 /// The dependencies of the adapter.
 pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
 
-/// The compiler, its standard library, and the builder of a program from its object files.
+/// The options that make an object file without optimisation; some mistakes are only found then.
+const OBJECT: &str = "-c -O none -o program.o";
+
+/// The option that puts each diagnostic on one line. A person needs it where there is a warning for each observed value.
+const ONE_LINE: &str = "--error-format=clang";
+
+/// Returns the recipe that gives files to the compiler.
+fn compilation(files: &[(&str, &str)], options: &str) -> Recipe {
+    let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
+    let line = format!("{{PLC}} {} -i {{RUSTY_INCLUDE}}/*.st {options}", names.join(" "));
+    let recipe = Recipe::default().step(DEPENDENCIES, Purpose::Translate, &line);
+    files
+        .iter()
+        .fold(recipe, |recipe, (name, text)| recipe.file(name, *text))
+}
+
+/// Returns the recipe that compiles programs with the functions that show their values, links them with the driver and the
+/// standard library, and runs them.
+fn execution(programs: &[PackedProgram<'_>], driver: &RustyDriver<'_>) -> Recipe {
+    let functions = driver.functions.concat();
+    let mut files: Vec<(&str, &str)> = programs
+        .iter()
+        .map(|program| (&*program.file, program.text()))
+        .collect();
+    files.push((FUNCTIONS, &functions));
+    // The object files hold addresses of texts, which a position-independent program must not have.
+    let position = if cfg!(target_os = "linux") { " -no-pie" } else { "" };
+    let build = format!(
+        "{{CC}} -O0 -w driver.c program.o -o driver -L . -Wl,-rpath,. -liec61131std {}{position}",
+        library::NEEDED
+    );
+    let (variables, share) = library::share();
+    compilation(&files, &format!("{OBJECT} {ONE_LINE}"))
+        .shell(&variables, share)
+        .driver(DEPENDENCIES, &driver.driver.text(), &build)
+}
+
+/// The adapter: the compiler, its standard library, and the builder of a program from its object files.
 pub(super) struct Rusty {
-    identity: Identity,
     compiler: PathBuf,
     declarations: PathBuf,
     library: StandardLibrary,
@@ -75,7 +114,10 @@ impl Rusty {
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Rusty, String> {
+    pub(super) fn find(
+        called: &str,
+        search: &mut DependencySearch<'_>,
+    ) -> Result<AdapterEngine<Rusty>, String> {
         let compiler = search.program(COMPILER)?;
         let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
         // Where it is unpacked, where it is installed, and where its source is built.
@@ -86,10 +128,10 @@ impl Rusty {
         ];
         let declarations = search.folder(DECLARATIONS, &include)?;
         let folders = [beside("lib"), beside("../lib/plc"), beside("")];
-        let library = StandardLibrary::new(search.folder(LIBRARY, &folders)?);
-        let builder = Builder::find(search, Language::C, declarations.clone(), HEADER)?;
+        let library = search.folder(LIBRARY, &folders)?;
+        let builder = Builder::find(search, Language::C, declarations.clone(), driver::HEADER)?;
         let version = locate::version(&compiler, &["--version"], &Folder::new()?)?;
-        Ok(Rusty {
+        Ok(AdapterEngine {
             identity: Identity {
                 name: called.to_owned(),
                 version: short(&version),
@@ -99,12 +141,20 @@ impl Rusty {
                 grade: Grade::Line,
                 lacks: Vec::new(),
             },
-            compiler,
-            declarations,
-            library,
-            builder,
-            reader: OutputParser::new()?,
-            taken: OnceLock::new(),
+            tools: vec![
+                COMPILER.at(&compiler),
+                DECLARATIONS.at(&declarations),
+                LIBRARY.at(&library),
+                builder::CC.at(builder.compiler()),
+            ],
+            adapter: Rusty {
+                compiler,
+                declarations,
+                library: StandardLibrary::new(library),
+                builder,
+                reader: OutputParser::new()?,
+                taken: OnceLock::new(),
+            },
         })
     }
 
@@ -114,71 +164,13 @@ impl Rusty {
             .get_or_init(|| library_words(&self.declarations, "st", DialectName::RUSTY))
     }
 
-    /// Returns the linker's inputs beside the driver: the object file, the standard library, and the libraries that it needs.
-    ///
-    /// # Errors
-    /// A fragment that says why there is no standard library to link.
-    fn linked(&self) -> Result<Vec<OsString>, String> {
-        let library = self.library.shared(&self.builder)?;
-        let mut path = OsString::from("-Wl,-rpath,");
-        path.push(library);
-        let mut words = vec![OsString::from(OBJECT_FILE), "-L".into(), library.into(), path];
-        words.push("-liec61131std".into());
-        words.extend(library::NEEDED.map(OsString::from));
-        // The object files hold addresses of texts, which a position-independent program must not have.
-        if cfg!(target_os = "linux") {
-            words.push("-no-pie".into());
-        }
-        Ok(words)
-    }
-
-    /// Builds the driver with the object file and the standard library.
+    /// Builds the driver of a recipe with the object file and the standard library.
     ///
     /// # Errors
     /// An outcome as [`Builder::build`] returns; [`Outcome::Error`] where there is no standard library to link.
-    fn build(&self, driver: &str, folder: &Folder) -> Result<(), Outcome> {
-        let linked = self.linked().map_err(failed)?;
-        self.builder.build_with(driver, &linked, folder)
-    }
-}
-
-impl Engine for Rusty {
-    fn identity(&self) -> &Identity {
-        &self.identity
-    }
-
-    fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
-        let folder = locate::session_folder(&self.identity)?;
-        Ok(Box::new(RustySession { engine: self, folder }))
-    }
-
-    fn fingerprint(&self) -> Option<String> {
-        Fingerprint::of("rusty")
-            .program(&self.compiler)
-            .folder(&self.declarations)
-            .folder(self.library.folder())
-            .with(self.builder.fingerprint())
-            .finish()
-    }
-
-    /// Returns the size beyond which the cost of starting the compilers for each pack is less than that of a failing program to
-    /// its pack.
-    fn pack_size(&self) -> usize {
-        48
-    }
-
-    fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        reproduce(request, ability)
-    }
-
-    fn tools(&self) -> Vec<(String, PathBuf)> {
-        let tools = [
-            (COMPILER, self.compiler.as_path()),
-            (DECLARATIONS, &self.declarations),
-            (LIBRARY, self.library.folder()),
-            (builder::CC, self.builder.compiler()),
-        ];
-        tools.map(|(tool, path)| tool.at(path)).to_vec()
+    fn build(&self, recipe: &Recipe, workplace: &Workplace<'_>) -> Result<(), Outcome> {
+        self.library.place(workplace).map_err(failed)?;
+        self.builder.build(recipe, workplace)
     }
 }
 
@@ -200,57 +192,75 @@ fn short(said: &str) -> String {
     }
 }
 
-/// A session: a folder in which programs are compiled, built and run.
-struct RustySession<'e> {
-    engine: &'e Rusty,
-    folder: Folder,
-}
-
-impl Session for RustySession<'_> {
-    fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        self.try_run(request).unwrap_or_else(|outcome| outcome)
-    }
-
-    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-        pack::run(self, requests)
-    }
-
-    fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match speaks(DialectName::RUSTY, dialect).and_then(|()| self.accepts(&["--check"], source)) {
-            Ok(warnings) => Outcome::Accepted { warnings },
-            Err(outcome) => outcome,
-        }
-    }
-}
-
-/// The options that make an object file without optimisation.
-const OBJECT: [&str; 5] = ["-c", "-O", "none", "-o", OBJECT_FILE];
-
-const OBJECT_FILE: &str = "program.o";
-
 /// The file of the functions that a driver calls.
-const FUNCTIONS: &str = "stickler.st";
+const FUNCTIONS: &str = "show.st";
 
-impl RustySession<'_> {
-    fn try_run(&self, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+impl Adapter for Rusty {
+    const PACK_SIZE: usize = 48;
+
+    fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
+        fingerprint
+            .program(&self.compiler)
+            .folder(&self.declarations)
+            .folder(self.library.folder())
+            .with(self.builder.fingerprint())
+    }
+
+    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
         speaks(DialectName::RUSTY, request.dialect)?;
-        let Some(program) = PackedProgram::alone(request) else {
-            let warnings = self.accepts(&OBJECT, request.source)?;
+        let translation = |text: String| compilation(&[(PROGRAM, &text)], OBJECT);
+        let recipe = reproduce(request, ability, translation, |main| {
+            let program = [PackedProgram::alone(request, main)?];
+            Ok(execution(&program, &RustyDriver::of(&program)))
+        })?;
+        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
+    }
+
+    fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
+        speaks(DialectName::RUSTY, request.dialect)?;
+        let Some(main) = main_program(request) else {
+            let warnings = self.accepts(workplace, request.source, OBJECT)?;
             return Ok(Outcome::Accepted { warnings });
         };
-        let subjects = [program.subject()];
-        let driver = driver(&subjects, &PackedProgram::file_of(program.place)).map_err(unsupported)?;
-        let found = self.compile(slice::from_ref(&program), &functions(&subjects, &driver.subjects))?;
+        let programs = [PackedProgram::alone(request, &main).map_err(unsupported)?];
+        let [program] = &programs;
+        let driver = RustyDriver::of(&programs);
+        let recipe = execution(&programs, &driver);
+        let found = self.compile(workplace, &recipe, &[])?;
         if found.iter().any(|(_, reported)| reported.is_error()) {
-            return Err(self.refused(&program, found));
+            return Err(self.refused(workplace, program, found));
         }
-        self.engine.build(&driver.text, &self.folder)?;
-        let outcome = driver.execute(&self.folder).map_err(diagnostics::steady)?;
+        self.build(&recipe, workplace)?;
+        let outcome = driver
+            .driver
+            .execute(&recipe, workplace)
+            .map_err(diagnostics::steady)?;
         Ok(outcome.with_warnings(program.own(&found)))
     }
 
+    fn run_pack(&self, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        pack::run(self, workplace, requests)
+    }
+
+    fn check(
+        &self,
+        workplace: &Workplace<'_>,
+        dialect: DialectName,
+        source: &str,
+    ) -> Result<Vec<Diagnostic>, Outcome> {
+        speaks(DialectName::RUSTY, dialect)?;
+        self.accepts(workplace, source, "--check")
+    }
+}
+
+impl Rusty {
     /// Returns the outcome of the errors about the only program that was compiled.
-    fn refused(&self, program: &PackedProgram<'_>, found: Vec<LocatedDiagnostic>) -> Outcome {
+    fn refused(
+        &self,
+        workplace: &Workplace<'_>,
+        program: &PackedProgram<'_>,
+        found: Vec<LocatedDiagnostic>,
+    ) -> Outcome {
         let own = |(about, _): &LocatedDiagnostic| matches!(about, ErrorPart::Program(_));
         let shows = |(about, _): &LocatedDiagnostic| matches!(about, ErrorPart::Functions(_));
         if found.iter().any(own) {
@@ -261,7 +271,7 @@ impl RustySession<'_> {
             return diagnostics::rejected(found.into_iter().map(|(_, diagnostic)| diagnostic));
         };
         // The program alone decides whether it is accepted.
-        match self.accepts(&OBJECT, program.request.source) {
+        match self.accepts(workplace, program.request.source, OBJECT) {
             Ok(_) => unsupported(format!(
                 "the functions that show its values are not accepted: {}",
                 diagnostic.message
@@ -271,10 +281,14 @@ impl RustySession<'_> {
     }
 
     /// Checks whether the compiler accepts a program as it is, and returns its warnings.
-    fn accepts(&self, options: &[&str], source: &str) -> Result<Vec<Diagnostic>, Outcome> {
-        let file = PackedProgram::file_of(0);
-        self.folder.write(&file, source).map_err(failed)?;
-        let found = self.call(&[file], options)?;
+    fn accepts(
+        &self,
+        workplace: &Workplace<'_>,
+        source: &str,
+        options: &str,
+    ) -> Result<Vec<Diagnostic>, Outcome> {
+        let recipe = compilation(&[(PROGRAM, source)], options);
+        let found = self.compile(workplace, &recipe, &[ONE_LINE.as_ref()])?;
         let found = sorted(found.into_iter().map(|(_, diagnostic)| diagnostic));
         match found.iter().any(Diagnostic::is_error) {
             true => Err(Outcome::rejected(found)),
@@ -282,46 +296,36 @@ impl RustySession<'_> {
         }
     }
 
-    /// Compiles programs and the functions that show their values to an object file, unless there are errors. Returns the
-    /// errors, or the warnings.
+    /// Gives the files of a recipe to the compiler, with further options. Returns the errors, or the warnings where the compiler
+    /// accepts its input.
     fn compile(
         &self,
-        programs: &[PackedProgram<'_>],
-        functions: &str,
+        workplace: &Workplace<'_>,
+        recipe: &Recipe,
+        further: &[&OsStr],
     ) -> Result<Vec<LocatedDiagnostic>, Outcome> {
-        let mut files = Vec::with_capacity(programs.len() + 1);
-        for program in programs {
-            let file = PackedProgram::file_of(program.place);
-            self.folder.write(&file, program.text()).map_err(failed)?;
-            files.push(file);
-        }
-        self.folder.write(FUNCTIONS, functions).map_err(failed)?;
-        files.push(FUNCTIONS.to_owned());
-        self.call(&files, &OBJECT)
-    }
-
-    /// Calls the compiler and returns its errors, or the warnings where it accepts its input.
-    fn call(&self, files: &[String], options: &[&str]) -> Result<Vec<LocatedDiagnostic>, Outcome> {
-        let mut declarations = self.engine.declarations.clone();
-        declarations.push("*.st");
-        let mut arguments: Vec<OsString> = files.iter().map(OsString::from).collect();
-        arguments.extend(["--error-format=clang", "-i"].map(OsString::from));
-        arguments.push(declarations.into());
-        arguments.extend(options.iter().map(OsString::from));
-        let limits = ToolLimits::default();
-        let ended = run_tool_with(
-            &self.engine.compiler,
-            &arguments,
-            self.folder.path(),
-            &limits,
-            |start| {
-                // Where the compiler panics, its message is worth more than the backtrace.
-                start.env("RUST_BACKTRACE", "0");
-            },
-        )?;
-        self.engine.reader.diagnostics(&ended)
+        workplace.begin(recipe)?;
+        let ended = workplace.step(recipe, Purpose::Translate, further)?;
+        self.reader.diagnostics(&ended)
     }
 }
 
-#[cfg(all(test, unix))]
-mod tests;
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn a_version_is_short_whatever_a_build_knows_of_itself() {
+        for (said, shortened) in [
+            (
+                "0.2.0 (Tue Apr 8 10:00:00 2025 +0200, 1a2b3c4)",
+                "0.2.0 (1a2b3c4)",
+            ),
+            ("0.1.0 (, )", "0.1.0"),
+            ("plc 9.8.7", "9.8.7"),
+            ("version information unavailable", "unknown"),
+        ] {
+            assert_eq!(short(said), shortened);
+        }
+    }
+}

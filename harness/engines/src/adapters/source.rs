@@ -2,6 +2,7 @@
 //!
 //! No grammar takes part, so that the main program is also found in a text that only one compiler accepts.
 
+use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::Name;
@@ -11,6 +12,12 @@ use stickler_types::{Dialect, RunRequest};
 /// Returns the words of the program of a request, in order.
 pub(super) fn words_of<'s>(request: &RunRequest<'s>) -> impl Iterator<Item = Name<'s>> {
     words(request.source, Dialect::of(request.dialect))
+}
+
+/// Returns the numbers of the scans after which a request observes a value, and of the last.
+pub(super) fn observed_scans(request: &RunRequest<'_>) -> BTreeSet<u32> {
+    let asked = request.observe.iter().filter_map(|asked| asked.after);
+    asked.chain([request.scans]).collect()
 }
 
 /// The place of the main program in a source text: the program that is called `main`, otherwise the first.

@@ -1,9 +1,11 @@
 //! Tests reproductions: their files, and what their scripts print where the compiler is here.
 
+use crate::fixture::{Asked, sections};
+use std::fs;
 use std::io::Write;
+use std::path::Path;
 use stickler_engines::{
-    Ability, Compiler, Engine, NoReproduction, Observation, Outcome, Reproduction, RunRequest,
-    reproduce_and_run,
+    Ability, Compiler, Description, Engine, Observation, Outcome, Reproduction, RunRequest, reproduce_and_run,
 };
 use stickler_types::DialectName;
 
@@ -133,15 +135,61 @@ fn a_script_shows_whether_a_program_is_accepted() {
 }
 
 #[test]
-fn who_speaks_another_dialect_is_no_help() {
-    for compiler in Compiler::ALL {
-        let request = RunRequest::once(DialectName::PLCNEXT, SOURCE, &[]);
-        let reason = "it does not speak plcnext".to_owned();
-        assert_eq!(
-            compiler.reproduce(&request, Ability::Check),
-            Err(NoReproduction::Unsupported(reason))
-        );
+fn golden_reproductions_are_those_of_the_adapters() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let text = fs::read_to_string(folder.join("reproductions.md")).unwrap();
+    let mut differences = Vec::new();
+    for test in sections(&text).iter().flat_map(|section| &section.tests) {
+        let block = |language: &str| test.blocks.iter().find(|block| block.language == language);
+        let source = &block("st").unwrap().text;
+        let reproductions: Vec<String> = test
+            .rows
+            .iter()
+            .map(|row| {
+                let [engine, asked] = &row[..] else {
+                    panic!("{row:?}")
+                };
+                let asked = Asked::read(asked, DialectName::MATIEC);
+                let ability = match asked.verb.as_str() {
+                    "check" => Ability::Check,
+                    "render" => Ability::Render,
+                    _ => Ability::Execute,
+                };
+                let request = asked.of(source);
+                let reproduction = match Compiler::from_name(engine) {
+                    Some(compiler) => compiler.reproduce(&request, ability),
+                    None => {
+                        let table: Description = toml::from_str(&block("toml").unwrap().text).unwrap();
+                        table.reproduce(&request, ability)
+                    }
+                };
+                match reproduction {
+                    Ok(shown) => shown
+                        .files
+                        .iter()
+                        .chain([&shown.script()])
+                        .map(|file| format!("=== {}\n{}", file.name, file.text))
+                        .collect(),
+                    Err(reason) => format!("=== none\n{reason}\n"),
+                }
+            })
+            .collect();
+        let found = reproductions.concat();
+        let file = folder.join(format!("reproductions/{}.txt", test.name.replace(' ', "-")));
+        if std::env::var_os("STICKLER_BLESS").is_some() {
+            fs::write(&file, &found).unwrap();
+        }
+        let golden = fs::read_to_string(&file)
+            .unwrap_or_default()
+            .replace("\r\n", "\n");
+        if golden != found {
+            differences.push(format!(
+                "{}: `cargo xtask bless` writes it\n{found}",
+                file.display()
+            ));
+        }
     }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
 }
 
 /// The program has its globals from its own configuration, for an adapter as for a person.
@@ -160,8 +208,9 @@ fn a_configuration_of_the_program_is_used() {
             scans: 2,
             ..RunRequest::once(dialect(compiler), source, &observe)
         };
-        let Outcome::Executed { values, .. } = engine.session().unwrap().run(&request) else {
-            panic!("{} does not execute it", compiler.name())
+        let outcome = engine.session().unwrap().run(&request);
+        let Outcome::Executed { values, .. } = outcome else {
+            panic!("{}: {outcome:?}", compiler.name())
         };
         let values: Vec<String> = values
             .iter()

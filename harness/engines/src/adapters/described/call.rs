@@ -2,7 +2,8 @@
 
 use super::DescribedEngine;
 use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
-use super::template::{CommandTemplate, Filling};
+use super::template::CallValues;
+use crate::adapters::command::CommandTemplate;
 use crate::adapters::locate::{self, failed, unsupported};
 use crate::adapters::plain::without_colours;
 use crate::process::{Ended, Folder, ToolLimits, run_tool_with};
@@ -44,13 +45,14 @@ impl DescribedCall<'_> {
     }
 
     fn run_for(&self, template: &CommandTemplate, scans: u32, limits: ToolLimits) -> Result<Ended, Outcome> {
-        let (program, arguments) = template.filled(&Filling {
+        let values = CallValues {
             file: &self.description().file.0,
             dialect: self.dialect,
             folder: self.folder.path(),
             scans,
             here: &self.engine.here,
-        });
+        };
+        let (program, arguments) = values.filled(template);
         run_tool_with(&program, &arguments, self.folder.path(), &limits, |start| {
             start.envs(&self.description().environment);
         })

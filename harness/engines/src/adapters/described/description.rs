@@ -1,7 +1,8 @@
 //! The description of a compiler by a table of `stickler.toml`.
 
 use super::pattern::{DiagnosticPattern, ValuePattern};
-use super::template::{CommandTemplate, Placeholder};
+use super::template::SCANS;
+use crate::adapters::command::CommandTemplate;
 use crate::adapters::source::main_program;
 use crate::{Grade, RunRequest};
 use serde::de::{self, SeqAccess, Visitor, value::SeqAccessDeserializer};
@@ -110,7 +111,7 @@ impl Description {
             ));
         }
         for (key, template) in self.commands() {
-            if key != "run" && template.has(Placeholder::Scans) {
+            if key != "run" && template.has(SCANS) {
                 return Err((key, "`{scans}` stands for something in `run` alone".to_owned()));
             }
         }

@@ -1,13 +1,15 @@
 //! Writes what a person needs to run a program with the commands of a table.
 
 use super::description::{Commands, Description, Parsed};
-use super::template::{CommandTemplate, Filling, HERE, ShellCommand};
-use super::{scans, takes_scans};
+use super::takes_scans;
+use super::template::{CallValues, HERE};
+use crate::adapters::command::CommandTemplate;
 use crate::adapters::locate::speaks_not;
 use crate::adapters::probe_variable::{ProbeVariables, with_shown_probes};
-use crate::adapters::source::main_program;
+use crate::adapters::recipe::Recipe;
+use crate::adapters::source::{main_program, observed_scans};
 use crate::engine::no_rendering;
-use crate::{Ability, NoReproduction, Reproduction, RunRequest, shell_quote};
+use crate::{Ability, NoReproduction, Reproduction, ReproductionTool, RunRequest, shell_quote};
 use std::path::Path;
 use stickler_types::DialectName;
 
@@ -27,17 +29,24 @@ impl Description {
         match (ability, &self.run, main_program(request)) {
             (Ability::Render, ..) => {
                 let render = self.render.as_ref().ok_or_else(no_rendering)?;
-                Ok(self.script((request.dialect, dialect), request.source, &[(&render.0, 0)]))
+                Ok(self.script(
+                    (request.dialect, dialect),
+                    request.source,
+                    &[(&render.0, 0)],
+                    |recipe| recipe,
+                ))
             }
             (Ability::Execute | Ability::Scans, Some(run), Some(main)) => {
                 takes_scans(&run.0, request)?;
                 let probes = ProbeVariables::of(request);
                 let program = with_shown_probes(request, &main, probes.list())?;
                 let mut commands = templates(self.compile.as_ref());
-                commands.extend(scans(request).into_iter().map(|scan| (&run.0, scan)));
-                Ok(self
-                    .script((request.dialect, dialect), &program, &commands)
-                    .legend(probes.list()))
+                commands.extend(observed_scans(request).into_iter().map(|scan| (&run.0, scan)));
+                Ok(
+                    self.script((request.dialect, dialect), &program, &commands, |recipe| {
+                        recipe.legend(probes.list())
+                    }),
+                )
             }
             _ => {
                 let check = self.check.as_ref().or(self.compile.as_ref());
@@ -46,59 +55,83 @@ impl Description {
                     // A compiler that only runs programs accepts a program by running it.
                     commands.extend(self.run.iter().map(|run| (&run.0, 1)));
                 }
-                Ok(self
-                    .script((request.dialect, dialect), request.source, &commands)
-                    .accepted())
+                Ok(self.script(
+                    (request.dialect, dialect),
+                    request.source,
+                    &commands,
+                    Recipe::accepted,
+                ))
             }
         }
     }
 
-    /// Returns the reproduction that gives a program to commands, each with its number of scans; `dialect` is the compiler's own
-    /// word.
+    /// Returns the reproduction that gives a program to commands, each with its number of scans, with the `last` command;
+    /// `dialect` is the compiler's own word.
     fn script(
         &self,
         (name, dialect): (DialectName, &str),
         program: &str,
         commands: &[(&CommandTemplate, u32)],
+        last: impl FnOnce(Recipe) -> Recipe,
     ) -> Reproduction {
         let file = &self.file.0;
-        let mut reproduction = Reproduction::of(file, self.whole(name, program));
+        let mut recipe = Recipe::of(file, self.whole(name, program));
         for (name, value) in &self.environment {
-            reproduction = reproduction.command(format!("export {name}={}", shell_quote(value)));
+            recipe = recipe.shell(&[], format!("export {name}={}", shell_quote(value)));
         }
-        for (template, scans) in commands {
-            let command = template.for_shell(&Filling {
+        let mut tools: Vec<ReproductionTool> = Vec::new();
+        for (command, scans) in commands {
+            let values = CallValues {
                 file,
                 dialect,
                 folder: Path::new("."),
                 scans: *scans,
                 here: Path::new(""),
-            });
-            reproduction = with(reproduction, &command);
+            };
+            let (program, arguments) = program_and_arguments(command, &values);
+            let mut used: Vec<String> = Vec::new();
+            let called = match program.starts_with("./") {
+                true => program,
+                false => {
+                    let tool = ReproductionTool {
+                        variable: variable(&program),
+                        default: program,
+                    };
+                    let called = format!("\"${}\"", tool.variable);
+                    used.push(tool.variable.clone());
+                    tools.push(tool);
+                    called
+                }
+            };
+            if command.has("here") {
+                used.push(HERE.to_owned());
+            }
+            recipe = recipe.shell(&used, format!("{called} {arguments}"));
         }
-        reproduction
+        tools.push(ReproductionTool {
+            variable: HERE.to_owned(),
+            default: ".".to_owned(),
+        });
+        last(recipe).reproduction(tools)
     }
+}
+
+/// Returns the name of a program, behind `./` where an earlier command makes it, and the arguments, as a shell gets them.
+fn program_and_arguments(command: &CommandTemplate, values: &CallValues<'_>) -> (String, String) {
+    let program = command.filled(&|name| values.of(name)).0;
+    let name = program.file_name().unwrap_or_default().to_string_lossy();
+    let is_made = command.placeholders_of_program().any(|name| name == "folder");
+    let program = match is_made {
+        true => format!("./{}", shell_quote(&name)),
+        false => name.into_owned(),
+    };
+    (program, command.for_shell(&|name| values.of(name)).1)
 }
 
 /// Returns commands that make no scans.
 fn templates(commands: Option<&Commands>) -> Vec<(&CommandTemplate, u32)> {
     let commands = commands.iter().flat_map(|commands| &commands.0);
     commands.map(|Parsed(template)| (template, 0)).collect()
-}
-
-/// Adds a command, and the variables that name its program and the folder of `stickler.toml`.
-fn with(mut reproduction: Reproduction, command: &ShellCommand) -> Reproduction {
-    let ShellCommand { program, arguments } = command;
-    let mut called = shell_quote(program).into_owned();
-    if !program.contains('/') {
-        let variable = variable(program);
-        called = format!("\"${variable}\"");
-        reproduction = reproduction.tool(&variable, program);
-    }
-    if arguments.contains(&format!("\"${HERE}\"")) {
-        reproduction = reproduction.tool(HERE, ".");
-    }
-    reproduction.command(format!("{called} {arguments}").trim_end().to_owned())
 }
 
 /// Returns the name of the variable for the program of a path.
@@ -116,51 +149,5 @@ fn variable(program: &str) -> String {
     match name.starts_with(|first: char| first.is_ascii_digit()) {
         true => format!("_{name}"),
         false => name,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Observation;
-
-    const TABLE: &str = "compile = [\"bin/my-st --target '{folder}' {file} -o {folder}/out\", 'cc {folder}/out.c']\n\
-                         run = '{folder}/out -n{scans} --library {here}/lib'\n\
-                         value = '^(?<name>\\w+) = (?<value>.*)$'\nfile = 'p.st'\nappend = 'USE {program}'\n\
-                         environment = { ST_HOME = \"it's\" }\ndialects = { matiec = '' }\n";
-
-    #[test]
-    fn the_commands_of_a_table_become_those_of_a_script() {
-        let description: Description = toml::from_str(TABLE).unwrap();
-        let observe = [Observation::last("a[1]", "INT")];
-        let source = "PROGRAM main\n  ;\nEND_PROGRAM\n";
-        let request = RunRequest {
-            scans: 3,
-            ..RunRequest::once(DialectName::MATIEC, source, &observe)
-        };
-        let shown = description.reproduce(&request, Ability::Execute).unwrap();
-        assert_eq!(shown.files[0].name, "p.st");
-        assert!(shown.files[0].text.ends_with("\nUSE main"), "{shown:?}");
-        assert_eq!(
-            shown.commands,
-            [
-                r"export ST_HOME='it'\''s'",
-                "\"$MY_ST\" --target . p.st -o ./out",
-                "\"$CC\" ./out.c",
-                "./out -n3 --library \"$HERE\"/lib",
-                "echo 'stickler_probe_0 is a[1]'",
-            ]
-        );
-        let tools = shown.tools.iter().map(|tool| (&*tool.variable, &*tool.default));
-        assert!(tools.eq([("MY_ST", "my-st"), ("CC", "cc"), ("HERE", ".")]));
-        let checked = description.reproduce(&request, Ability::Check).unwrap();
-        assert_eq!(checked.commands.len(), 4);
-        for (dialect, ability) in [
-            (DialectName::PLCNEXT, Ability::Check),
-            (DialectName::MATIEC, Ability::Render),
-        ] {
-            let request = RunRequest { dialect, ..request };
-            assert!(description.reproduce(&request, ability).is_err());
-        }
     }
 }

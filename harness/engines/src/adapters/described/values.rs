@@ -2,6 +2,7 @@
 
 use super::pattern::ValuePattern;
 use crate::adapters::source::enumeration;
+use crate::adapters::values::real;
 use crate::{Observation, RunRequest};
 use std::collections::BTreeMap;
 use stickler_types::{ElementaryType, Value};
@@ -68,15 +69,6 @@ fn value(shown: &str, type_name: &str, request: &RunRequest<'_>) -> Option<Value
         return Some(Value::plain(ty, truth));
     }
     Value::parse_observed(&format!("{ty}#{shown}")).ok()
-}
-
-/// Parses a real number. Decimal digits are rounded to the type once; `inf` and `NaN` are what C and Rust write.
-fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
-    let raw = match ty {
-        ElementaryType::Real => u64::from(shown.parse::<f32>().ok()?.to_bits()),
-        _ => shown.parse::<f64>().ok()?.to_bits(),
-    };
-    Some(Value::plain(ty, raw))
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@
 //! exponent, `inf`, `NaN`; dates in seconds since 1970 and times of day in milliseconds, both as the signed number of their
 //! 32 bits.
 
+use crate::adapters::values::real;
 use stickler_types::{ElementaryType, Value};
 
 /// The printed variables of a program and of all that it calls.
@@ -64,15 +65,6 @@ pub(super) fn value(ty: ElementaryType, shown: &str) -> Result<Value, String> {
             Value::parse_observed(&literal).map_err(|_| wrong())
         }
     }
-}
-
-/// Parses a real number; the shortest digits are read back to the bits that they came from.
-fn real(ty: ElementaryType, shown: &str) -> Option<Value> {
-    let raw = match ty {
-        ElementaryType::Real => u64::from(shown.parse::<f32>().ok()?.to_bits()),
-        _ => shown.parse::<f64>().ok()?.to_bits(),
-    };
-    Some(Value::plain(ty, raw))
 }
 
 /// Converts a count of units of `nanoseconds` each, of which the virtual machine keeps 32 bits without a sign.

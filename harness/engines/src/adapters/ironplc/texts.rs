@@ -1,7 +1,8 @@
 //! Whether the calls that read texts back work in a version of IronPLC, found out before they are relied on.
 
-use super::IronplcSession;
 use super::readback::RunHints;
+use super::run_with;
+use crate::adapters::recipe::Workplace;
 use crate::{Observation, Outcome, RunRequest};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -17,7 +18,7 @@ impl ReadableTexts {
     /// Returns the types of text among the observed values which cannot be read, each with the reason.
     pub(super) fn unreadable(
         &self,
-        session: &IronplcSession<'_>,
+        workplace: &Workplace<'_>,
         request: &RunRequest<'_>,
     ) -> BTreeMap<ElementaryType, String> {
         let types = [ElementaryType::String, ElementaryType::Wstring].into_iter();
@@ -27,20 +28,15 @@ impl ReadableTexts {
         };
         types
             .filter(observed)
-            .filter_map(|ty| Some((ty, self.reason(session, request.dialect, ty)?)))
+            .filter_map(|ty| Some((ty, self.reason(workplace, request.dialect, ty)?)))
             .collect()
     }
 
-    fn reason(
-        &self,
-        session: &IronplcSession<'_>,
-        dialect: DialectName,
-        ty: ElementaryType,
-    ) -> Option<String> {
+    fn reason(&self, workplace: &Workplace<'_>, dialect: DialectName, ty: ElementaryType) -> Option<String> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         known
             .entry((dialect, ty))
-            .or_insert_with(|| tried(session, dialect, ty))
+            .or_insert_with(|| tried(workplace, dialect, ty))
             .clone()
     }
 }
@@ -49,16 +45,14 @@ impl ReadableTexts {
 const TRIED: &str = "a~1";
 
 /// Reads a short text. Returns the reason why that does not work; `None` where it does.
-fn tried(session: &IronplcSession<'_>, dialect: DialectName, ty: ElementaryType) -> Option<String> {
+fn tried(workplace: &Workplace<'_>, dialect: DialectName, ty: ElementaryType) -> Option<String> {
     let quote = if ty == ElementaryType::Wstring { '"' } else { '\'' };
     let source = format!(
         "PROGRAM main\nVAR\n  tried : {ty} := {quote}{TRIED}{quote};\n  ran : BOOL;\nEND_VAR\n  ran := TRUE;\nEND_PROGRAM\n"
     );
     let observe = [Observation::last("tried", ty.name())];
     let request = RunRequest::once(dialect, &source, &observe);
-    let outcome = session
-        .run_with(&request, RunHints::default())
-        .unwrap_or_else(|outcome| outcome);
+    let outcome = run_with(workplace, &request, RunHints::default()).unwrap_or_else(|outcome| outcome);
     let expected = Value::text(ty, TRIED.encode_utf16().collect());
     match &outcome {
         Outcome::Executed { values, .. } if values.iter().all(|(_, value)| *value == expected) => None,

@@ -3,19 +3,39 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
-use crate::adapters::driver::{self, DrivenProgram, Driver};
-use crate::adapters::printed::{self, PrintedKind};
+use crate::adapters::builder::Language;
+use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::{OwnConfiguration, main_program, own_configuration, words_of};
+use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use crate::{RunRequest, Setting};
-use std::fmt::Write;
 use stickler_types::{ElementaryType, Value};
+
+/// The headers that every driver includes.
+pub(super) const HEADER: &str =
+    "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct MatiecSubject<'r, 'c> {
-    pub(super) request: RunRequest<'r>,
-    pub(super) probes: &'c ProbeVariables,
-    pub(super) program: String,
+    request: RunRequest<'r>,
+    probes: &'c ProbeVariables,
+    /// The name in capitals, as the compiler writes it.
+    program: String,
+}
+
+impl<'r, 'c> MatiecSubject<'r, 'c> {
+    /// Returns the program of a request, whose main program has this name in the translated text.
+    pub(super) fn of(
+        request: &RunRequest<'r>,
+        probes: &'c ProbeVariables,
+        program: &str,
+    ) -> MatiecSubject<'r, 'c> {
+        MatiecSubject {
+            request: *request,
+            probes,
+            program: program.to_ascii_uppercase(),
+        }
+    }
 }
 
 /// Returns the driver of translated programs, which stand in one text.
@@ -27,51 +47,100 @@ pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r
         [only] => own_configuration(&only.request, &only.program),
         _ => None,
     };
-    let mut text = format!("#include \"stickler.h\"\n{}", translated(own.as_ref()));
+    let mut head = format!("{HEADER}#include <time.h>\n\n{}\n", translated(own.as_ref()));
     if own.is_none() {
-        write_memory(&mut text, subjects);
+        head.push_str(&memory(subjects));
     }
-    text.push_str(PRINTERS);
-    let mut driven = Vec::with_capacity(subjects.len());
-    for (number, subject) in subjects.iter().enumerate() {
-        let kinds = printed::kinds(&subject.request, has)?;
-        let instance = match &own {
-            Some(own) => configured(own),
-            None => format!("memory.program.p{number}"),
-        };
-        write_look(&mut text, number, (subject, &instance), &kinds);
-        write_run(&mut text, number, (subject, &instance), own.is_some())?;
-        driven.push(DrivenProgram {
-            request: subject.request,
-            kinds,
-        });
-    }
-    text.push_str(&driver::main(subjects.len(), |number| format!("run_{number}()")));
+    let instance = |number: usize| match &own {
+        Some(own) => configured(own),
+        None if subjects.len() == 1 => "memory.program".to_owned(),
+        None => format!("memory.program.p{number}"),
+    };
+    let driven = |(number, subject)| driven(subject, &instance(number), own.is_some());
     Ok(Driver {
-        text,
-        subjects: driven,
-        read: value,
+        language: Language::C,
+        head,
+        programs: subjects
+            .iter()
+            .enumerate()
+            .map(driven)
+            .collect::<Result<_, _>>()?,
         faults: &[],
     })
 }
 
-/// Writes the memory of the programs' variables. Only one program runs in a process, and so the programs share one place: a
-/// program that accesses memory beside its variables finds there what it would find alone.
-fn write_memory(text: &mut String, subjects: &[MatiecSubject<'_, '_>]) {
-    text.push_str("static struct {\n    char before[65536];\n    union {\n");
-    for (number, subject) in subjects.iter().enumerate() {
-        // Writing into a String does not fail.
-        let _ = writeln!(
-            text,
-            "        {} p{number};",
-            subject.program.to_ascii_uppercase()
-        );
+/// Returns the declaration of the memory of the programs' variables, around which memory is 0. Only one program runs in a process,
+/// and so the programs share one place: a program that accesses memory beside its variables finds there what it would find alone.
+fn memory(subjects: &[MatiecSubject<'_, '_>]) -> String {
+    let program = match subjects {
+        [only] => format!("    {} program;\n", only.program),
+        several => {
+            let parts = several.iter().enumerate();
+            let parts = parts.map(|(number, subject)| format!("        {} p{number};\n", subject.program));
+            format!("    union {{\n{}    }} program;\n", parts.collect::<String>())
+        }
+    };
+    format!("static struct {{\n    char before[65536];\n{program}    char behind[65536];\n}} memory;\n\n")
+}
+
+/// Returns a program as the driver runs it; `instance` is the C expression for its instance. With a configuration of its own, all
+/// that this has is initialised and runs.
+fn driven<'r>(
+    subject: &MatiecSubject<'r, '_>,
+    instance: &str,
+    is_configured: bool,
+) -> Result<DrivenProgram<'r>, String> {
+    let MatiecSubject {
+        request,
+        probes,
+        program,
+    } = subject;
+    let kinds = values::kinds(request, has)?;
+    let (declarations, start, scan) = match is_configured {
+        true => (
+            "static unsigned long tick;\n\n".to_owned(),
+            "config_init__();".to_owned(),
+            "config_run__(tick++);".to_owned(),
+        ),
+        false => (
+            String::new(),
+            format!("{program}_init__(&{instance}, 0);"),
+            format!("{program}_body__(&{instance});"),
+        ),
+    };
+    let observed = request.observe.iter().zip(&kinds);
+    Ok(DrivenProgram {
+        request: *request,
+        before: before(instance, request)?,
+        after: observed
+            .map(|(asked, kind)| {
+                let variable = place(instance, probes.variable(asked), request);
+                let print = values::statement(asked, kind, &expression(kind, variable));
+                (asked.after, print)
+            })
+            .collect(),
+        kinds,
+        declarations,
+        start: vec![start],
+        scan,
+        namespace: None,
+    })
+}
+
+/// Returns the expression for the value of a variable.
+fn expression(kind: &ObservedKind<'_>, variable: String) -> ValueExpression {
+    match kind {
+        ObservedKind::Elementary(ty) if is_time(*ty) => ValueExpression::Timespec(variable),
+        ObservedKind::Elementary(ty) if ty.is_text() => ValueExpression::Text {
+            condition: format!("at < {variable}.len"),
+            unit: format!("{variable}.body[at]"),
+        },
+        _ => ValueExpression::Number(variable),
     }
-    text.push_str("    } program;\n    char behind[65536];\n} memory;\n");
 }
 
 /// Returns the declarations behind the headers, and the translated text with the parts of its own configuration.
-pub(super) fn translated(own: Option<&OwnConfiguration>) -> String {
+fn translated(own: Option<&OwnConfiguration>) -> String {
     let files = match own {
         None => "#include \"POUS.h\"\n#include \"POUS.c\"\n".to_owned(),
         // The file of the resource includes those of the program organization units.
@@ -88,7 +157,7 @@ pub(super) const LOCATIONS: &str = "LOCATED_VARIABLES.h";
 const MEMORY_OF_LOCATIONS: &str = include_str!("driver/memory_of_locations.c");
 
 /// Returns the C expression for the instance of a program in its own configuration.
-pub(super) fn configured(own: &OwnConfiguration) -> String {
+fn configured(own: &OwnConfiguration) -> String {
     format!(
         "{}__{}",
         own.resource.to_ascii_uppercase(),
@@ -96,26 +165,8 @@ pub(super) fn configured(own: &OwnConfiguration) -> String {
     )
 }
 
-/// Returns the statements that initialise the instance of a program and make the scan of a number, which is an expression. With
-/// a configuration of its own, all that this has is initialised and runs.
-pub(super) fn calls(program: &str, instance: &str, is_configured: bool, scan: &str) -> [String; 2] {
-    match is_configured {
-        true => [
-            "config_init__();".to_owned(),
-            format!("config_run__({scan} - 1);"),
-        ],
-        false => {
-            let program = program.to_ascii_uppercase();
-            [
-                format!("{program}_init__(&{instance}, 0);"),
-                format!("{program}_body__(&{instance});"),
-            ]
-        }
-    }
-}
-
 /// Returns the C expression for a variable of the instance of a program.
-pub(super) fn place(instance: &str, variable: &str, request: &RunRequest<'_>) -> String {
+fn place(instance: &str, variable: &str, request: &RunRequest<'_>) -> String {
     let value = format!("{instance}.{}.value", variable.to_ascii_uppercase());
     match is_pointer(request, variable) {
         true => format!("(*{value})"),
@@ -145,56 +196,9 @@ fn is_pointer(request: &RunRequest<'_>, variable: &str) -> bool {
     false
 }
 
-/// Writes the function that runs a program, given with the expression for its instance.
-fn write_run(
-    text: &mut String,
-    number: usize,
-    (subject, instance): (&MatiecSubject<'_, '_>, &str),
-    is_configured: bool,
-) -> Result<(), String> {
-    let [initialise, run] = calls(&subject.program, instance, is_configured, "scan");
-    let _ = write!(
-        text,
-        "static int run_{number}(void) {{\n    {initialise}\n    \
-         for (unsigned long scan = 1; scan <= {}UL; scan++) {{\n",
-        subject.request.scans
-    );
-    for (scan, statement) in before(instance, &subject.request)? {
-        let _ = writeln!(text, "        if (scan == {scan}UL) {{ {statement} }}");
-    }
-    let _ = write!(
-        text,
-        "        {run}\n        look_{number}(scan);\n    }}\n    look_{number}(0);\n    return 0;\n}}\n"
-    );
-    Ok(())
-}
-
 /// Tells whether the compiler has values of a type.
-pub(super) fn has(ty: ElementaryType) -> bool {
+fn has(ty: ElementaryType) -> bool {
     !ty.is_third_edition() && ty != ElementaryType::Wstring
-}
-
-/// The C functions that print values, one for each printed form.
-const PRINTERS: &str = include_str!("driver/printers.c");
-
-/// Writes the function that prints the values observed after a scan; 0 stands for the end.
-fn write_look(
-    text: &mut String,
-    number: usize,
-    (subject, instance): (&MatiecSubject<'_, '_>, &str),
-    kinds: &[PrintedKind<'_>],
-) {
-    let _ = writeln!(text, "static void look_{number}(unsigned long scan) {{");
-    for (asked_as, (asked, kind)) in subject.request.observe.iter().zip(kinds).enumerate() {
-        let variable = place(instance, subject.probes.variable(asked), &subject.request);
-        let call = match kind {
-            PrintedKind::Elementary(ty) if is_time(*ty) => format!("print_time({asked_as}, {variable})"),
-            PrintedKind::Elementary(ty) if ty.is_text() => format!("print_text({asked_as}, {variable})"),
-            _ => format!("print_bits({asked_as}, &{variable}, sizeof {variable})"),
-        };
-        let _ = writeln!(text, "    if (scan == {}UL) {call};", asked.after.unwrap_or(0));
-    }
-    text.push_str("}\n");
 }
 
 /// Returns the statements before scans, which advance the clock and set variables of the instance of a program, each with the
@@ -202,7 +206,7 @@ fn write_look(
 ///
 /// # Errors
 /// A fragment that says what cannot be set.
-pub(super) fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u32, String)>, String> {
+fn before(instance: &str, request: &RunRequest<'_>) -> Result<Vec<(u32, String)>, String> {
     let clock = request.clock.iter().map(|step| {
         let (seconds, rest) = split(step.nanoseconds);
         Ok((
@@ -240,35 +244,31 @@ fn split(nanoseconds: i64) -> (i64, i64) {
     (nanoseconds / 1_000_000_000, nanoseconds % 1_000_000_000)
 }
 
-pub(super) fn is_time(ty: ElementaryType) -> bool {
+fn is_time(ty: ElementaryType) -> bool {
     ty.is_duration() || ty.is_date_or_time()
 }
 
-/// Parses a printed value; `None` where the text is no such value.
-fn value(kind: &PrintedKind<'_>, shown: &str) -> Option<Value> {
-    let bits = || u64::from_str_radix(shown, 16).ok();
-    match kind {
-        PrintedKind::Enumerated(..) => kind.enumerated(bits()?),
-        PrintedKind::Elementary(ty) if is_time(*ty) => {
-            let (seconds, rest) = shown.split_once(' ')?;
-            let (seconds, rest) = (seconds.parse::<i64>().ok()?, rest.parse::<i64>().ok()?);
-            let nanoseconds = i128::from(seconds) * 1_000_000_000 + i128::from(rest);
-            Some(Value::of_nanoseconds(*ty, nanoseconds))
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Observation;
+    use stickler_types::DialectName;
+
+    #[test]
+    fn several_programs_have_a_number_each_and_one_place() {
+        let observe = [Observation::last("x", "INT")];
+        let request = RunRequest::once(DialectName::MATIEC, "", &observe);
+        let probes = ProbeVariables::of(&request);
+        let subjects = ["first", "second"].map(|program| MatiecSubject::of(&request, &probes, program));
+        let text = driver(&subjects).unwrap().text().text;
+        for line in [
+            "    union {\n        FIRST p0;\n        SECOND p1;\n    } program;\n",
+            "static int run_1(void) {\n    SECOND_init__(&memory.program.p1, 0);\n    SECOND_body__(&memory.program.p1);\n    \
+             printf(\"x = %d\\n\", (int)memory.program.p1.X.value);\n    return 0;\n}\n",
+            "    case 1: return run_1();\n",
+            "#define PROGRAMS 2\n",
+        ] {
+            assert!(text.contains(line), "{line}\n{text}");
         }
-        PrintedKind::Elementary(ty) if ty.is_text() => {
-            text(shown.strip_prefix('\'')?).map(|units| Value::text(*ty, units))
-        }
-        PrintedKind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }
-
-/// Parses the bytes of a text in hexadecimal digits.
-fn text(digits: &str) -> Option<Vec<u16>> {
-    let pairs = digits.as_bytes().chunks(2);
-    pairs
-        .map(|pair| u16::from_str_radix(std::str::from_utf8(pair).ok()?, 16).ok())
-        .collect()
-}
-
-#[cfg(test)]
-mod tests;

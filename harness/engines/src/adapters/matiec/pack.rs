@@ -5,13 +5,15 @@
 //! named in errors are run alone. No program sees what another does when it runs.
 
 use super::driver::{MatiecSubject, driver};
-use super::{MatiecSession, configuration, diagnostics};
+use super::{Matiec, configuration, diagnostics, execution};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
+use crate::adapters::recipe::{Purpose, Workplace};
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix, places_named};
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
+use std::borrow::Cow;
 use std::collections::{BTreeSet, HashSet};
 
 /// A program that may stand among others.
@@ -51,18 +53,17 @@ impl<'r> PackMember<'r> {
         format!("{}{}", self.main.name, pack_suffix(self.place))
     }
 
-    /// Returns the text of the program, with its names made unique.
+    /// Returns the text of the program with its probe variables, and with its names made unique.
     fn renamed(&self) -> Renamed {
-        let probes = self.probes.list();
-        if probes.is_empty() {
-            return Renamed::in_pack(&self.request, &self.names, self.place);
-        }
-        let text = with_probes(self.request.source, &self.main, probes);
+        let text = match self.probes.list() {
+            [] => Cow::Borrowed(self.request.source),
+            probes => Cow::Owned(with_probes(self.request.source, &self.main, probes)),
+        };
         let request = RunRequest {
             source: &text,
             ..self.request
         };
-        Renamed::in_pack(&request, &self.names, self.place)
+        Renamed::with_suffix(&request, &self.names, &pack_suffix(self.place))
     }
 }
 
@@ -135,33 +136,56 @@ impl Joined {
 }
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
-pub(super) fn run(session: &MatiecSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+pub(super) fn run(adapter: &Matiec, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
-    let taken = session.engine.taken();
+    let taken = adapter.taken();
     let member = |(place, request)| PackMember::of(place, request, taken);
     let members: Vec<PackMember<'_>> = requests.iter().enumerate().filter_map(member).collect();
     let place = |member: &PackMember<'_>| member.place;
     rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
-        run_round(session, members)
+        run_round(adapter, workplace, members)
+            .unwrap_or_else(|outcome| Round::alone(suspects(&outcome, members.len())))
     });
     answers
 }
 
 /// Translates, builds and runs programs in one text.
-fn run_round(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
-    let joined = Joined::of(members);
-    let ended = match session.compile(&joined.text) {
-        Ok(ended) => ended,
-        Err(outcome) => return Round::alone(suspects(&outcome, members.len())),
+///
+/// # Errors
+/// The outcome of a compiler that did not finish.
+fn run_round(
+    adapter: &Matiec,
+    workplace: &Workplace<'_>,
+    members: &[PackMember<'_>],
+) -> Result<Round, Outcome> {
+    let subjects: Vec<MatiecSubject<'_, '_>> = members
+        .iter()
+        .map(|member| MatiecSubject::of(&member.request, &member.probes, &member.program()))
+        .collect();
+    let Ok(driver) = driver(&subjects) else {
+        let cannot = |number: &usize| driver(&subjects[*number..=*number]).is_err();
+        return Ok(Round::alone((0..subjects.len()).filter(cannot).collect()));
     };
-    match diagnostics::accepted(&ended) {
-        Ok(warnings) => match build(session, members) {
-            Round::Ran(outcomes) => Round::Ran(joined.with_warnings(outcomes, warnings)),
-            other => other,
-        },
-        Err(Outcome::Rejected { .. }) => refused(members, &joined, &ended.stderr),
-        Err(_) => Round::nothing(),
+    let joined = Joined::of(members);
+    let recipe = execution(&*joined.text, &driver.text());
+    workplace.begin(&recipe)?;
+    let ended = workplace.step(&recipe, Purpose::Translate, &[])?;
+    let warnings = match diagnostics::accepted(&ended) {
+        Ok(warnings) => warnings,
+        Err(Outcome::Rejected { .. }) => return Ok(refused(members, &joined, &ended.stderr)),
+        Err(_) => return Ok(Round::nothing()),
+    };
+    let built = adapter.builder.try_build(&recipe, workplace)?;
+    if built.status.success() {
+        let outcomes = driver.execute_all(&recipe, workplace);
+        return Ok(Round::Ran(joined.with_warnings(outcomes, warnings)));
     }
+    let read = |name: &str| std::fs::read_to_string(workplace.folder.path().join(name)).unwrap_or_default();
+    let files = [("POUS.c:", read("POUS.c")), ("POUS.h:", read("POUS.h"))];
+    let places = named(&built.stderr, files);
+    let numbers = members.iter().enumerate();
+    let named = numbers.filter(|(_, member)| places.contains(&member.place));
+    Ok(Round::alone(named.map(|(number, _)| number).collect()))
 }
 
 /// Removes the programs that `iec2c` does not accept.
@@ -205,45 +229,6 @@ fn rejected(members: &[PackMember<'_>], mistakes: Vec<Vec<Diagnostic>>) -> Round
         _ => (number, Packed::Alone),
     });
     Round::TakenOut(known.collect())
-}
-
-/// Builds and runs the translated programs.
-fn build(session: &MatiecSession<'_>, members: &[PackMember<'_>]) -> Round {
-    let subjects: Vec<MatiecSubject<'_, '_>> = members
-        .iter()
-        .map(|member| MatiecSubject {
-            request: member.request,
-            probes: &member.probes,
-            program: member.program(),
-        })
-        .collect();
-    let Ok(driver) = driver(&subjects) else {
-        let cannot = |number: &usize| driver(&subjects[*number..=*number]).is_err();
-        return Round::alone((0..subjects.len()).filter(cannot).collect());
-    };
-    let built = session
-        .engine
-        .builder
-        .try_build(&driver.text, &[], &session.folder);
-    let ended = match built {
-        Ok(ended) => ended,
-        Err(outcome) => return Round::alone(suspects(&outcome, members.len())),
-    };
-    if ended.status.success() {
-        return Round::Ran(driver.execute_all(&session.folder));
-    }
-    let read = |name: &str| std::fs::read_to_string(session.folder.path().join(name)).unwrap_or_default();
-    let places = named(
-        &ended.stderr,
-        [("POUS.c:", read("POUS.c")), ("POUS.h:", read("POUS.h"))],
-    );
-    let numbers = members.iter().enumerate();
-    Round::alone(
-        numbers
-            .filter(|(_, member)| places.contains(&member.place))
-            .map(|(number, _)| number)
-            .collect(),
-    )
 }
 
 /// Returns the programs that a C compiler names in its errors, or in whose part of these files the errors are.

@@ -136,8 +136,7 @@ fn located((file, diagnostic): (Option<&str>, Diagnostic)) -> LocatedDiagnostic 
     let functions = || file.is_some_and(|file| Path::new(file).ends_with(FUNCTIONS));
     match (place, diagnostic.line) {
         (Some(place), _) => (ErrorPart::Program(place), diagnostic),
-        // The functions of each program stand on a line of their own.
-        (None, Some(line)) if functions() => (ErrorPart::Functions(line as usize - 1), diagnostic),
+        (None, Some(line)) if functions() => (ErrorPart::Functions(line), diagnostic),
         (None, _) => (
             ErrorPart::Elsewhere,
             Diagnostic {

@@ -6,177 +6,186 @@
 //! address. Integers and bit strings have their width, BOOL a byte, durations and dates are nanoseconds in 64 bits, texts end
 //! with a zero. Access to the variables of a program from outside is a warning, E049.
 
-use crate::RunRequest;
-use crate::adapters::driver::{self, DrivenProgram, Driver};
-use crate::adapters::printed::{self, PrintedKind};
+use super::program::PackedProgram;
+use crate::adapters::builder::Language;
+use crate::adapters::driver::{DrivenProgram, Driver};
+use crate::adapters::values::{self, ObservedKind, ValueExpression};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::ElementaryType;
 
 /// The headers that the driver includes.
 pub(super) const HEADER: &str =
     "#include <stdint.h>\n#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n";
 
-/// The C functions that print values, one for each printed form. Each prints only after the scan for which the value is asked.
-const PRINTERS: &str = include_str!("driver/printers.c");
-
-/// A compiled program that a driver runs: its request, and the names of its parts in the compiled text.
-pub(super) struct RustySubject<'r> {
-    pub(super) request: RunRequest<'r>,
-    /// The main program.
-    pub(super) program: String,
-    /// The variables that are observed, in order.
-    pub(super) observed: Vec<String>,
+/// A driver, and the functions by which programs show it their values.
+pub(super) struct RustyDriver<'r> {
+    pub(super) driver: Driver<'r>,
+    /// The functions of each program, in Structured Text.
+    pub(super) functions: Vec<String>,
 }
 
-/// Returns the driver of compiled programs. The function that sets the initial values of variables that the loader cannot set
-/// is named after the first file that the compiler was given.
-///
-/// Basis: rusty: book, *Variables*, *Pointer Initialization*: a runtime has to call it. Linkers that know of constructors do so,
-/// too, and to do it again changes nothing.
-///
-/// # Errors
-/// A fragment that says what cannot be observed or set.
-pub(super) fn driver<'r>(subjects: &[RustySubject<'r>], first_file: &str) -> Result<Driver<'r>, String> {
-    let mut driven = Vec::with_capacity(subjects.len());
-    for RustySubject { request, .. } in subjects {
-        driven.push(DrivenProgram {
-            request: *request,
-            kinds: kinds(request)?,
-        });
-    }
-    let mut text = format!("#include \"stickler.h\"\n{PRINTERS}");
-    for (name, ty) in shown(&driven) {
-        text.push_str(&printer(&name, ty));
-    }
-    for (number, subject) in subjects.iter().enumerate() {
-        write_run(&mut text, number, &subject.request);
-    }
-    text.push_str(&initialisation(first_file));
-    let run = |number| format!("run_initialised(run_{number})");
-    text.push_str(&driver::main(subjects.len(), run));
-    Ok(Driver {
-        text,
-        subjects: driven,
-        read: value,
-        faults: &[],
-    })
-}
-
-/// Returns the kinds of the observed values.
-///
-/// # Errors
-/// A fragment that says what cannot be observed or set.
-pub(super) fn kinds<'r>(request: &RunRequest<'r>) -> Result<Vec<PrintedKind<'r>>, String> {
-    if !(request.clock.is_empty() && request.set.is_empty()) {
-        return Err("its driver takes neither a clock nor values between scans".to_owned());
-    }
-    printed::kinds(request, |_| true)
-}
-
-/// Returns the name of the function that sets the initial values of the variables of programs.
-pub(super) fn initialise(first_file: &str) -> String {
-    format!("__init___{}", first_file.replace('.', "_"))
-}
-
-/// Returns the function that runs one of the programs after their initial values are set. Where the standard library panics,
-/// its message is worth more than a backtrace.
-fn initialisation(first_file: &str) -> String {
-    let initialise = initialise(first_file);
-    format!(
-        "__attribute__((weak)) void {initialise}(void);\n\
-         static int run_initialised(int (*run)(void)) {{\n\
-         #if defined(__unix__) || defined(__APPLE__)\n    \
-         setenv(\"RUST_BACKTRACE\", \"0\", 1);\n\
-         #endif\n    \
-         if ({initialise}) {initialise}();\n    return run();\n}}\n"
-    )
-}
-
-/// Returns the declaration of the function that a program calls to show a value of a type.
-fn printer(name: &str, ty: ElementaryType) -> String {
-    match ty {
-        ElementaryType::String => format!(
-            "int32_t {name}(int32_t number, unsigned char *value) {{ print_bytes(number, value); return 0; }}\n"
-        ),
-        ElementaryType::Wstring => format!(
-            "int32_t {name}(int32_t number, uint16_t *value) {{ print_units(number, value); return 0; }}\n"
-        ),
-        _ => format!(
-            "int32_t {name}(int32_t number, {} value) {{ print_bits(number, &value, sizeof value); return 0; }}\n",
-            of_c(ty)
-        ),
-    }
-}
-
-/// Writes the function that runs a program, which shows the observed values before the first scan and after each scan.
-fn write_run(text: &mut String, number: usize, request: &RunRequest<'_>) {
-    let after = request
-        .observe
-        .iter()
-        .map(|asked| format!("{}UL", asked.after.unwrap_or(request.scans)));
-    // C has no empty arrays.
-    let after: Vec<String> = after.chain(["0".to_owned()]).collect();
-    // Writing into a String does not fail.
-    let _ = write!(
-        text,
-        "int32_t stickler_scan_{number}(void);\nint32_t stickler_look_{number}(void);\n\
-         static const unsigned long after_{number}[] = {{{}}};\n\
-         static int run_{number}(void) {{\n    after = after_{number};\n    stickler_look_{number}();\n    \
-         for (scan = 1; scan <= {}UL; scan++) {{\n        \
-         stickler_scan_{number}();\n        stickler_look_{number}();\n    }}\n    return 0;\n}}\n",
-        after.join(", "),
-        request.scans,
-    );
-}
-
-/// Returns the text of the functions that the driver calls: a line for each program, in order, and then the functions that
-/// these call.
-pub(super) fn functions(subjects: &[RustySubject<'_>], driven: &[DrivenProgram<'_>]) -> String {
-    let mut text = String::new();
-    for (number, (subject, driven)) in subjects.iter().zip(driven).enumerate() {
-        let program = &subject.program;
-        // Writing into a String does not fail.
-        let _ = write!(
-            text,
-            "FUNCTION stickler_scan_{number} : DINT {program}(); END_FUNCTION FUNCTION stickler_look_{number} : DINT"
-        );
-        for (asked_as, (variable, kind)) in subject.observed.iter().zip(&driven.kinds).enumerate() {
-            let _ = write!(text, " {}({asked_as}, {program}.{variable});", function(kind));
+impl<'r> RustyDriver<'r> {
+    /// Returns the driver of programs, the first of which is in the first file that the compiler is given. The function that sets
+    /// the initial values of variables that the loader cannot set is named after that file.
+    ///
+    /// Basis: rusty: book, *Variables*, *Pointer Initialization*: a runtime has to call it. Linkers that know of constructors do
+    /// so, too, and to do it again changes nothing.
+    pub(super) fn of(programs: &[PackedProgram<'r>]) -> RustyDriver<'r> {
+        let first = programs.first().map_or("", |first| &first.file);
+        let initialise = format!("__init___{}", first.replace('.', "_"));
+        let mut driver = Driver {
+            language: Language::C,
+            head: format!("{HEADER}#include <time.h>\n\n__attribute__((weak)) void {initialise}(void);\n\n"),
+            programs: Vec::with_capacity(programs.len()),
+            faults: &[],
+        };
+        let mut functions = Vec::with_capacity(programs.len());
+        for (number, program) in programs.iter().enumerate() {
+            let names = Names(match programs.len() {
+                1 => "driver".to_owned(),
+                _ => format!("driver_{number}"),
+            });
+            functions.push(names.functions(program));
+            let start = format!("if ({initialise}) {initialise}();");
+            driver.programs.push(names.driven(program, start));
         }
-        text.push_str(" END_FUNCTION\n");
+        RustyDriver { driver, functions }
     }
-    for (name, ty) in shown(driven) {
-        let by = if ty.is_text() { " {ref}" } else { "" };
-        let _ = writeln!(
-            text,
-            "{{external}} FUNCTION {name} : DINT VAR_INPUT number : DINT; END_VAR VAR_INPUT{by} value : {ty}; END_VAR \
-             END_FUNCTION"
-        );
+
+    /// Returns the number of the program whose functions have this line of all functions, from 1.
+    pub(super) fn program_at(&self, line: u32) -> Option<usize> {
+        let mut behind = 0;
+        self.functions.iter().position(|functions| {
+            behind += functions.matches('\n').count();
+            line as usize <= behind
+        })
     }
-    text
+}
+
+/// The names of the functions of one program, by what they begin with.
+struct Names(String);
+
+impl Names {
+    fn scan(&self) -> String {
+        format!("{}_scan", self.0)
+    }
+
+    /// Returns the name of the function of Structured Text that shows the values observed after a scan; `None` stands for the last.
+    fn look(&self, after: Option<u32>) -> String {
+        match after {
+            Some(scan) => format!("{}_show_after_{scan}", self.0),
+            None => format!("{}_show", self.0),
+        }
+    }
+
+    /// Returns the name of the function of C that shows a value.
+    fn show(&self, number: usize) -> String {
+        format!("{}_show_{number}", self.0)
+    }
+
+    /// Returns the functions of Structured Text that pass the observed values to the driver.
+    fn functions(&self, program: &PackedProgram<'_>) -> String {
+        let main = program.main();
+        let mut shown: BTreeMap<Option<u32>, String> = BTreeMap::from([(None, String::new())]);
+        let mut external = String::new();
+        for (number, (asked, kind)) in program.request.observe.iter().zip(&program.kinds).enumerate() {
+            let (ty, show) = (shown_as(kind), self.show(number));
+            let by = if ty.is_text() { " {ref}" } else { "" };
+            let statements = shown.entry(asked.after).or_default();
+            // Writing into a String does not fail.
+            let _ = writeln!(statements, "  {show}({main}.{});", program.renamed(&asked.name));
+            let _ = writeln!(
+                external,
+                "{{external}} FUNCTION {show} : DINT VAR_INPUT{by} value : {ty}; END_VAR END_FUNCTION"
+            );
+        }
+        let mut text = format!("FUNCTION {} : DINT\n  {main}();\nEND_FUNCTION\n", self.scan());
+        for (after, statements) in shown {
+            let _ = write!(
+                text,
+                "FUNCTION {} : DINT\n{statements}END_FUNCTION\n",
+                self.look(after)
+            );
+        }
+        text + &external
+    }
+
+    /// Returns a program as the driver runs it, with the functions of C that print its values.
+    fn driven<'r>(&self, program: &PackedProgram<'r>, start: String) -> DrivenProgram<'r> {
+        let request = program.request;
+        let mut declarations = String::new();
+        for (number, (asked, kind)) in request.observe.iter().zip(&program.kinds).enumerate() {
+            let _ = writeln!(
+                declarations,
+                "int32_t {}({}value) {{ {} return 0; }}",
+                self.show(number),
+                parameter(kind),
+                values::statement(asked, kind, &expression(kind))
+            );
+        }
+        let mut after: Vec<Option<u32>> = request.observe.iter().map(|asked| asked.after).collect();
+        after.push(None);
+        after.sort_unstable();
+        after.dedup();
+        let scan = self.scan();
+        let _ = writeln!(declarations, "\nint32_t {scan}(void);");
+        for after in &after {
+            let _ = writeln!(declarations, "int32_t {}(void);", self.look(*after));
+        }
+        declarations.push('\n');
+        DrivenProgram {
+            request,
+            kinds: program.kinds.clone(),
+            declarations,
+            start: vec![start],
+            before: Vec::new(),
+            scan: format!("{scan}();"),
+            after: after
+                .into_iter()
+                .map(|after| (after, format!("{}();", self.look(after))))
+                .collect(),
+            namespace: None,
+        }
+    }
 }
 
 /// Returns the type as which a value is shown. The values of an enumeration are numbers.
-pub(super) fn shown_as(kind: &PrintedKind<'_>) -> ElementaryType {
+fn shown_as(kind: &ObservedKind<'_>) -> ElementaryType {
     match kind {
-        PrintedKind::Elementary(ty) => *ty,
-        PrintedKind::Enumerated(..) => ElementaryType::Dint,
+        ObservedKind::Elementary(ty) => *ty,
+        ObservedKind::Enumerated(..) => ElementaryType::Dint,
     }
 }
 
-/// Returns the functions by which values are shown, each once, with the type that each takes.
-fn shown(driven: &[DrivenProgram<'_>]) -> BTreeMap<String, ElementaryType> {
-    let kinds = driven.iter().flat_map(|driven| &driven.kinds);
-    kinds.map(|kind| (function(kind), shown_as(kind))).collect()
+/// Returns the expression for a value in the function that prints it.
+fn expression(kind: &ObservedKind<'_>) -> ValueExpression {
+    let value = || "value".to_owned();
+    match kind {
+        ObservedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
+            ValueExpression::Nanoseconds(value())
+        }
+        ObservedKind::Elementary(ty) if ty.is_text() => ValueExpression::Text {
+            condition: "value[at]".to_owned(),
+            unit: "value[at]".to_owned(),
+        },
+        _ => ValueExpression::Number(value()),
+    }
 }
 
-fn function(kind: &PrintedKind<'_>) -> String {
-    format!("stickler_show_{}", shown_as(kind).name().to_ascii_lowercase())
+/// Returns the C type of the parameter that takes a value, with the blank or star behind it. Numbers with a sign have one here.
+fn parameter(kind: &ObservedKind<'_>) -> String {
+    let ty = shown_as(kind);
+    match ty {
+        ElementaryType::String => "unsigned char *".to_owned(),
+        ElementaryType::Wstring => "uint16_t *".to_owned(),
+        _ if ty.is_signed() => format!("{} ", of_c(ty).trim_start_matches('u')),
+        _ => format!("{} ", of_c(ty)),
+    }
 }
 
 /// Returns the C type that has the bits of a value.
-pub(super) fn of_c(ty: ElementaryType) -> &'static str {
+fn of_c(ty: ElementaryType) -> &'static str {
     match ty {
         ElementaryType::Real => "float",
         ElementaryType::Lreal => "double",
@@ -189,20 +198,5 @@ pub(super) fn of_c(ty: ElementaryType) -> &'static str {
             17..=32 => "uint32_t",
             _ => "uint64_t",
         },
-    }
-}
-
-/// Parses a printed value; `None` where the text is no such value.
-fn value(kind: &PrintedKind<'_>, shown: &str) -> Option<Value> {
-    let bits = || u64::from_str_radix(shown, 16).ok();
-    match kind {
-        PrintedKind::Enumerated(..) => kind.enumerated(bits()?),
-        PrintedKind::Elementary(ty) if ty.is_text() && shown.starts_with('\'') => {
-            Some(Value::text(*ty, printed::units(shown.strip_prefix('\'')?)?))
-        }
-        PrintedKind::Elementary(ty) if ty.is_duration() || ty.is_date_or_time() => {
-            Some(Value::plain(*ty, bits()?))
-        }
-        PrintedKind::Elementary(ty) => Some(Value::plain(*ty, printed::raw(*ty, bits()?))),
     }
 }

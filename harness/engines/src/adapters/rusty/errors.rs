@@ -8,8 +8,8 @@ use stickler_types::Code;
 pub(super) enum ErrorPart {
     /// The program at this place of the pack.
     Program(usize),
-    /// The functions that show the values of the program of this number.
-    Functions(usize),
+    /// This line of the functions that show the values of programs.
+    Functions(u32),
     /// Other text, or an unknown part.
     Elsewhere,
 }

@@ -6,29 +6,40 @@
 //!
 //! Basis: rusty: `libs/stdlib/build.rs` and `scripts/build.sh` of its repository.
 
-use super::LIBRARY;
-use crate::adapters::builder::Builder;
-use crate::adapters::locate::{call, first_error};
+use super::{DEPENDENCIES, LIBRARY};
+use crate::adapters::builder;
+use crate::adapters::locate::first_error;
+use crate::adapters::recipe::{Purpose, Recipe, Workplace};
 use crate::process::Folder;
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// The file of the static library.
-pub(super) const STATIC: &str = "libiec61131std.a";
+const STATIC: &str = "libiec61131std.a";
 
 /// The file of the shared library.
-pub(super) const SHARED: &str = "libiec61131std.so";
+const SHARED: &str = "libiec61131std.so";
 
 /// The libraries of the system that the standard library needs.
-pub(super) const NEEDED: [&str; 3] = ["-lm", "-lpthread", "-ldl"];
+pub(super) const NEEDED: &str = "-lm -lpthread -ldl";
 
-/// Returns the options by which a linker takes all of an archive, before and behind it.
-pub(super) const fn whole_archive() -> (&'static str, &'static str) {
-    match cfg!(target_os = "macos") {
+/// Returns the recipe that makes the shared library of all of the static one.
+fn sharing() -> Recipe {
+    let (before, behind) = match cfg!(target_os = "macos") {
         true => ("-Wl,-all_load", ""),
         false => ("-Wl,--whole-archive", "-Wl,--no-whole-archive"),
-    }
+    };
+    let line = format!("{{CC}} -shared -o {SHARED} {before} {{RUSTY_LIB}}/{STATIC} {behind} {NEEDED}");
+    Recipe::default().step(DEPENDENCIES, Purpose::Build, &line)
+}
+
+/// Returns the command of a shell that puts the shared library into its folder, and the variables that it has.
+pub(super) fn share() -> (Vec<String>, String) {
+    let (library, make) = (LIBRARY.shell_variable(), sharing().commands().join(""));
+    let variables = [LIBRARY, builder::CC].map(|tool| tool.shell_variable().to_owned());
+    let command =
+        format!("if [ -f \"${library}/{STATIC}\" ]; then {make}; else cp \"${library}/{SHARED}\" .; fi");
+    (variables.to_vec(), command)
 }
 
 /// The standard library of one RuSTy.
@@ -61,19 +72,27 @@ impl StandardLibrary {
         &self.folder
     }
 
-    /// Returns the folder of the shared library, which is made of the static one where there is one.
+    /// Puts the shared library, which is made of the static one where there is one, into a workplace.
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn shared(&self, builder: &Builder) -> Result<&Path, String> {
-        let shared = self.shared.get_or_init(|| self.make(builder));
-        match shared.as_ref().map_err(Clone::clone)? {
-            SharedLibrary::Made(folder) => Ok(folder.path()),
-            SharedLibrary::Found(folder) => Ok(folder),
+    pub(super) fn place(&self, workplace: &Workplace<'_>) -> Result<(), String> {
+        let shared = self.shared.get_or_init(|| self.make(workplace));
+        let folder = match shared.as_ref().map_err(Clone::clone)? {
+            SharedLibrary::Made(folder) => folder.path(),
+            SharedLibrary::Found(folder) => folder,
+        };
+        for name in [SHARED, "libiec61131std.dylib"] {
+            let (from, to) = (folder.join(name), workplace.folder.path().join(name));
+            if from.is_file() && !to.exists() {
+                let linked = std::fs::hard_link(&from, &to).or_else(|_| std::fs::copy(&from, &to).map(drop));
+                linked.map_err(|error| format!("`{}` could not be copied: {error}", from.display()))?;
+            }
         }
+        Ok(())
     }
 
-    fn make(&self, builder: &Builder) -> Result<SharedLibrary, String> {
+    fn make(&self, workplace: &Workplace<'_>) -> Result<SharedLibrary, String> {
         let archive = self.folder.join(STATIC);
         if !archive.is_file() {
             let found = [SHARED, "libiec61131std.dylib"]
@@ -88,20 +107,12 @@ impl StandardLibrary {
                 )),
             };
         }
-        let folder = Folder::new()?;
-        let (before, behind) = whole_archive();
-        let mut arguments: Vec<OsString> = ["-shared", "-o", SHARED, before].map(OsString::from).to_vec();
-        arguments.push(archive.clone().into());
-        arguments.extend(
-            [behind]
-                .iter()
-                .filter(|word| !word.is_empty())
-                .map(OsString::from),
-        );
-        arguments.extend(NEEDED.map(OsString::from));
-        let ended = call(builder.compiler(), &arguments, &folder).map_err(|outcome| outcome.to_string())?;
+        let made = workplace.elsewhere()?;
+        let ended = made
+            .step(&sharing(), Purpose::Build, &[])
+            .map_err(|outcome| outcome.to_string())?;
         match ended.status.success() {
-            true => Ok(SharedLibrary::Made(folder)),
+            true => Ok(SharedLibrary::Made(made.folder)),
             false => Err(format!(
                 "no shared library can be made of `{}`: {}",
                 archive.display(),

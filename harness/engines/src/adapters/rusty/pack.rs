@@ -4,57 +4,56 @@
 //! same kind in another: such programs are rejected at once, and the others go on without them. A program that the compiler
 //! names later, when it makes the object file, is run alone. No program sees what another does when it runs.
 
-use super::RustySession;
 use super::diagnostics::{rejected, steady};
-use super::driver::{RustySubject, driver, functions};
+use super::driver::RustyDriver;
 use super::errors::{ErrorPart, LocatedDiagnostic};
 use super::program::PackedProgram;
+use super::{Rusty, execution};
 use crate::adapters::locate::suspects;
+use crate::adapters::recipe::Workplace;
 use crate::adapters::rename::places_named;
 use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
-pub(super) fn run(session: &RustySession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+pub(super) fn run(adapter: &Rusty, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
-    let taken = session.engine.taken();
+    let taken = adapter.taken();
     let program = |(place, request)| PackedProgram::among_others(request, place, taken);
     let programs: Vec<PackedProgram<'_>> = requests.iter().enumerate().filter_map(program).collect();
     let place = |program: &PackedProgram<'_>| program.place;
     rounds::play(programs, MAX_ROUNDS, &mut answers, place, |programs| {
-        run_round(session, programs)
+        run_round(adapter, workplace, programs).unwrap_or_else(|outcome| broken_off(&outcome, programs))
     });
     answers
 }
 
 /// Compiles, builds and runs programs together.
-fn run_round(session: &RustySession<'_>, programs: &[PackedProgram<'_>]) -> Round {
-    let subjects: Vec<RustySubject<'_>> = programs.iter().map(PackedProgram::subject).collect();
-    let first_file = programs
-        .first()
-        .map_or_else(String::new, |first| PackedProgram::file_of(first.place));
-    let Ok(driver) = driver(&subjects, &first_file) else {
-        let cannot = |number: &usize| driver(&subjects[*number..=*number], &first_file).is_err();
-        return Round::alone((0..subjects.len()).filter(cannot).collect());
-    };
-    let warnings = match session.compile(programs, &functions(&subjects, &driver.subjects)) {
-        Ok(found) if found.iter().any(|(_, reported)| reported.is_error()) => {
-            return refused(programs, found);
-        }
-        Ok(warnings) => warnings,
-        Err(outcome) => return broken_off(&outcome, programs),
-    };
-    match session.engine.build(&driver.text, &session.folder) {
-        Ok(()) => {
-            let known = driver.execute_all(&session.folder).into_iter().zip(programs);
-            let outcome = |(outcome, program): (Outcome, &PackedProgram<'_>)| {
-                steady(outcome).with_warnings(program.own(&warnings))
-            };
-            Round::Ran(known.map(outcome).collect())
-        }
-        Err(outcome) => broken_off(&outcome, programs),
+///
+/// # Errors
+/// The outcome of a compiler that did not finish.
+fn run_round(
+    adapter: &Rusty,
+    workplace: &Workplace<'_>,
+    programs: &[PackedProgram<'_>],
+) -> Result<Round, Outcome> {
+    let driver = RustyDriver::of(programs);
+    let recipe = execution(programs, &driver);
+    let warnings = adapter.compile(workplace, &recipe, &[])?;
+    if warnings.iter().any(|(_, reported)| reported.is_error()) {
+        return Ok(refused(programs, &driver, warnings));
     }
+    adapter.build(&recipe, workplace)?;
+    let known = driver
+        .driver
+        .execute_all(&recipe, workplace)
+        .into_iter()
+        .zip(programs);
+    let outcome = |(outcome, program): (Outcome, &PackedProgram<'_>)| {
+        steady(outcome).with_warnings(program.own(&warnings))
+    };
+    Ok(Round::Ran(known.map(outcome).collect()))
 }
 
 /// Returns the round of a pack that the compiler or a program did not finish.
@@ -71,22 +70,23 @@ fn broken_off(outcome: &Outcome, programs: &[PackedProgram<'_>]) -> Round {
 }
 
 /// Removes the programs that the compiler does not accept.
-fn refused(programs: &[PackedProgram<'_>], found: Vec<LocatedDiagnostic>) -> Round {
+fn refused(programs: &[PackedProgram<'_>], driver: &RustyDriver<'_>, found: Vec<LocatedDiagnostic>) -> Round {
     let mut mistakes: Vec<Vec<Diagnostic>> = programs.iter().map(|_| Vec::new()).collect();
     let mut alone = BTreeSet::new();
     for (about, diagnostic) in found {
+        let number = match about {
+            ErrorPart::Program(place) => programs.iter().position(|program| program.place == place),
+            ErrorPart::Functions(line) => driver.program_at(line),
+            ErrorPart::Elsewhere => None,
+        };
+        let Some(number) = number else {
+            return Round::nothing();
+        };
         match about {
-            ErrorPart::Program(place) => {
-                let number = programs.iter().position(|program| program.place == place);
-                let Some(number) = number else {
-                    return Round::nothing();
-                };
-                mistakes[number].push(programs[number].original(diagnostic));
-            }
-            ErrorPart::Functions(number) if number < programs.len() => {
+            ErrorPart::Program(_) => mistakes[number].push(programs[number].original(diagnostic)),
+            _ => {
                 alone.insert(number);
             }
-            ErrorPart::Functions(_) | ErrorPart::Elsewhere => return Round::nothing(),
         }
     }
     // The functions that show the variables of a program with errors have errors, too: a rejection replaces the suspicion.

@@ -4,8 +4,9 @@
 //! side, each in a namespace of its own. No program sees what another does when it runs.
 
 use super::driver::{StrucppSubject, driver};
-use super::{AcceptedProgram, StrucppSession};
+use super::{AcceptedProgram, Strucpp, execution};
 use crate::adapters::locate::suspects;
+use crate::adapters::recipe::Workplace;
 use crate::adapters::rename::declared;
 use crate::adapters::rounds::{self, Round};
 use crate::{Packed, RunRequest};
@@ -16,12 +17,12 @@ use std::collections::BTreeSet;
 const MAX_ROUNDS: usize = 4;
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
-pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+pub(super) fn run(adapter: &Strucpp, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
     let mut answers = vec![Packed::Alone; requests.len()];
     let mut members = Vec::with_capacity(requests.len());
     for (place, request) in requests.iter().enumerate() {
-        match session.accepted(request) {
-            Ok(accepted) if declared(request, session.engine.taken(), false).is_some() => {
+        match adapter.accepted(request) {
+            Ok(accepted) if declared(request, adapter.taken(), false).is_some() => {
                 members.push((place, accepted));
             }
             Ok(_) => {}
@@ -30,7 +31,7 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
     }
     let place = |(place, _): &(usize, AcceptedProgram<'_>)| *place;
     rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
-        build_and_run(session, members).unwrap_or_else(Round::alone)
+        build_and_run(adapter, workplace, members).unwrap_or_else(Round::alone)
     });
     answers
 }
@@ -41,23 +42,22 @@ pub(super) fn run(session: &mut StrucppSession<'_>, requests: &[RunRequest<'_>])
 /// The numbers of the programs that the C++ compiler names in errors, or of all where it does not finish; none where it names
 /// no program.
 fn build_and_run(
-    session: &StrucppSession<'_>,
+    adapter: &Strucpp,
+    workplace: &Workplace<'_>,
     members: &[(usize, AcceptedProgram<'_>)],
 ) -> Result<Round, BTreeSet<usize>> {
+    let subjects: Vec<&StrucppSubject<'_>> = members.iter().map(|(_, accepted)| &accepted.subject).collect();
+    let driver = driver(&subjects);
+    let mut recipe = execution("", &driver.text());
     for (number, (_, accepted)) in members.iter().enumerate() {
         let text = in_a_namespace(&accepted.translated.header, &accepted.translated.program);
-        let written = session.folder.write(&format!("program_{number}.cpp"), &text);
-        written.map_err(|_| BTreeSet::new())?;
+        recipe = recipe.file(&format!("program_{number}.cpp"), text);
     }
-    let subjects: Vec<&StrucppSubject<'_>> = members.iter().map(|(_, accepted)| &accepted.subject).collect();
-    let driver = driver(&subjects).map_err(|_| BTreeSet::new())?;
-    let built = session
-        .engine
-        .builder
-        .try_build(&driver.text, &[], &session.folder);
+    workplace.begin(&recipe).map_err(|_| BTreeSet::new())?;
+    let built = adapter.builder.try_build(&recipe, workplace);
     let ended = built.map_err(|outcome| suspects(&outcome, members.len()))?;
     if ended.status.success() {
-        let outcomes = driver.execute_all(&session.folder).into_iter().zip(members);
+        let outcomes = driver.execute_all(&recipe, workplace).into_iter().zip(members);
         let with_warnings =
             outcomes.map(|(outcome, (_, accepted))| outcome.with_warnings(accepted.translated.diagnostics()));
         return Ok(Round::Ran(with_warnings.collect()));

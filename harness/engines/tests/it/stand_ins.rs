@@ -1,0 +1,240 @@
+//! Tests engines with scripts that stand in for their programs: `tests/stand-ins/*.md`, which [`fixture`](crate::fixture) reads.
+
+use crate::fixture::{Asked, Block, Section, Test, fits, sections, shown};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+use std::time::Duration;
+use stickler_engines::{
+    Compiler, DependencyPaths, DescribedEngine, Description, Engine, Outcome, Packed, ProcessEngine,
+    ProcessLimits,
+};
+use tempfile::TempDir;
+
+/// Limits that suffice on a busy machine; a section with a program that hangs has shorter ones.
+pub const LIMITS: ProcessLimits = ProcessLimits {
+    hello: Duration::from_secs(60),
+    reply: Duration::from_secs(60),
+    line: 1 << 16,
+    memory: 4 << 30,
+};
+
+/// Writes the files of blocks into a folder; those in `sh` are programs.
+fn write(blocks: &[Block], folder: &Path) {
+    for Block { language, name, text } in blocks.iter().filter(|block| !block.name.is_empty()) {
+        let file = folder.join(name);
+        fs::create_dir_all(file.parent().unwrap()).unwrap();
+        if language != "sh" {
+            fs::write(file, text).unwrap();
+            continue;
+        }
+        // Another process writes the program: one that this process still had open for writing, in a child that another test is
+        // just starting, could not be run.
+        let script = r#"printf '#!/bin/sh\n%s' "$1" >"$2" && chmod 700 "$2""#;
+        let written = Command::new("sh")
+            .args(["-c", script, "sh", text])
+            .arg(file)
+            .status();
+        assert!(written.unwrap().success());
+    }
+}
+
+fn block<'b>(blocks: &'b [Block], language: &str, name: &str) -> Option<&'b str> {
+    let found = blocks
+        .iter()
+        .find(|block| block.language == language && block.name == name);
+    found.map(|block| block.text.as_str())
+}
+
+/// Returns the engine of the files in a folder, or why there is none.
+fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>, String> {
+    let engine = match Compiler::from_name(kind) {
+        Some(compiler) => {
+            let named = |paths: DependencyPaths, dependency: &stickler_engines::Dependency| {
+                let path = folder.join(dependency.key);
+                match path.is_file() {
+                    true => paths.named(dependency.key, path, "a test".to_owned()),
+                    false => paths,
+                }
+            };
+            let paths = compiler
+                .dependencies()
+                .iter()
+                .fold(DependencyPaths::default(), named);
+            compiler.seek(kind, kind, &paths.without_variables()).engine
+        }
+        None if kind == "described" => {
+            let table = block(blocks, "toml", "").expect("a table");
+            let description: Description = toml::from_str(table).map_err(|error| error.to_string())?;
+            description
+                .check()
+                .map_err(|(key, reason)| format!("{key}: {reason}"))?;
+            let started = DescribedEngine::start("mine", description, folder);
+            started.map(|engine| Box::new(engine) as Box<dyn Engine>)
+        }
+        None => {
+            let number = |key: &str| {
+                let limits = block(blocks, "toml", "").unwrap_or_default();
+                let limits: toml::Table = limits.parse().unwrap();
+                limits
+                    .get(key)
+                    .map(|value| value.as_integer().unwrap().unsigned_abs())
+            };
+            let limits = ProcessLimits {
+                reply: number("reply_ms").map_or(LIMITS.reply, Duration::from_millis),
+                memory: number("memory").unwrap_or(LIMITS.memory),
+                ..LIMITS
+            };
+            let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/adapters/unruly.sh");
+            let started = ProcessEngine::start(&format!("sh '{script}'"), limits);
+            started.map(|engine| Box::new(engine) as Box<dyn Engine>)
+        }
+    };
+    engine.map_err(|error| error.to_string())
+}
+
+/// Returns the program of a row.
+fn source(test: &Test, please: &str) -> String {
+    match block(&test.blocks, "st", "") {
+        Some(source) => source.to_owned(),
+        None => format!("PROGRAM main\n(* please: {please} *)\nEND_PROGRAM\n"),
+    }
+}
+
+/// Runs a test on an engine. Returns the rows whose outcome is another, with that.
+fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
+    let mut session = engine.session().unwrap();
+    let dialect = engine.identity().dialects[0];
+    let rows: Vec<(String, Asked, &String)> = test
+        .rows
+        .iter()
+        .map(|row| match &row[..] {
+            [please, asked, expected] => (source(test, please), Asked::read(asked, dialect), expected),
+            other => panic!("{}: {other:?}", test.name),
+        })
+        .collect();
+    let packed: Vec<_> = rows
+        .iter()
+        .filter(|(_, asked, _)| asked.verb == "packed")
+        .collect();
+    let requests: Vec<_> = packed.iter().map(|(source, asked, _)| asked.of(source)).collect();
+    let mut packed = session.run_pack(&requests).into_iter();
+    let mut failures = Vec::new();
+    for (row, (source, asked, expected)) in test.rows.iter().zip(&rows) {
+        let mut check = |row: &[String], shown: &str| {
+            if !fits(expected, shown) {
+                failures.push(format!("  {}\n  gives     {shown}", row.join(" | ")));
+            }
+        };
+        let outcome = match asked.verb.as_str() {
+            "identity" => {
+                let identity = engine.identity();
+                let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
+                check(
+                    row,
+                    &format!("{} {} {}", identity.version, abilities.join(" "), identity.grade),
+                );
+                continue;
+            }
+            "run" => session.run(&asked.of(source)),
+            "check" => session.check(asked.dialect, source),
+            "render" => session.render(asked.dialect, source),
+            "packed" => match packed.next() {
+                Some(Packed::Answered(outcome)) => outcome,
+                other => panic!("{}: {other:?}", test.name),
+            },
+            other => panic!("{}: there is no request `{other}`", test.name),
+        };
+        check(row, &shown(&outcome));
+    }
+    failures
+}
+
+/// Runs all tests of a file. A test with a block `text` has no engine: the block says why.
+fn run(file: &str) {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/stand-ins")
+        .join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    let mut failed = Vec::new();
+    for Section { head, tests } in sections(&text) {
+        for test in &tests {
+            let folder = TempDir::new().unwrap();
+            write(&head.blocks, folder.path());
+            write(&test.blocks, folder.path());
+            let all = if block(&test.blocks, "toml", "").is_some() {
+                &test.blocks
+            } else {
+                &head.blocks
+            };
+            let engine = engine(file.trim_end_matches(".md"), all, folder.path());
+            let failures = match (engine, block(&test.blocks, "text", "")) {
+                (Ok(engine), None) => failures(engine.as_ref(), test),
+                (Err(reason), None) if reason.contains("there is no `cc`") => continue,
+                (Err(reason), Some(expected)) if fits(expected.trim_end(), reason.trim_end()) => Vec::new(),
+                (Err(reason), _) => vec![format!("  there is no engine: {reason}")],
+                (Ok(_), Some(_)) => vec!["  there is an engine".to_owned()],
+            };
+            let named = |failure| format!("{file}: {} / {}\n{failure}", head.name, test.name);
+            failed.extend(failures.into_iter().map(named));
+        }
+    }
+    assert!(failed.is_empty(), "\n{}", failed.join("\n"));
+}
+
+#[test]
+fn ironplc() {
+    run("ironplc.md");
+}
+
+#[test]
+fn rusty() {
+    run("rusty.md");
+}
+
+#[test]
+fn described() {
+    run("described.md");
+}
+
+#[test]
+fn process() {
+    run("process.md");
+}
+
+/// The checking half of the adapter `ironplc` needs no code: its table gives the same outcomes.
+#[test]
+fn a_description_of_ironplc_does_what_its_adapter_does() {
+    let text =
+        fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/stand-ins/ironplc.md")).unwrap();
+    let sections = sections(&text);
+    let Section { head, .. } = &sections[0];
+    let folder = TempDir::new().unwrap();
+    write(&head.blocks, folder.path());
+    let adapter = engine("ironplc", &head.blocks, folder.path()).unwrap();
+    let table = toml::from_str(include_str!("../described/ironplc.toml")).unwrap();
+    let described = DescribedEngine::start("mine", table, folder.path()).unwrap();
+    assert_eq!(described.identity().grade, adapter.identity().grade);
+    let dialect = described.identity().dialects[0];
+    let check = |engine: &dyn Engine, please: &str| {
+        let source = format!("PROGRAM main\n(* please: {please} *)\nEND_PROGRAM\n");
+        engine.session().unwrap().check(dialect, &source)
+    };
+    for please in [
+        "accept",
+        "reject",
+        "say what was recorded",
+        "be unfinished",
+        "go wrong",
+        "panic",
+        "die",
+    ] {
+        let outcome = match check(&described, please) {
+            Outcome::Crashed { reason } => Outcome::Crashed {
+                reason: reason.replace("; nothing that it wrote fits its `diagnostic`", ""),
+            },
+            other => other,
+        };
+        assert_eq!(outcome, check(adapter.as_ref(), please), "{please}");
+    }
+}
