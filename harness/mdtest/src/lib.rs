@@ -26,16 +26,20 @@
 //!   `each line`, which may stand `in` another text: `st each line in PROGRAM p¶x := …;¶END_PROGRAM`.
 //! - **rows** are lines `question = answer`, each on its own. A line that begins with a number sign and a space is a comment.
 //!
+//! A text of a megabyte is written with repetitions, which [`expanded`] writes out.
+//!
 //! [`check`] reads a folder, hands each block to a function, and reports all differences with file, line and heading.
 //!
 //! Architecture Invariant: this crate knows no language, no dialect and no other crate of Stickler; only tests use it.
 
 mod block;
+mod expansion;
 mod folder;
 mod marks;
 mod reported;
 
 pub use block::{Block, Difference, Program, same};
+pub use expansion::expanded;
 pub use folder::check;
 pub use marks::{Marks, Value};
 pub use reported::{Reported, differences};

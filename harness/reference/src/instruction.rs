@@ -288,3 +288,11 @@ pub enum StandardFunction {
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
 }
+
+impl StandardFunction {
+    /// Returns whether the function shifts or rotates bits.
+    pub(crate) const fn moves_bits(self) -> bool {
+        use StandardFunction::{Rol, Ror, Shl, Shr};
+        matches!(self, Shl | Shr | Rol | Ror)
+    }
+}

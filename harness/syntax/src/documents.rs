@@ -8,6 +8,7 @@
 //! | `lexed` | the diagnostics of the lexer: a code and the text at which it points |
 //! | `grouping` | an expression with parentheses around each operation, and brackets around what is written in parentheses |
 //! | `tree` | parts of what the tree prints of itself, and how often: `Positional ×2 & Named` |
+//! | `enormous` | how many diagnostics a text has whose repetitions are [written out](stickler_mdtest::expanded), or the only one: `2:6 S0002` |
 //! | `features`, `separable`, `parts`, `renamed` | the features of a program; its names, or why it cannot stand beside others |
 
 use crate::diagnostic::SpannedDiagnostic;
@@ -53,6 +54,7 @@ fn the_syntax_is_as_the_files_say() {
                     reason.to_owned(),
                 )
             }),
+            "enormous" => block.rows(|text, found| enormous(&block.framed(text), found)),
             "renamed" => block.rows(|text, result| same(renamed(text, of), result.to_owned())),
             _ => vec![Difference::new(1, "no test reads such a block")],
         }
@@ -175,7 +177,7 @@ impl<'t, 's: 't> Visitor<'t, 's> for Leaves<'s> {
     }
 }
 
-pub(crate) fn leaves(text: &str, dialect: &Dialect) -> String {
+fn leaves(text: &str, dialect: &Dialect) -> String {
     let unit = parse(text, dialect).0;
     let found = String::new();
     let mut leaves = Leaves { text, found };
@@ -228,6 +230,27 @@ fn tree(text: &str, dialect: &Dialect, parts: &str) -> Result<(), String> {
             Err(format!("`{part}` is found {found} times in {printed}"))
         }
     })
+}
+
+fn enormous(text: &str, found: &str) -> Result<(), String> {
+    let text = stickler_mdtest::expanded(text);
+    let (_, diagnostics) = parse(&text, Dialect::of(DialectName::IRONPLC_ED2));
+    if diagnostics.is_empty() {
+        // Neither the renderer nor the walk recurses along a chain.
+        let dialect = Dialect::of(DialectName::IRONPLC_ED2);
+        assert!(!rendered(&text, dialect).is_empty() && !leaves(&text, dialect).is_empty());
+    }
+    let lines = LineIndex::new(&text);
+    match &diagnostics[..] {
+        [only] if found.contains(':') => {
+            let at = lines.position(&text, only.span.start);
+            same(
+                format!("{}:{} {}", at.line, at.column, only.code),
+                found.to_owned(),
+            )
+        }
+        several => same(several.len().to_string(), found.to_owned()),
+    }
 }
 
 fn features(text: &str, dialect: &Dialect) -> String {

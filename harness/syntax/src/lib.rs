@@ -29,8 +29,6 @@ mod ending;
 pub mod features;
 mod keyword;
 mod lexer;
-#[cfg(test)]
-mod limits;
 pub mod names;
 mod parser;
 mod parts;

@@ -1,80 +1,107 @@
 //! The elementary data types: names, families, widths, ranges, and the raw form in which their values are held.
 
-/// An elementary data type of either edition of the standard.
-///
-/// # Raw form
-///
-/// Every value except a text is held as one `u64`, its *raw form*:
-///
-/// | types | raw form |
-/// |---|---|
-/// | `BOOL` | 0 or 1 |
-/// | `SINT` … `LINT` | two's complement, sign-extended to 64 bits |
-/// | `USINT` … `ULINT`, `BYTE` … `LWORD` | zero-extended |
-/// | `REAL`, `LREAL` | the bits of the `f32` (zero-extended) or the `f64` |
-/// | `TIME`, `LTIME` | nanoseconds, as an `i64` |
-/// | `DATE`, `LDATE`, `DT`, `LDT` | nanoseconds since 1970-01-01-00:00:00, as an `i64`; dates are whole days |
-/// | `TOD`, `LTOD` | nanoseconds since midnight |
-/// | `CHAR`, `WCHAR` | the code unit |
-///
-/// Basis: iec-61131-3: Table 10 (elementary data types); the resolution of times and dates is the implementer's to choose, and
-/// the raw form gives the short types the resolution and range of the long ones.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum ElementaryType {
-    /// `BOOL`, one bit.
-    Bool,
-    /// `SINT`, a signed integer of 8 bits.
-    Sint,
-    /// `INT`, a signed integer of 16 bits.
-    Int,
-    /// `DINT`, a signed integer of 32 bits.
-    Dint,
-    /// `LINT`, a signed integer of 64 bits.
-    Lint,
-    /// `USINT`, an unsigned integer of 8 bits.
-    Usint,
-    /// `UINT`, an unsigned integer of 16 bits.
-    Uint,
-    /// `UDINT`, an unsigned integer of 32 bits.
-    Udint,
-    /// `ULINT`, an unsigned integer of 64 bits.
-    Ulint,
-    /// `REAL`, binary32 of IEC 60559.
-    Real,
-    /// `LREAL`, binary64 of IEC 60559.
-    Lreal,
-    /// `BYTE`, a bit string of 8 bits.
-    Byte,
-    /// `WORD`, a bit string of 16 bits.
-    Word,
-    /// `DWORD`, a bit string of 32 bits.
-    Dword,
-    /// `LWORD`, a bit string of 64 bits.
-    Lword,
-    /// `TIME`, a duration.
-    Time,
-    /// `LTIME`, a duration of the third edition.
-    Ltime,
-    /// `DATE`, a calendar day.
-    Date,
-    /// `LDATE`, a calendar day of the third edition.
-    Ldate,
-    /// `TOD` or `TIME_OF_DAY`.
-    Tod,
-    /// `LTOD` or `LTIME_OF_DAY`, of the third edition.
-    Ltod,
-    /// `DT` or `DATE_AND_TIME`.
-    Dt,
-    /// `LDT` or `LDATE_AND_TIME`, of the third edition.
-    Ldt,
-    /// `STRING`, of single-byte characters.
-    String,
-    /// `WSTRING`, of double-byte characters.
-    Wstring,
-    /// `CHAR`, one single-byte character, of the third edition.
-    Char,
-    /// `WCHAR`, one double-byte character, of the third edition.
-    Wchar,
+/// Declares the elementary types: of each the variant, its keyword, its bits, its family and the edition that brought it.
+macro_rules! elementary_types {
+    ($(#[$about:meta])* ElementaryType {
+        $($(#[$said:meta])* $variant:ident = $name:literal, $bits:literal, $family:ident, $edition:ident;)*
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+        pub enum ElementaryType {
+            $($(#[$said])* $variant,)*
+        }
+
+        impl ElementaryType {
+            /// Every type, in the order of the declaration.
+            pub const ALL: [ElementaryType; TABLE.len()] = [$(ElementaryType::$variant,)*];
+        }
+
+        /// The table of elementary types, in the order of the declaration.
+        const TABLE: [TypeProperties; 27] = [$(TypeProperties {
+            name: $name,
+            bits: $bits,
+            family: Family::$family,
+            edition: Edition::$edition,
+        },)*];
+    };
+}
+
+elementary_types! {
+    /// An elementary data type of either edition of the standard.
+    ///
+    /// # Raw form
+    ///
+    /// Every value except a text is held as one `u64`, its *raw form*:
+    ///
+    /// | types | raw form |
+    /// |---|---|
+    /// | `BOOL` | 0 or 1 |
+    /// | `SINT` … `LINT` | two's complement, sign-extended to 64 bits |
+    /// | `USINT` … `ULINT`, `BYTE` … `LWORD` | zero-extended |
+    /// | `REAL`, `LREAL` | the bits of the `f32` (zero-extended) or the `f64` |
+    /// | `TIME`, `LTIME` | nanoseconds, as an `i64` |
+    /// | `DATE`, `LDATE`, `DT`, `LDT` | nanoseconds since 1970-01-01-00:00:00, as an `i64`; dates are whole days |
+    /// | `TOD`, `LTOD` | nanoseconds since midnight |
+    /// | `CHAR`, `WCHAR` | the code unit |
+    ///
+    /// Basis: iec-61131-3: Table 10 (elementary data types); the resolution of times and dates is the implementer's to choose, and
+    /// the raw form gives the short types the resolution and range of the long ones.
+    ElementaryType {
+        /// `BOOL`, one bit.
+        Bool = "BOOL", 1, Boolean, Second;
+        /// `SINT`, a signed integer of 8 bits.
+        Sint = "SINT", 8, Signed, Second;
+        /// `INT`, a signed integer of 16 bits.
+        Int = "INT", 16, Signed, Second;
+        /// `DINT`, a signed integer of 32 bits.
+        Dint = "DINT", 32, Signed, Second;
+        /// `LINT`, a signed integer of 64 bits.
+        Lint = "LINT", 64, Signed, Second;
+        /// `USINT`, an unsigned integer of 8 bits.
+        Usint = "USINT", 8, Unsigned, Second;
+        /// `UINT`, an unsigned integer of 16 bits.
+        Uint = "UINT", 16, Unsigned, Second;
+        /// `UDINT`, an unsigned integer of 32 bits.
+        Udint = "UDINT", 32, Unsigned, Second;
+        /// `ULINT`, an unsigned integer of 64 bits.
+        Ulint = "ULINT", 64, Unsigned, Second;
+        /// `REAL`, binary32 of IEC 60559.
+        Real = "REAL", 32, Real, Second;
+        /// `LREAL`, binary64 of IEC 60559.
+        Lreal = "LREAL", 64, Real, Second;
+        /// `BYTE`, a bit string of 8 bits.
+        Byte = "BYTE", 8, BitString, Second;
+        /// `WORD`, a bit string of 16 bits.
+        Word = "WORD", 16, BitString, Second;
+        /// `DWORD`, a bit string of 32 bits.
+        Dword = "DWORD", 32, BitString, Second;
+        /// `LWORD`, a bit string of 64 bits.
+        Lword = "LWORD", 64, BitString, Second;
+        /// `TIME`, a duration.
+        Time = "TIME", 64, Duration, Second;
+        /// `LTIME`, a duration of the third edition.
+        Ltime = "LTIME", 64, Duration, Third;
+        /// `DATE`, a calendar day.
+        Date = "DATE", 64, Date, Second;
+        /// `LDATE`, a calendar day of the third edition.
+        Ldate = "LDATE", 64, Date, Third;
+        /// `TOD` or `TIME_OF_DAY`.
+        Tod = "TOD", 64, TimeOfDay, Second;
+        /// `LTOD` or `LTIME_OF_DAY`, of the third edition.
+        Ltod = "LTOD", 64, TimeOfDay, Third;
+        /// `DT` or `DATE_AND_TIME`.
+        Dt = "DT", 64, DateAndTime, Second;
+        /// `LDT` or `LDATE_AND_TIME`, of the third edition.
+        Ldt = "LDT", 64, DateAndTime, Third;
+        /// `STRING`, of single-byte characters.
+        String = "STRING", 0, Text, Second;
+        /// `WSTRING`, of double-byte characters.
+        Wstring = "WSTRING", 0, Text, Second;
+        /// `CHAR`, one single-byte character, of the third edition.
+        Char = "CHAR", 8, Character, Third;
+        /// `WCHAR`, one double-byte character, of the third edition.
+        Wchar = "WCHAR", 16, Character, Third;
+    }
 }
 
 /// The kind of values that a type holds; types of one family differ only in width or range.
@@ -111,90 +138,16 @@ struct TypeProperties {
     name: &'static str,
     bits: u32,
     family: Family,
-    third_edition: bool,
+    edition: Edition,
 }
 
-const fn row(name: &'static str, bits: u32, family: Family) -> TypeProperties {
-    TypeProperties {
-        name,
-        bits,
-        family,
-        third_edition: false,
-    }
+/// The edition of the standard that brought a type.
+enum Edition {
+    Second,
+    Third,
 }
-
-const fn later(name: &'static str, bits: u32, family: Family) -> TypeProperties {
-    TypeProperties {
-        name,
-        bits,
-        family,
-        third_edition: true,
-    }
-}
-
-/// The table of elementary types, in the order of the declaration.
-const TABLE: [TypeProperties; 27] = [
-    row("BOOL", 1, Family::Boolean),
-    row("SINT", 8, Family::Signed),
-    row("INT", 16, Family::Signed),
-    row("DINT", 32, Family::Signed),
-    row("LINT", 64, Family::Signed),
-    row("USINT", 8, Family::Unsigned),
-    row("UINT", 16, Family::Unsigned),
-    row("UDINT", 32, Family::Unsigned),
-    row("ULINT", 64, Family::Unsigned),
-    row("REAL", 32, Family::Real),
-    row("LREAL", 64, Family::Real),
-    row("BYTE", 8, Family::BitString),
-    row("WORD", 16, Family::BitString),
-    row("DWORD", 32, Family::BitString),
-    row("LWORD", 64, Family::BitString),
-    row("TIME", 64, Family::Duration),
-    later("LTIME", 64, Family::Duration),
-    row("DATE", 64, Family::Date),
-    later("LDATE", 64, Family::Date),
-    row("TOD", 64, Family::TimeOfDay),
-    later("LTOD", 64, Family::TimeOfDay),
-    row("DT", 64, Family::DateAndTime),
-    later("LDT", 64, Family::DateAndTime),
-    row("STRING", 0, Family::Text),
-    row("WSTRING", 0, Family::Text),
-    later("CHAR", 8, Family::Character),
-    later("WCHAR", 16, Family::Character),
-];
 
 impl ElementaryType {
-    /// Every type, in the order of the declaration.
-    pub const ALL: [ElementaryType; 27] = [
-        E::Bool,
-        E::Sint,
-        E::Int,
-        E::Dint,
-        E::Lint,
-        E::Usint,
-        E::Uint,
-        E::Udint,
-        E::Ulint,
-        E::Real,
-        E::Lreal,
-        E::Byte,
-        E::Word,
-        E::Dword,
-        E::Lword,
-        E::Time,
-        E::Ltime,
-        E::Date,
-        E::Ldate,
-        E::Tod,
-        E::Ltod,
-        E::Dt,
-        E::Ldt,
-        E::String,
-        E::Wstring,
-        E::Char,
-        E::Wchar,
-    ];
-
     const fn row(self) -> &'static TypeProperties {
         &TABLE[self as usize]
     }
@@ -327,7 +280,7 @@ impl ElementaryType {
     ///
     /// Basis: iec-61131-3: Annex B of the third edition lists the types that it added.
     pub const fn is_third_edition(self) -> bool {
-        self.row().third_edition
+        matches!(self.row().edition, Edition::Third)
     }
 
     /// Returns the long form of a short duration, date or time of day: `TIME` → `LTIME`, `DATE` → `LDATE` …; `None` for any

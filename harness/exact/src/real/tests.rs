@@ -217,13 +217,7 @@ fn integers_are_those_that_fractions_round_to() {
                 continue;
             };
             let exact = by_definition(raw, ty).unwrap();
-            for rounding in [
-                Rounding::Truncate,
-                Rounding::HalfToEven,
-                Rounding::HalfAwayFromZero,
-                Rounding::Up,
-                Rounding::Down,
-            ] {
+            for &rounding in Rounding::ALL {
                 let expected = whole_by_fractions(&exact, rounding);
                 match to_whole(negative, significand, exponent, rounding) {
                     Whole::Number(number) => {

@@ -109,25 +109,4 @@ mod tests {
             assert_eq!(decode(eight_digits(number), ElementaryType::Dword), number);
         }
     }
-
-    #[test]
-    fn a_number_loses_the_digits_that_do_not_fit() {
-        use ElementaryType::{Byte, Dint, Dword, Lint, Lword, Ulint, Word};
-        assert_eq!(
-            [Byte, Word, Dword].map(|to| encode(123_456_789, Dint, to)),
-            [0x89, 0x6789, 0x2345_6789]
-        );
-        assert_eq!(encode(u64::MAX, Ulint, Lword), 0x6744_0737_0955_1615);
-        assert_eq!(
-            encode((-1_i64).cast_unsigned(), Lint, Lword),
-            0x9999_9999_9999_9999
-        );
-        assert_eq!(encode(i64::MIN.cast_unsigned(), Lint, Byte), 0x92);
-    }
-
-    #[test]
-    fn a_digit_above_nine_counts_with_its_value() {
-        assert_eq!(decode(u64::MAX, ElementaryType::Lword), 16_666_666_666_666_665);
-        assert_eq!(decode(0x1A, ElementaryType::Byte), 20);
-    }
 }

@@ -24,6 +24,19 @@ pub(super) struct TypedOperation {
     pub(super) result: TypeId,
 }
 
+impl TypedOperation {
+    /// An operation that the machine computes in the type of its result.
+    fn new((left, right): (TypeId, TypeId), action: Action, result: TypeId) -> TypedOperation {
+        TypedOperation {
+            left,
+            right,
+            action,
+            computed: result,
+            result,
+        }
+    }
+}
+
 /// The action of an operator.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Action {
@@ -134,13 +147,7 @@ impl TypeRules<'_> {
             (None, TypeKind::Enumeration(_)) if equality => Action::Compare(operator, ElementaryType::Lint),
             _ => return None,
         };
-        Some(TypedOperation {
-            left: common,
-            right: common,
-            action,
-            computed: TypeId::BOOL,
-            result: TypeId::BOOL,
-        })
+        Some(TypedOperation::new((common, common), action, TypeId::BOOL))
     }
 
     /// Returns a value of an enumeration as the number that it may count as, and any other as it is.
@@ -162,13 +169,11 @@ impl TypeRules<'_> {
         }
         let common = self.common(left, right)?;
         let ty = common.elementary()?;
-        (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(TypedOperation {
-            left: common,
-            right: common,
-            action: Action::Logic(operator),
-            computed: common,
-            result: common,
-        })
+        (ty == ElementaryType::Bool || ty.is_bit_string()).then_some(TypedOperation::new(
+            (common, common),
+            Action::Logic(operator),
+            common,
+        ))
     }
 
     fn arithmetic(
@@ -199,13 +204,7 @@ impl TypeRules<'_> {
             _ => false,
         };
         let action = Action::Arithmetic(operator, ty);
-        defined.then_some(TypedOperation {
-            left: common,
-            right: common,
-            action,
-            computed: common,
-            result: common,
-        })
+        defined.then_some(TypedOperation::new((common, common), action, common))
     }
 
     /// Returns the type in which two integers or bit strings meet for the checker, where the dialect promotes operands.
@@ -251,13 +250,7 @@ impl TypeRules<'_> {
             number,
             swapped,
         };
-        defined.then_some(TypedOperation {
-            left,
-            right,
-            action,
-            computed: duration,
-            result: duration,
-        })
+        defined.then_some(TypedOperation::new((left, right), action, duration))
     }
 
     /// Differences of dates and times of day, and a duration added to one or taken from it.
@@ -268,36 +261,23 @@ impl TypeRules<'_> {
         }
         if by.is_date_or_time() {
             let common = self.common_of_known(TypeId::of(from), TypeId::of(by))?;
-            let long = common.elementary()?.is_third_edition();
-            let result = if long {
-                ElementaryType::Ltime
-            } else {
-                ElementaryType::Time
-            };
+            let result = duration_of(common.elementary()?);
             let action = Action::Arithmetic(operator, result);
-            return (operator == ArithmeticOperator::Subtract).then_some(TypedOperation {
-                left: common,
-                right: common,
+            return (operator == ArithmeticOperator::Subtract).then_some(TypedOperation::new(
+                (common, common),
                 action,
-                computed: TypeId::of(result),
-                result: TypeId::of(result),
-            });
+                TypeId::of(result),
+            ));
         }
         let takes_duration = matches!(from.family(), Family::TimeOfDay | Family::DateAndTime);
         let additive = matches!(operator, ArithmeticOperator::Add | ArithmeticOperator::Subtract);
-        let duration = if from.is_third_edition() {
-            ElementaryType::Ltime
-        } else {
-            ElementaryType::Time
-        };
+        let duration = duration_of(from);
         implicit(by, duration, self.dialect).filter(|_| by.is_duration())?;
-        (takes_duration && additive).then_some(TypedOperation {
-            left: TypeId::of(from),
-            right: TypeId::of(duration),
-            action: Action::Arithmetic(operator, from),
-            computed: TypeId::of(from),
-            result: TypeId::of(from),
-        })
+        (takes_duration && additive).then_some(TypedOperation::new(
+            (TypeId::of(from), TypeId::of(duration)),
+            Action::Arithmetic(operator, from),
+            TypeId::of(from),
+        ))
     }
 
     /// The base's type is the result's; the exponent is any number.
@@ -319,13 +299,11 @@ impl TypeRules<'_> {
             Inferred::Real => ElementaryType::Lreal,
             _ => left.elementary().filter(|&ty| is_number(ty))?,
         };
-        Some(TypedOperation {
-            left: TypeId::of(base),
-            right: TypeId::of(exponent),
-            action: Action::Power { base, exponent },
-            computed: TypeId::of(base),
-            result: TypeId::of(base),
-        })
+        Some(TypedOperation::new(
+            (TypeId::of(base), TypeId::of(exponent)),
+            Action::Power { base, exponent },
+            TypeId::of(base),
+        ))
     }
 
     /// Returns what an operator does in the dialect.
@@ -363,6 +341,14 @@ fn is_integer(value: Inferred) -> bool {
     match value {
         Inferred::Integer(_) => true,
         _ => value.elementary().is_some_and(ElementaryType::is_integer),
+    }
+}
+
+/// The duration that two dates or times of day are apart.
+fn duration_of(moment: ElementaryType) -> ElementaryType {
+    match moment.is_third_edition() {
+        true => ElementaryType::Ltime,
+        false => ElementaryType::Time,
     }
 }
 

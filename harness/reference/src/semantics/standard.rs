@@ -82,9 +82,7 @@ impl Lowering<'_> {
         };
         match function {
             StandardFunction::Len => Inferred::from(ElementaryType::Int),
-            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
-                self.infer_common(function, &values[..1])
-            }
+            _ if function.moves_bits() => self.infer_common(function, &values[..1]),
             StandardFunction::Sel | StandardFunction::Mux => self.infer_common(function, &values[1..]),
             _ => self.infer_common(function, &values),
         }
@@ -127,7 +125,7 @@ impl Lowering<'_> {
         };
         match function {
             StandardFunction::Abs => elementary.is_integer() || elementary.is_real(),
-            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
+            _ if function.moves_bits() => {
                 elementary.is_bit_string()
                     || elementary == ElementaryType::Bool
                     || elementary.is_integer() && self.model.source.dialect.functions_promote
@@ -160,9 +158,7 @@ impl Lowering<'_> {
         };
         let (common, selector): (&[_], _) = match function {
             StandardFunction::Sel | StandardFunction::Mux => (&values[1..], Some(values[0])),
-            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
-                (&values[..1], None)
-            }
+            _ if function.moves_bits() => (&values[..1], None),
             _ => (&values, None),
         };
         match (function, selector) {
@@ -289,10 +285,7 @@ impl Lowering<'_> {
         wanted: Option<TypeId>,
     ) -> Option<TypeId> {
         let settled = settle(untyped, wanted)?;
-        let shifts = matches!(
-            function,
-            StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror
-        );
+        let shifts = function.moves_bits();
         Some(TypeId::of(match settled {
             ElementaryType::Dint if shifts && wanted.is_none() => ElementaryType::Dword,
             ElementaryType::Lint | ElementaryType::Ulint if shifts && wanted.is_none() => {

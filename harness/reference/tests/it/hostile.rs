@@ -1,128 +1,86 @@
-//! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound.
+//! Input that nobody would write: diagnostics, never a panic, a hang or memory without bound. Most of it is in
+//! `tests/enormous`.
 
+use stickler_mdtest::Difference;
 use stickler_reference::{Limits, RequestError, check, check_bytes, render, run};
-use stickler_types::Dialect;
 use stickler_types::{
-    Code, Diagnostic, DialectName, Fault, Observation, Outcome, RunRequest, TextReading, Value,
+    Diagnostic, Dialect, DialectName, Fault, Observation, Outcome, RunRequest, TextReading, Value,
 };
 
-const DIALECT: DialectName = DialectName::IRONPLC_ED3;
-
-/// `PROGRAM main` around declarations and statements.
-fn program(variables: &str, body: &str) -> String {
-    format!("PROGRAM main\nVAR\n{variables}\nEND_VAR\n{body}\nEND_PROGRAM\n")
+#[test]
+fn enormous_texts_give_diagnostics_alone() {
+    stickler_mdtest::check(
+        concat!(env!("CARGO_MANIFEST_DIR"), "/tests/enormous"),
+        |block| match block.kind() {
+            "enormous" => block.rows(|text, found| enormous(&block.framed(text), found)),
+            "hostile" => block.rows(|text, found| hostile(&block.framed(text), found)),
+            _ => vec![Difference::new(1, "no test reads such a block")],
+        },
+    );
 }
 
-/// Runs a program for one scan, and observes a variable.
-fn attempt(source: &str) -> Result<Outcome, RequestError> {
-    let observe = [Observation::last("x", "")];
-    run(
-        &RunRequest::once(DIALECT, source, &observe),
-        Limits { steps: 100_000 },
-    )
+/// Checks a text on a thread with the stack of a test, and compares how much is wrong with it: a row of `enormous`.
+fn enormous(text: &str, answer: &str) -> Result<(), String> {
+    let text = stickler_mdtest::expanded(text);
+    let checked = std::thread::Builder::new()
+        .stack_size(2 << 20)
+        .spawn(move || check(&text, DialectName::IRONPLC_ED3));
+    let found = checked
+        .map_err(|error| error.to_string())?
+        .join()
+        .map_err(|_| "it panics")?;
+    answered(&found, answer)
 }
 
-fn code(diagnostic: &Diagnostic) -> Code {
-    diagnostic.registered_code().expect("a code of the registry")
-}
-
-/// Everything that can be asked about a source text; gives its codes in the ordinary dialect.
-fn codes(source: &str) -> Vec<Code> {
+/// Asks everything that can be asked about a text, in every dialect, and compares how much is wrong with it in one: a row of
+/// `hostile`.
+fn hostile(text: &str, answer: &str) -> Result<(), String> {
+    let text = stickler_mdtest::expanded(text);
     for dialect in DialectName::ALL {
-        let _ = (check(source, dialect), render(source, dialect));
+        let _ = (check(&text, dialect), render(&text, dialect));
     }
-    let outcome = attempt(source);
-    let found = check(source, DIALECT);
-    assert!(
-        found
-            .iter()
-            .all(|found| found.line > Some(0) && found.column > Some(0)),
-        "{found:?}"
-    );
-    assert!(
-        found.is_empty() || matches!(outcome, Ok(Outcome::Rejected { .. })),
-        "{outcome:?}"
-    );
-    found.iter().map(code).collect()
-}
-
-#[test]
-fn nesting_without_end_meets_a_limit() {
-    let deep = 100_000;
-    let parentheses = format!("x := {}1{};", "(".repeat(deep), ")".repeat(deep));
-    assert_eq!(codes(&program("x : INT;", &parentheses)), [Code::LimitExceeded]);
-    let branches = format!("{}{}", "IF TRUE THEN ".repeat(deep), "END_IF; ".repeat(deep));
-    assert_eq!(codes(&program("x : INT;", &branches)), [Code::LimitExceeded]);
-    for opened in [
-        "(* ",
-        "x := (",
-        "IF TRUE THEN ",
-        "x[",
-        "F(a := ",
-        "NOT ",
-        "- ",
-        "CASE x OF 1: ",
-        "ARRAY[1..2] OF ",
-    ] {
-        assert!(
-            !codes(&program("x : INT;", &opened.repeat(deep))).is_empty(),
-            "{opened}"
-        );
-        assert!(!codes(&opened.repeat(deep)).is_empty(), "{opened}");
-    }
-}
-
-#[test]
-fn long_chains_are_no_nesting() {
-    let sum = format!("x := 0{};", " + 1".repeat(100_000));
-    let source = program("x : DINT;", &sum);
-    match attempt(&source) {
+    let observe = [Observation::last("x", "")];
+    let request = RunRequest::once(DialectName::IRONPLC_ED3, &text, &observe);
+    let outcome = run(&request, Limits { steps: 100_000 });
+    let found = check(&text, DialectName::IRONPLC_ED3);
+    let is_consistent = match &outcome {
+        Ok(Outcome::Rejected { .. }) => !found.is_empty(),
         Ok(
             Outcome::Executed { .. }
             | Outcome::Faulted {
                 fault: Fault::StepLimit,
                 ..
             },
-        ) => {}
-        other => panic!("{other:?}"),
+        ) => found.is_empty(),
+        outcome => found.is_empty() && matches!(outcome, Err(RequestError::UnknownName { .. })),
+    };
+    if !is_consistent {
+        return Err(format!(
+            "{} diagnostics, and the run gives {outcome:?}",
+            found.len()
+        ));
     }
-    let elsifs = format!(
-        "IF x = 1 THEN ; {} END_IF;",
-        "ELSIF x = 2 THEN x := 3; ".repeat(20_000)
-    );
-    assert_eq!(codes(&program("x : DINT;", &elsifs)), []);
+    answered(&found, answer)
 }
 
-#[test]
-fn numbers_and_names_of_any_length_are_read() {
-    let digits = "9".repeat(1_000);
-    assert_eq!(
-        codes(&program("x : INT;", &format!("x := {digits};"))),
-        [Code::ConstantOverflow]
-    );
-    assert!(!codes(&program(&format!("x : ARRAY[0..{}] OF INT;", 1_u128 << 127), ";")).is_empty());
-    assert!(
-        !codes(&program(
-            "x : ARRAY[0..340282366920938463463374607431768211456] OF INT;",
-            ";"
-        ))
-        .is_empty()
-    );
-    assert!(
-        !codes(&program(
-            "x : ARRAY[0..2000000000, 0..2000000000] OF ARRAY[0..9] OF LINT;",
-            ";"
-        ))
-        .is_empty()
-    );
-    let name = "n".repeat(1_000_000);
-    assert_eq!(
-        codes(&program(
-            &format!("{name} : INT; x : INT;"),
-            &format!("x := {name};")
-        )),
-        []
-    );
+/// Compares diagnostics with how many there are, or with the only one.
+fn answered(found: &[Diagnostic], answer: &str) -> Result<(), String> {
+    let given = match found {
+        [only] if answer.contains(':') => {
+            let place = (only.line.unwrap_or(0), only.column.unwrap_or(0));
+            format!(
+                "{}:{} {}",
+                place.0,
+                place.1,
+                only.code.as_deref().unwrap_or_default()
+            )
+        }
+        many => match answer.strip_suffix('+').map(str::parse) {
+            Some(Ok(least)) if many.len() > least => answer.to_owned(),
+            _ => many.len().to_string(),
+        },
+    };
+    stickler_mdtest::same(given, answer.to_owned())
 }
 
 #[test]
@@ -143,52 +101,8 @@ fn bytes_of_all_kinds_are_diagnosed() {
             assert_eq!(found.is_empty(), bytes == b"\xEF\xBB\xBF", "{bytes:?}: {found:?}");
         }
     }
-    assert_eq!(
-        codes("PROGRAM main\r\nVAR x : INT; END_VAR\r\nx := 1;\r\nEND_PROGRAM\r\n"),
-        []
-    );
-}
-
-#[test]
-fn a_line_of_a_megabyte_has_its_columns() {
-    let source = program("x : INT;", &format!("{}x := y;", "x := 1; ".repeat(128 << 10)));
-    let found = check(&source, DIALECT);
-    let places: Vec<_> = found
-        .iter()
-        .map(|one| (code(one), one.line, one.column))
-        .collect();
-    assert_eq!(places, [(Code::VariableUndefined, Some(5), Some((1 << 20) + 6))]);
-}
-
-#[test]
-fn recursion_is_rejected_and_a_cycle_of_types_too() {
-    let source = "FUNCTION F : INT F := G(); END_FUNCTION FUNCTION G : INT G := F(); END_FUNCTION";
-    assert!(
-        codes(source).contains(&Code::RecursiveCycle),
-        "{:?}",
-        codes(source)
-    );
-    assert!(!codes("TYPE A : STRUCT b : B; END_STRUCT; B : STRUCT a : A; END_STRUCT; END_TYPE").is_empty());
-    assert!(!codes("FUNCTION_BLOCK F VAR f : F; END_VAR END_FUNCTION_BLOCK").is_empty());
-}
-
-#[test]
-fn texts_that_grow_meet_the_step_limit() {
-    let source = program(
-        "x : INT; s : ARRAY[1..100000] OF STRING[60000]; t : STRING[60000] := 'abcdefgh'; i : DINT;",
-        "WHILE LEN(t) < 30000 DO t := CONCAT(t, t); END_WHILE;
-         FOR i := 1 TO 100000 DO s[i] := t; END_FOR;",
-    );
-    match attempt(&source) {
-        Ok(
-            Outcome::Faulted {
-                fault: Fault::StepLimit,
-                ..
-            }
-            | Outcome::Rejected { .. },
-        ) => {}
-        other => panic!("{other:?}"),
-    }
+    let source = "PROGRAM main\r\nVAR x : INT; END_VAR\r\nx := 1;\r\nEND_PROGRAM\r\n";
+    assert_eq!(check(source, DialectName::IRONPLC_ED3), []);
 }
 
 #[test]

@@ -5,7 +5,6 @@ mod conversion_properties;
 mod dialects;
 mod documents;
 mod hostile;
-mod limits;
 mod registry;
 mod requests;
 mod syntax_mutations;

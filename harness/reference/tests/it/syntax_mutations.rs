@@ -9,87 +9,24 @@ use stickler_types::{DialectName, SplitMix64};
 
 /// Programs that use every production between them.
 const SAMPLES: [&str; 4] = [
-    "TYPE
-    Color : (RED, GREEN := 5, BLUE) := RED; Small : INT(-5..5) := 0; Alias : Color;
-    Rec : STRUCT a, b : INT := 3; c : ARRAY[0..3, 1..2] OF REAL := [8(1.5)]; s : STRING[10] := 'it$'s'; END_STRUCT;
-    Coded : BYTE (ON1 := 16#01, OFF1 := 2#1000_0000);
-END_TYPE
-VAR_GLOBAL CONSTANT g : LREAL := 1.0E-3; END_VAR
-CONFIGURATION conf
-    VAR_GLOBAL RETAIN h : Rec := (a := 1, c := [2(0.5), 6()]); END_VAR
-    RESOURCE res ON PLC TASK t(INTERVAL := T#10ms, PRIORITY := 1); PROGRAM p1 WITH t : main; END_RESOURCE
-END_CONFIGURATION
-PROGRAM main VAR x : INT; END_VAR x := 1; END_PROGRAM
-",
-    "FUNCTION f : DINT (* a comment *)
-VAR_INPUT a : INT := 1; b : BOOL; END_VAR VAR_OUTPUT q : WORD; END_VAR VAR_IN_OUT v : ARRAY[1..2] OF INT; END_VAR
-VAR_TEMP t : TIME := T#-1d2h3m4.5s; END_VAR
-    IF a > 5 AND NOT b OR (a < -5) THEN f := a * 2 - -3 ** 2; ELSIF a = 0 XOR b THEN RETURN; ELSE q.3 := TRUE; END_IF;
-    CASE a OF 1, 2..5: f := 1; -1: f := 2; Color#RED: ; ELSE f := DINT#16#FF; END_CASE;
-END_FUNCTION
-",
-    "FUNCTION_BLOCK fb VAR_INPUT i : UINT; END_VAR VAR n : ARRAY[0..1] OF fb2; w : WSTRING := \"a$0041\"; END_VAR
-    FOR i := 0 TO 10 BY 2 DO n[i MOD 2](p := i, q => w, NOT r => s.t[1, 2].u); IF i = 5 THEN EXIT; END_IF; END_FOR;
-    WHILE i < 10 DO i := i + 1; CONTINUE; END_WHILE;
-    REPEAT i := SHL(i, 1) / 3; ; UNTIL i >= 100 & TRUE END_REPEAT;
-END_FUNCTION_BLOCK
-",
-    "PROGRAM dates VAR
-    d : DATE := D#2024-02-29; t : TOD := TOD#12:34:56.789; m : DT := DT#2024-02-29-12:34:56; c : CHAR := CHAR#'a';
-    b : BYTE := 2#1010; r : REAL := REAL#-1.5E3; l : LTIME := LTIME#1us; s : STRING := STRING#'$$x';
-END_VAR
-    b.%X3 := a.b[1].7; {pragma} x := WORD#16#00FF OR 8#17; y := 1_000.5; z := BOOL#FALSE;
-END_PROGRAM
-",
+    include_str!("../samples/types-and-configuration.st"),
+    include_str!("../samples/function.st"),
+    include_str!("../samples/function-block.st"),
+    include_str!("../samples/dates.st"),
 ];
 
-/// Pieces that are put in where something was cut.
-const PIECES: [&str; 40] = [
-    ";",
-    ":=",
-    "(",
-    ")",
-    "[",
-    "]",
-    "(*",
-    "*)",
-    "//",
-    "'",
-    "\"",
-    "$",
-    ".",
-    "..",
-    "%X1",
-    "#",
-    "END_IF",
-    "IF",
-    "THEN",
-    "END_VAR",
-    "VAR",
-    "END_PROGRAM",
-    "PROGRAM",
-    "STRUCT",
-    "ARRAY",
-    "OF",
-    "CASE",
-    "REPEAT",
-    "-",
-    "NOT",
-    "x",
-    "5",
-    "1.5",
-    "T#1s",
-    "é",
-    "\u{0}",
-    "\n",
-    "@",
-    "REF_TO",
-    "^",
-];
+/// Pieces that are put in where something was cut, besides a line feed and a character that is not seen.
+const PIECES: &str = "; := ( ) [ ] (* *) // ' \" $ . .. %X1 # END_IF IF THEN END_VAR VAR END_PROGRAM PROGRAM STRUCT ARRAY OF \
+    CASE REPEAT - NOT x 5 1.5 T#1s é @ REF_TO ^";
 
 struct TokenChoices(SplitMix64);
 
 impl TokenChoices {
+    fn piece(&mut self) -> &'static str {
+        let pieces: Vec<_> = PIECES.split_whitespace().chain(["\u{0}", "\n"]).collect();
+        pieces[self.below(pieces.len())]
+    }
+
     fn below(&mut self, bound: usize) -> usize {
         (self.0.draw() >> 33) as usize % bound.max(1)
     }
@@ -124,8 +61,8 @@ fn mutate_tokens(text: &str, random: &mut TokenChoices) -> String {
     match random.below(5) {
         0 => format!("{before}{after}"),
         1 => format!("{before}{piece} {piece}{after}"),
-        2 => format!("{before} {} {after}", PIECES[random.below(PIECES.len())]),
-        3 => format!("{before}{piece} {} {after}", PIECES[random.below(PIECES.len())]),
+        2 => format!("{before} {} {after}", random.piece()),
+        3 => format!("{before}{piece} {} {after}", random.piece()),
         _ => before.to_owned(),
     }
 }
@@ -249,7 +186,7 @@ fn shuffled_pieces_are_diagnosed() {
     for round in 0..3000 {
         let mut text = String::from("PROGRAM p VAR x : INT; END_VAR ");
         for _ in 0..random.below(60) {
-            text.push_str(PIECES[random.below(PIECES.len())]);
+            text.push_str(random.piece());
             text.push(' ');
         }
         hold(

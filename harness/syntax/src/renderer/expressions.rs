@@ -90,18 +90,21 @@ impl<'u, 's> Writer<'u, 's> {
 
     /// A chain of infix operators: its left spine is found first, then written from its deepest operand on.
     fn chain(&mut self, operator: BinaryOperator, mut left: ExpressionId, right: ExpressionId) {
-        let mut spine = vec![(operator, right)];
+        let start = self.spine.len();
+        self.spine.push((operator, right));
         while let ExpressionKind::Binary {
             operator,
             left: next,
             right,
         } = self.node(left)
         {
-            spine.push((*operator, *right));
+            self.spine.push((*operator, *right));
             left = *next;
         }
         self.expression(left);
-        for (operator, right) in spine.into_iter().rev() {
+        while self.spine.len() > start
+            && let Some((operator, right)) = self.spine.pop()
+        {
             self.operator(operator);
             self.expression(right);
         }

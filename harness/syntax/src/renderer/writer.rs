@@ -1,7 +1,7 @@
 //! The text that is being written, and the tree that it is written from.
 
 use super::names::Names;
-use crate::tree::{Expression, ExpressionId, ExpressionKind, SourceUnit};
+use crate::tree::{BinaryOperator, Expression, ExpressionId, ExpressionKind, SourceUnit};
 
 /// Writes the whole of `unit`, the tree of `text`, in one spelling.
 ///
@@ -22,6 +22,7 @@ pub fn render(unit: &SourceUnit, text: &str) -> String {
         indent: 0,
         dense: false,
         pou: None,
+        spine: Vec::new(),
     };
     writer.source_unit();
     writer.out
@@ -37,6 +38,8 @@ pub(super) struct Writer<'u, 's> {
     pub(super) dense: bool,
     /// The start of the POU whose variables are in scope.
     pub(super) pou: Option<u32>,
+    /// The operators of the chains that are being written, each with its right operand; shared by all, so that a chain allocates nothing.
+    pub(super) spine: Vec<(BinaryOperator, ExpressionId)>,
 }
 
 impl<'u, 's> Writer<'u, 's> {

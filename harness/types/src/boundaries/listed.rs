@@ -3,6 +3,7 @@
 //! Basis: conformance-cases/README.md (boundary values).
 
 use crate::{ElementaryType, Family, Value, WrittenValue};
+use std::sync::LazyLock;
 
 /// Returns the boundary values of a type, each once; integers and bit strings in ascending order.
 ///
@@ -20,47 +21,55 @@ pub fn boundaries(ty: ElementaryType) -> Vec<WrittenValue> {
             .map(|number| WrittenValue::of(Value::plain(ty, ty.wrap(number))))
             .collect(),
         Family::Real => reals(ty),
-        _ => short_list(ty)
-            .iter()
-            .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
-            .collect(),
+        _ => parsed(ty),
     }
+}
+
+/// The literals of a type that are listed rather than computed.
+struct ListedLiterals {
+    ordinary: &'static str,
+    other: &'static str,
+    telling: &'static str,
+    boundaries: Vec<&'static str>,
+}
+
+/// The lists of all types, in the order of [`ElementaryType::ALL`].
+static LISTS: LazyLock<Vec<ListedLiterals>> = LazyLock::new(|| {
+    let lines = include_str!("literals.txt")
+        .lines()
+        .filter(|line| !line.starts_with('#'));
+    let lists = lines.map(|line| {
+        let mut columns = line.split(" | ").skip(1).map(str::trim);
+        let mut next = || columns.next().unwrap_or_default();
+        ListedLiterals {
+            ordinary: next(),
+            other: next(),
+            telling: next(),
+            boundaries: next().split_whitespace().collect(),
+        }
+    });
+    lists.collect()
+});
+
+fn listed(ty: ElementaryType) -> &'static ListedLiterals {
+    &LISTS[ty as usize]
 }
 
 /// Returns one ordinary value of a type: neither its zero nor one that another type could not hold.
 pub fn ordinary(ty: ElementaryType) -> Option<WrittenValue> {
-    WrittenValue::parse(ty, ordinary_literal(ty)).ok()
+    WrittenValue::parse(ty, listed(ty).ordinary).ok()
 }
 
 /// Returns a value of a type that shows whether it is converted as its type says: a number with its sign or its highest bit set, and more
 /// digits than a REAL holds where the type has them, but no more than an LREAL holds.
 pub fn telling(ty: ElementaryType) -> Option<WrittenValue> {
-    use ElementaryType as E;
-    let literal = match ty {
-        E::Sint => "-127",
-        E::Int => "-32767",
-        E::Dint => "-2147483647",
-        E::Lint => "-9007199254740991",
-        E::Usint => "255",
-        E::Uint => "65535",
-        E::Udint => "4294967295",
-        E::Ulint => "9223372036854777856",
-        E::Byte => "16#A5",
-        E::Word => "16#A55A",
-        E::Dword => "16#A55A0FF1",
-        E::Lword => "16#A55A0FF1C33C8001",
-        E::Real => "-0.1",
-        E::Lreal => "-1.0000000000000002",
-        _ => ordinary_literal(ty),
-    };
-    WrittenValue::parse(ty, literal).ok()
+    WrittenValue::parse(ty, listed(ty).telling).ok()
 }
 
 /// Returns an ordinary value of a type that is not `value`.
 pub fn other_than(ty: ElementaryType, value: Option<&Value>) -> Option<WrittenValue> {
-    let candidates = [ordinary_literal(ty), second_literal(ty)];
+    let candidates = [listed(ty).ordinary, listed(ty).other].into_iter();
     candidates
-        .into_iter()
         .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
         .find(|other| Some(&other.value) != value)
 }
@@ -87,51 +96,10 @@ fn integers(ty: ElementaryType) -> Vec<i128> {
     numbers
 }
 
-/// The literals that both real types accept, each with its own rounding: 2^24+1 is not a REAL, and 2^53+1 not an LREAL.
-const REALS: &[&str] = &[
-    "0.0",
-    "-0.0",
-    "1.0",
-    "-1.0",
-    "0.5",
-    "-0.5",
-    "1.5",
-    "2.5",
-    "0.1",
-    "-0.1",
-    "127.0",
-    "128.0",
-    "255.0",
-    "256.0",
-    "32767.0",
-    "32768.0",
-    "65535.0",
-    "65536.0",
-    "8388608.0",
-    "8388609.0",
-    "16777215.0",
-    "16777216.0",
-    "16777217.0",
-    "-16777217.0",
-    "16777218.0",
-    "2147483648.0",
-    "4294967296.0",
-    "9007199254740991.0",
-    "9007199254740992.0",
-    "9007199254740993.0",
-    "-9007199254740993.0",
-    "9007199254740994.0",
-    "9223372036854775808.0",
-    "18446744073709551616.0",
-];
-
-/// Returns the values of [`REALS`], and the numbers at the ends of the type: the smallest, the largest subnormal, the
+/// Returns the listed values, and the numbers at the ends of the type: the smallest, the largest subnormal, the
 /// smallest normal, the largest but one and the largest finite, of both signs, and the neighbours of 1.
 fn reals(ty: ElementaryType) -> Vec<WrittenValue> {
-    let mut values: Vec<_> = REALS
-        .iter()
-        .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
-        .collect();
+    let mut values = parsed(ty);
     let (sign, fraction, one, largest) = match ty {
         ElementaryType::Real => (1_u64 << 31, 1_u64 << 23, 0x3F80_0000, 0x7F7F_FFFF),
         _ => (1 << 63, 1 << 52, 0x3FF0_0000_0000_0000, 0x7FEF_FFFF_FFFF_FFFF),
@@ -143,110 +111,12 @@ fn reals(ty: ElementaryType) -> Vec<WrittenValue> {
     values
 }
 
-/// Returns the short lists of the other types. A TIME has the limits of 32 bits of milliseconds, and one value beyond.
-fn short_list(ty: ElementaryType) -> &'static [&'static str] {
-    use ElementaryType as E;
-    match ty {
-        E::Time => &[
-            "TIME#0ms",
-            "TIME#1ms",
-            "TIME#-1ms",
-            "TIME#1.5ms",
-            "TIME#1d2h3m4s5ms",
-            "TIME#2147483647ms",
-            "TIME#2147483648ms",
-            "TIME#4294967295ms",
-            "TIME#4294967296ms",
-        ],
-        E::Ltime => &[
-            "LTIME#0ns",
-            "LTIME#1ns",
-            "LTIME#-1ns",
-            "LTIME#1ms",
-            "LTIME#1d2h3m4s5ms",
-            "LTIME#2147483648ms",
-            "LTIME#4294967296ms",
-        ],
-        E::Date => &[
-            "DATE#1970-01-01",
-            "DATE#2000-02-29",
-            "DATE#2024-02-29",
-            "DATE#2038-01-19",
-            "DATE#2106-02-07",
-        ],
-        E::Ldate => &[
-            "LDATE#1970-01-01",
-            "LDATE#2024-02-29",
-            "LDATE#2038-01-20",
-            "LDATE#2106-02-08",
-        ],
-        E::Tod => &[
-            "TOD#00:00:00",
-            "TOD#00:00:00.001",
-            "TOD#12:34:56.789",
-            "TOD#23:59:59.999",
-        ],
-        E::Ltod => &["LTOD#00:00:00", "LTOD#12:34:56.789", "LTOD#23:59:59.999999999"],
-        E::Dt => &[
-            "DT#1970-01-01-00:00:00",
-            "DT#2024-02-29-12:34:56",
-            "DT#2038-01-19-03:14:08",
-        ],
-        E::Ldt => &[
-            "LDT#1970-01-01-00:00:00",
-            "LDT#2024-02-29-12:34:56.789",
-            "LDT#2106-02-07-06:28:16",
-        ],
-        E::String => &["''", "'a'", "'abc'", "'it$'s'", "'$$'"],
-        E::Wstring => &["\"\"", "\"a\"", "\"abc\"", "\"$20AC\""],
-        E::Char => &["'a'", "'Z'", "'$41'", "'$FF'"],
-        E::Wchar => &["\"a\"", "\"Z\"", "\"$20AC\"", "\"$FFFF\""],
-        _ => &[],
-    }
-}
-
-fn ordinary_literal(ty: ElementaryType) -> &'static str {
-    use ElementaryType as E;
-    match ty {
-        E::Bool => "TRUE",
-        E::Byte | E::Word | E::Dword | E::Lword => "16#01",
-        E::Real | E::Lreal => "1.5",
-        E::Time => "TIME#1ms",
-        E::Ltime => "LTIME#1ms",
-        E::Date => "DATE#2024-02-29",
-        E::Ldate => "LDATE#2024-02-29",
-        E::Tod => "TOD#12:34:56",
-        E::Ltod => "LTOD#12:34:56",
-        E::Dt => "DT#2024-02-29-12:34:56",
-        E::Ldt => "LDT#2024-02-29-12:34:56",
-        E::String => "'abc'",
-        E::Char => "'a'",
-        E::Wstring => "\"abc\"",
-        E::Wchar => "\"a\"",
-        _ => "1",
-    }
-}
-
-fn second_literal(ty: ElementaryType) -> &'static str {
-    use ElementaryType as E;
-    match ty {
-        E::Bool => "FALSE",
-        E::Byte | E::Word | E::Dword | E::Lword => "16#02",
-        E::Real | E::Lreal => "2.5",
-        E::Time => "TIME#2ms",
-        E::Ltime => "LTIME#2ms",
-        E::Date => "DATE#2000-02-29",
-        E::Ldate => "LDATE#2000-02-29",
-        E::Tod => "TOD#01:02:03",
-        E::Ltod => "LTOD#01:02:03",
-        E::Dt => "DT#2000-02-29-01:02:03",
-        E::Ldt => "LDT#2000-02-29-01:02:03",
-        E::String => "'xyz'",
-        E::Char => "'x'",
-        E::Wstring => "\"xyz\"",
-        E::Wchar => "\"x\"",
-        _ => "2",
-    }
+/// Returns the values of the list of a type.
+fn parsed(ty: ElementaryType) -> Vec<WrittenValue> {
+    let literals = listed(ty).boundaries.iter();
+    literals
+        .filter_map(|literal| WrittenValue::parse(ty, literal).ok())
+        .collect()
 }
 
 #[cfg(test)]
@@ -337,15 +207,18 @@ mod tests {
     }
 
     #[test]
-    fn the_short_lists_are_literals_of_their_types() {
+    fn every_listed_literal_is_one_of_its_type() {
+        assert_eq!(LISTS.len(), ElementaryType::ALL.len());
         for ty in ElementaryType::ALL {
-            let list = short_list(ty);
-            assert!(
-                list.iter()
-                    .all(|literal| WrittenValue::parse(ty, literal).is_ok()),
-                "{}",
-                ty.name()
-            );
+            assert_eq!(parsed(ty).len(), listed(ty).boundaries.len(), "{ty}");
+            assert!(ordinary(ty).is_some() && telling(ty).is_some(), "{ty}");
+        }
+        for (line, ty) in include_str!("literals.txt")
+            .lines()
+            .filter(|line| !line.starts_with('#'))
+            .zip(ElementaryType::ALL)
+        {
+            assert!(line.starts_with(&format!("{ty} ")), "{line}");
         }
     }
 
