@@ -8,6 +8,8 @@ use crate::overview::{
 };
 use crate::recording::{Recording, all_questions, extreme, program_of};
 use crate::session::{Refusal, RefusalKind};
+use crate::table::{Alignment, Cell, Table};
+use anstyle::Style;
 use std::sync::Arc;
 use stickler_engines::Outcome;
 use stickler_exact::{Signature, signatures};
@@ -248,4 +250,42 @@ fn no_function_is_listed_twice() {
     let once: std::collections::BTreeSet<&String> = names.iter().collect();
     assert_eq!(once.len(), names.len());
     assert!(names.len() > 500, "{}", names.len());
+}
+
+/// Returns the cell of a text: numbers on the right, parts apart in styles of their own.
+fn cell(text: &str) -> Cell {
+    let mut styles = [Style::new(), Style::new().bold()].into_iter().cycle();
+    let pieces = text
+        .split('~')
+        .zip(&mut styles)
+        .map(|(piece, style)| (piece.to_owned(), style));
+    let is_number = text.starts_with(|first: char| first.is_ascii_digit() || first == '-' || first == '>');
+    let align = if is_number {
+        Alignment::Right
+    } else {
+        Alignment::Left
+    };
+    let pieces = pieces.map(|(piece, style)| (piece.trim_start_matches('>').to_owned(), style));
+    Cell::new(pieces.collect(), align)
+}
+
+#[test]
+fn golden_tables() {
+    check("tests/examples/terminal-tables.md", |example| {
+        let line = |text: &str| text.split(" / ").map(cell).collect::<Vec<Cell>>();
+        let mut lines = example.text("table").lines();
+        let heads = example
+            .get("heads")
+            .map(|heads| heads.lines().map(line).collect());
+        let mut table = match heads {
+            Some(heads) => Table::of_values(heads, 1, 2),
+            None => Table::new(line(lines.next().unwrap())),
+        };
+        lines.for_each(|text| table.row(line(text)));
+        let mut bytes = Vec::new();
+        table
+            .write(&mut bytes, example.text("columns").parse().ok())
+            .unwrap();
+        anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
+    });
 }

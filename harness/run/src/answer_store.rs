@@ -4,7 +4,7 @@
 //! engine itself are kept: a crash, a time limit or an invalid answer may be caused by the machine, and the engine is asked
 //! again.
 
-use crate::answers::{Answers, Rendering, ask};
+use crate::answers::{Answers, ask};
 use serde::{Deserialize, Serialize};
 use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
 use stickler_suite::Case;
@@ -78,31 +78,15 @@ pub fn question(case: &Case) -> String {
 
 /// Serializes answers; returns `None` where they are not to be kept, or cannot be kept without loss.
 pub(crate) fn written(answers: &Answers) -> Option<String> {
-    let kept = StoredAnswers::of(answers)?;
+    let kept = answers.clone().convert(StoredOutcome::of)?;
     let text = serde_json::to_string(&kept).ok()?;
     (read(&text).as_ref() == Some(answers)).then_some(text)
 }
 
 /// Parses answers; returns `None` where the text was not written by [`written`].
 pub(crate) fn read(text: &str) -> Option<Answers> {
-    serde_json::from_str::<StoredAnswers>(text).ok()?.answers()
-}
-
-/// The serialized form of everything that an engine answered about a case.
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredAnswers {
-    run: StoredOutcome,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    rendering: Option<StoredRendering>,
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StoredRendering {
-    first: StoredOutcome,
-    again: Option<StoredOutcome>,
-    rerun: Option<StoredOutcome>,
+    let kept: Answers<StoredOutcome> = serde_json::from_str(text).ok()?;
+    kept.convert(StoredOutcome::outcome)
 }
 
 /// The serialized form of an outcome that may be kept; values are typed literals, and warnings come last.
@@ -119,74 +103,22 @@ enum StoredOutcome {
     NotImplemented(String),
 }
 
-impl StoredAnswers {
-    fn of(answers: &Answers) -> Option<StoredAnswers> {
-        let rendering = match &answers.rendering {
-            Some(rendering) => Some(StoredRendering::of(rendering)?),
-            None => None,
-        };
-        Some(StoredAnswers {
-            run: StoredOutcome::of(&answers.run)?,
-            rendering,
-        })
-    }
-
-    fn answers(self) -> Option<Answers> {
-        let rendering = match self.rendering {
-            Some(rendering) => Some(rendering.rendering()?),
-            None => None,
-        };
-        Some(Answers {
-            run: self.run.outcome()?,
-            rendering,
-        })
-    }
-}
-
-impl StoredRendering {
-    fn of(rendering: &Rendering) -> Option<StoredRendering> {
-        let done = |outcome: &Option<Outcome>| match outcome {
-            Some(outcome) => StoredOutcome::of(outcome).map(Some),
-            None => Some(None),
-        };
-        Some(StoredRendering {
-            first: StoredOutcome::of(&rendering.first)?,
-            again: done(&rendering.again)?,
-            rerun: done(&rendering.rerun)?,
-        })
-    }
-
-    fn rendering(self) -> Option<Rendering> {
-        let outcome = |done: Option<StoredOutcome>| match done {
-            Some(done) => done.outcome().map(Some),
-            None => Some(None),
-        };
-        Some(Rendering {
-            first: self.first.outcome()?,
-            again: outcome(self.again)?,
-            rerun: outcome(self.rerun)?,
-        })
-    }
-}
-
 impl StoredOutcome {
     /// Converts an outcome; returns `None` for one that is not to be kept.
-    fn of(outcome: &Outcome) -> Option<StoredOutcome> {
+    fn of(outcome: Outcome) -> Option<StoredOutcome> {
         Some(match outcome {
-            Outcome::Accepted { warnings } => StoredOutcome::Accepted(warnings.clone()),
-            Outcome::Executed { values, warnings } => {
-                StoredOutcome::Executed(literals(values), warnings.clone())
-            }
-            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics.clone()),
+            Outcome::Accepted { warnings } => StoredOutcome::Accepted(warnings),
+            Outcome::Executed { values, warnings } => StoredOutcome::Executed(literals(&values), warnings),
+            Outcome::Rejected { diagnostics } => StoredOutcome::Rejected(diagnostics),
             Outcome::Faulted {
                 fault,
                 line,
                 values,
                 warnings,
-            } => StoredOutcome::Faulted(fault.to_string(), *line, literals(values), warnings.clone()),
-            Outcome::Rendered { text } => StoredOutcome::Rendered(text.clone()),
-            Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason.clone()),
-            Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason.clone()),
+            } => StoredOutcome::Faulted(fault.to_string(), line, literals(&values), warnings),
+            Outcome::Rendered { text } => StoredOutcome::Rendered(text),
+            Outcome::Unsupported { reason } => StoredOutcome::Unsupported(reason),
+            Outcome::NotImplemented { reason } => StoredOutcome::NotImplemented(reason),
             Outcome::Crashed { .. }
             | Outcome::Unusable { .. }
             | Outcome::TimedOut { .. }

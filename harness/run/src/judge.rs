@@ -119,11 +119,7 @@ fn unanswered(outcome: &Outcome) -> Option<(Verdict, Fact)> {
             let message = message.clone();
             (Verdict::Error, Fact::Error { message })
         }
-        Outcome::Accepted { .. }
-        | Outcome::Executed { .. }
-        | Outcome::Rejected { .. }
-        | Outcome::Faulted { .. }
-        | Outcome::Rendered { .. } => return None,
+        _ => return None,
     };
     Some((verdict, fact))
 }

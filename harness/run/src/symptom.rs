@@ -77,14 +77,19 @@ impl Symptom {
         if let [Fact::Unusable { reason }] = got {
             return Symptom::Unusable(normalize_message(reason));
         }
-        match verdict {
-            Verdict::Crash => return Symptom::Crash(crash(got)),
-            Verdict::Timeout => return Symptom::Hang,
-            Verdict::Error => return Symptom::Error(error(got)),
-            _ => {}
-        }
-        if let Some(words) = not_implemented(got) {
-            return Symptom::NotImplemented(words);
+        let words = got.iter().find_map(|fact| match (verdict, fact) {
+            (Verdict::Crash, Fact::Crashed { reason: text })
+            | (Verdict::Error, Fact::Error { message: text }) => Some(normalize_message(text)),
+            (Verdict::Crash | Verdict::Error, _) => None,
+            (_, Fact::NotImplemented { reason, .. }) => Some(normalize_message(reason)),
+            _ => None,
+        });
+        match (verdict, words) {
+            (Verdict::Crash, words) => return Symptom::Crash(words.unwrap_or_default()),
+            (Verdict::Timeout, _) => return Symptom::Hang,
+            (Verdict::Error, words) => return Symptom::Error(words.unwrap_or_default()),
+            (_, Some(words)) => return Symptom::NotImplemented(words),
+            (_, None) => {}
         }
         let is_missing = |fact: &Fact| matches!(fact, Fact::MissingValue { .. });
         match (rejects(expected), rejects(got)) {
@@ -107,23 +112,27 @@ impl Symptom {
     /// Returns the symptom as a part of a file name.
     #[must_use]
     pub fn word(&self) -> String {
-        let (word, about) = self.words();
-        match about {
-            "" => word.to_owned(),
-            about => format!("{word}-{about}"),
+        match self {
+            // The message of a crash would fill the name of the file.
+            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Error(_) | Symptom::NotImplemented(_) => {
+                self.words().0.to_owned()
+            }
+            _ => match self.words() {
+                (word, "") => word.to_owned(),
+                (word, about) => format!("{word}-{about}"),
+            },
         }
     }
 
     /// Returns the word of the symptom, and the code, message or fault that it holds.
     fn words(&self) -> (&'static str, &str) {
         match self {
-            // The message of a crash would fill the name of the file.
-            Symptom::Crash(_) => ("crash", ""),
-            Symptom::Unusable(_) => ("unusable", ""),
+            Symptom::Crash(words) => ("crash", words),
+            Symptom::Unusable(words) => ("unusable", words),
             Symptom::Hang => ("hang", ""),
-            Symptom::Error(_) => ("error", ""),
+            Symptom::Error(words) => ("error", words),
             Symptom::Rejected(reason) => ("rejected", reason),
-            Symptom::NotImplemented(_) => ("not-implemented", ""),
+            Symptom::NotImplemented(words) => ("not-implemented", words),
             Symptom::NotRejected(code) => ("not-rejected", code),
             Symptom::OtherCode { code, .. } => ("not", code),
             Symptom::NoPlace(code) => ("no-place-of", code),
@@ -140,80 +149,47 @@ impl Symptom {
             Symptom::Text => ("text", ""),
         }
     }
-}
 
-impl fmt::Display for Symptom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    /// Returns the symptom as a sentence; `{}` is what it holds, which otherwise follows in brackets.
+    const fn sentence(&self) -> &'static str {
         match self {
-            Symptom::Crash(words) => write!(f, "it dies{}", in_brackets(words)),
-            Symptom::Unusable(words) => {
-                write!(
-                    f,
-                    "it accepts a program and makes nothing of use of it{}",
-                    in_brackets(words)
-                )
-            }
-            Symptom::Hang => f.write_str("it gives no answer"),
-            Symptom::Error(words) => write!(f, "its answer makes no sense{}", in_brackets(words)),
-            Symptom::Rejected(reason) => write!(f, "it rejects what must be accepted{}", in_brackets(reason)),
-            Symptom::NotImplemented(words) => {
-                write!(f, "it does not implement what is promised{}", in_brackets(words))
-            }
-            Symptom::NotRejected(code) => write!(f, "it accepts what must be rejected{}", in_brackets(code)),
-            Symptom::OtherCode { code, reported } => {
-                write!(
-                    f,
-                    "it rejects, but for another reason than {code}{}",
-                    in_brackets(reported)
-                )
-            }
-            Symptom::NoPlace(code) => {
-                write!(
-                    f,
-                    "it does not report the place of a mistake{}",
-                    in_brackets(code)
-                )
-            }
-            Symptom::OtherLine(code) => write!(f, "it names another place for {code}"),
-            Symptom::Incomplete(code) => write!(f, "it does not report every mistake ({code} is missing)"),
-            Symptom::Surplus(reason) => {
-                write!(
-                    f,
-                    "it reports more mistakes than there are{}",
-                    in_brackets(reason)
-                )
-            }
-            Symptom::NotWarned(code) => write!(f, "it does not warn{}", in_brackets(code)),
-            Symptom::Warned(reason) => {
-                write!(
-                    f,
-                    "it warns where there is nothing to warn of{}",
-                    in_brackets(reason)
-                )
-            }
-            Symptom::Fault(fault) => {
-                write!(
-                    f,
-                    "it stops ({fault}) where the program must not, or with another fault"
-                )
-            }
-            Symptom::FaultLine(fault) => {
-                write!(f, "it does not report the line where the program stops ({fault})")
-            }
-            Symptom::NotFaulted(fault) => write!(f, "it goes on where the program must stop ({fault})"),
-            Symptom::Value => f.write_str("it computes another value"),
-            Symptom::Missing => f.write_str("it does not show a value"),
-            Symptom::Text => f.write_str("it gives back another text"),
+            Symptom::Crash(_) => "it dies",
+            Symptom::Unusable(_) => "it accepts a program and makes nothing of use of it",
+            Symptom::Hang => "it gives no answer",
+            Symptom::Error(_) => "its answer makes no sense",
+            Symptom::Rejected(_) => "it rejects what must be accepted",
+            Symptom::NotImplemented(_) => "it does not implement what is promised",
+            Symptom::NotRejected(_) => "it accepts what must be rejected",
+            Symptom::OtherCode { .. } => "it rejects, but for another reason than {}",
+            Symptom::NoPlace(_) => "it does not report the place of a mistake",
+            Symptom::OtherLine(_) => "it names another place for {}",
+            Symptom::Incomplete(_) => "it does not report every mistake ({} is missing)",
+            Symptom::Surplus(_) => "it reports more mistakes than there are",
+            Symptom::NotWarned(_) => "it does not warn",
+            Symptom::Warned(_) => "it warns where there is nothing to warn of",
+            Symptom::Fault(_) => "it stops ({}) where the program must not, or with another fault",
+            Symptom::FaultLine(_) => "it does not report the line where the program stops",
+            Symptom::NotFaulted(_) => "it goes on where the program must stop",
+            Symptom::Value => "it computes another value",
+            Symptom::Missing => "it does not show a value",
+            Symptom::Text => "it gives back another text",
         }
     }
 }
 
-/// Formats a code, message or fault in brackets, for the end of a sentence; empty where there is none.
-fn in_brackets(words: &str) -> String {
-    if words.is_empty() {
-        String::new()
-    } else {
-        format!(" ({words})")
+impl fmt::Display for Symptom {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (_, held) = self.words();
+        let in_brackets = match self {
+            Symptom::OtherCode { reported, .. } => reported,
+            _ if self.sentence().contains("{}") => "",
+            _ => held,
+        };
+        f.write_str(&self.sentence().replace("{}", held))?;
+        match in_brackets {
+            "" => Ok(()),
+            words => write!(f, " ({words})"),
+        }
     }
 }
 
@@ -229,32 +205,6 @@ fn rejects(facts: &[Fact]) -> bool {
 
 fn diagnostics(facts: &[Fact]) -> Vec<&Diagnostic> {
     facts.iter().filter_map(Fact::diagnostic).collect()
-}
-
-/// Returns the normalized message of a crash.
-fn crash(got: &[Fact]) -> String {
-    let reason = got.iter().find_map(|fact| match fact {
-        Fact::Crashed { reason } => Some(normalize_message(reason)),
-        _ => None,
-    });
-    reason.unwrap_or_default()
-}
-
-/// Returns the normalized message of a construct that is not implemented; `None` where that is not what the engine said.
-fn not_implemented(got: &[Fact]) -> Option<String> {
-    got.iter().find_map(|fact| match fact {
-        Fact::NotImplemented { reason, .. } => Some(normalize_message(reason)),
-        _ => None,
-    })
-}
-
-/// Returns the normalized description of an invalid answer.
-fn error(got: &[Fact]) -> String {
-    let message = got.iter().find_map(|fact| match fact {
-        Fact::Error { message } => Some(normalize_message(message)),
-        _ => None,
-    });
-    message.unwrap_or_default()
 }
 
 /// Returns the code of a diagnostic; without a code, the normalized message.

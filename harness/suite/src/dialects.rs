@@ -181,15 +181,6 @@ mod tests {
     }
 
     #[test]
-    fn a_group_stands_for_its_members() {
-        let dialects = read("[groups]\nboth = [\"matiec\", \"ironplc-ed2\"]");
-        assert_eq!(dialects.resolve("both"), Ok(vec![ED2, MATIEC]));
-        assert_eq!(dialects.resolve("matiec"), Ok(vec![MATIEC]));
-        let unknown = dialects.resolve("neither").unwrap_err();
-        assert!(unknown.contains("`neither`") && unknown.contains("both") && unknown.contains("plcnext"));
-    }
-
-    #[test]
     fn a_variant_is_named_and_takes_over_no_cases() {
         let dialects = read("[groups]\nwith = [\"matiec\", \"ironplc-ed2+partial-access\"]");
         let variant: DialectName = "ironplc-ed2+partial-access".parse().expect("its file has it");
@@ -220,36 +211,5 @@ mod tests {
         assert!(variant.is_variant() && variant.base() == trial && Dialect::of(variant).line_comments);
         assert_eq!(dialects.resolve("trial"), Ok(vec![trial]));
         assert!(dialects.all().contains(&trial));
-    }
-
-    #[test]
-    fn mistakes_in_the_file_of_a_dialect_have_their_line() {
-        let mistake = |text: &str| {
-            Dialects::default()
-                .define("wrong", text, "dialects/wrong.toml")
-                .unwrap_err()
-        };
-        let unknown = mistake("title = 'Wrong'\n[flags]\nbit-acces = true");
-        assert_eq!(unknown.line, 3);
-        assert!(
-            format!("{unknown:?}").contains("did you mean `bit-access`?"),
-            "{unknown:?}"
-        );
-        assert_eq!(mistake("title = 'Wrong'\nextends = 'nowhere'").line, 2);
-        assert_eq!(mistake("about = ''").line, 1);
-    }
-
-    #[test]
-    fn mistakes_have_their_line_and_the_rest_is_used() {
-        let (dialects, mistakes) =
-            Dialects::default().with_groups("[groups]\nsome = [\"matiec\",\n\"matieck\"]\n");
-        assert_eq!(
-            mistakes.iter().map(|mistake| mistake.line).collect::<Vec<_>>(),
-            [3]
-        );
-        assert_eq!(dialects.resolve("some"), Ok(vec![MATIEC]));
-        let (dialects, mistakes) = Dialects::default().with_groups("groups = 3");
-        assert_eq!(mistakes[0].line, 1);
-        assert!(dialects.resolve("matiec").is_ok());
     }
 }

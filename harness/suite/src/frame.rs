@@ -14,6 +14,7 @@ use crate::place::Lines;
 use crate::places::{Placement, Places};
 use crate::sources::Sources;
 use crate::table::Budget;
+use crate::toml_text::Scalar;
 
 /// A case file that is being expanded, with its text and the dialects of the suite.
 #[derive(Debug)]
@@ -120,6 +121,12 @@ impl Harvest {
 }
 
 impl FileContext<'_> {
+    /// Returns a cell as programs spell it.
+    pub(crate) fn spelling(&self, cell: &Spanned<Scalar>) -> Box<str> {
+        cell.get_ref()
+            .spelling(self.text.get(cell.span()).unwrap_or_default())
+    }
+
     /// Returns the dialects that a list of names stands for, in their own order, each once.
     pub(crate) fn resolve(
         &self,
@@ -131,9 +138,7 @@ impl FileContext<'_> {
         for name in names {
             match self.dialects.resolve(name.get_ref()) {
                 Ok(resolved) => dialects.extend(resolved),
-                Err(message) => {
-                    mistakes.push(Mistake::new(self.lines.line(name.span().start), message).key(key))
-                }
+                Err(message) => mistakes.push(self.lines.mistake(name, key, message)),
             }
         }
         dialects.sort_unstable();
@@ -150,7 +155,7 @@ pub(crate) fn scans(scans: Option<&Spanned<u32>>, lines: &Lines, mistakes: &mut 
         number @ 1..=MAX_SCANS => number,
         number => {
             let message = format!("{number} scans; a program runs from 1 to {MAX_SCANS}");
-            mistakes.push(Mistake::new(lines.line(scans.span().start), message).key("scans"));
+            mistakes.push(lines.mistake(scans, "scans", message));
             1
         }
     }

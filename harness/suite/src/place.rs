@@ -1,5 +1,9 @@
 //! Converts byte offsets to the lines of a case file.
 
+use toml::Spanned;
+
+use crate::error::Mistake;
+
 /// The lines of a text, for looking up offsets in it.
 #[derive(Debug)]
 pub(crate) struct Lines {
@@ -17,6 +21,21 @@ impl Lines {
         Lines {
             starts: starts.collect(),
         }
+    }
+
+    /// Returns the 1-based line on which a value stands.
+    pub(crate) fn of<T>(&self, value: &Spanned<T>) -> u32 {
+        self.line(value.span().start)
+    }
+
+    /// Returns a mistake in the value of a key.
+    pub(crate) fn mistake<T>(
+        &self,
+        value: &Spanned<T>,
+        key: impl Into<String>,
+        message: impl Into<String>,
+    ) -> Mistake {
+        Mistake::new(self.of(value), message).key(key)
     }
 
     /// Returns the 1-based line of a byte offset. O(log n).

@@ -105,7 +105,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
     note_marks_without_dialect(&program, &dialects, harvest);
     let basis = header.basis.as_ref().map(|basis| WrittenBasis {
         text: basis.get_ref().text().into(),
-        line: lines.line(basis.span().start),
+        line: lines.of(basis),
     });
     let title: Arc<str> = header.title.as_str().into();
     let source = program.fill(&mut String::new(), &[]);

@@ -7,6 +7,7 @@ mod expand_matrix;
 mod expand_rows;
 mod expansion;
 mod inputs;
+mod key_reader;
 mod keys;
 mod matrix;
 mod probe;

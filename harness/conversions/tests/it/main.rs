@@ -5,5 +5,6 @@ mod broken;
 mod catalogue;
 mod domains;
 mod foreign;
+mod session;
 mod stopping;
 mod support;

@@ -37,18 +37,8 @@ impl Totals {
 
     /// Returns the number of times that this verdict came.
     #[must_use]
-    pub fn of(&self, verdict: Verdict) -> u64 {
-        match verdict {
-            Verdict::Pass => self.pass,
-            Verdict::Fail => self.fail,
-            Verdict::Differs => self.differs,
-            Verdict::Xfail => self.xfail,
-            Verdict::Xpass => self.xpass,
-            Verdict::Unsupported => self.unsupported,
-            Verdict::Crash => self.crash,
-            Verdict::Timeout => self.timeout,
-            Verdict::Error => self.error,
-        }
+    pub fn of(mut self, verdict: Verdict) -> u64 {
+        *self.counter(verdict)
     }
 
     /// Returns the number of all verdicts.

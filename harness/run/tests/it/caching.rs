@@ -121,56 +121,39 @@ fn whatever_an_engine_is_handed_is_part_of_the_question_and_nothing_else() {
         name: "in".into(),
         value: Value::parse(literal).unwrap(),
     };
-    let plain = case("program");
-    let mut different: Vec<Case> = vec![
-        plain.clone(),
-        case("another"),
-        Case {
-            dialect: DialectName::PLCNEXT,
-            ..plain.clone()
-        },
-        Case {
-            scans: 2,
-            ..plain.clone()
-        },
+    let clock = |before| ClockSetting {
+        before,
+        nanoseconds: 1_000_000_000,
+    };
+    let changes: &[&dyn Fn(&mut Case)] = &[
+        &|_| (),
+        &|case| case.source = "another".into(),
+        &|case| case.dialect = DialectName::PLCNEXT,
+        &|case| case.scans = 2,
+        &|case| case.observe = Arc::new([observe("x", "INT", None)]),
+        &|case| case.observe = Arc::new([observe("xI", "NT", None)]),
+        &|case| case.observe = Arc::new([observe("x", "INT", Some(1))]),
+        &|case| case.clock = Arc::new([clock(1)]),
+        &|case| case.clock = Arc::new([clock(2)]),
+        &|case| case.set = Arc::new([set(1, "INT#1")]),
+        &|case| case.set = Arc::new([set(2, "INT#1")]),
+        &|case| case.set = Arc::new([set(1, "INT#2")]),
     ];
-    for asked in [
-        observe("x", "INT", None),
-        observe("xI", "NT", None),
-        observe("x", "INT", Some(1)),
-    ] {
-        different.push(Case {
-            observe: Arc::new([asked]),
-            ..plain.clone()
-        });
-    }
-    for before in [1, 2] {
-        different.push(Case {
-            clock: Arc::new([ClockSetting {
-                before,
-                nanoseconds: 1_000_000_000,
-            }]),
-            ..plain.clone()
-        });
-        different.push(Case {
-            set: Arc::new([set(before, "INT#1")]),
-            ..plain.clone()
-        });
-    }
-    different.push(Case {
-        set: Arc::new([set(1, "INT#2")]),
-        ..plain.clone()
-    });
-    let number = different.len();
-    // These are asked the same as the first.
+    let changed = |change: &&dyn Fn(&mut Case)| {
+        let mut case = case("program");
+        change(&mut case);
+        case
+    };
+    let mut different: Vec<Case> = changes.iter().map(changed).collect();
+    // This is asked the same as the first.
     different.push(Case {
         id: "other/id".into(),
         title: "Another title".into(),
         line: 7,
-        ..plain.clone()
+        ..case("program")
     });
     let book = Book::default();
     let engine = Puppet::new("puppet", |_| Outcome::ACCEPTED);
     go(&suite(different), &engine, Some(&book), 1);
-    assert_eq!(book.now.into_inner().unwrap().len(), number);
+    assert_eq!(book.now.into_inner().unwrap().len(), changes.len());
 }

@@ -7,11 +7,11 @@ use stickler_engines::{Engine, EngineSession, Identity, Outcome};
 use stickler_examples::{Example, check};
 use stickler_run::{
     Answers, Baseline, CaseEvent, CaseJudge, EngineRun, Event, Fact, Filter, Grade, Judgement, Plan,
-    Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run,
+    Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run, select,
 };
 use stickler_suite::{Case, FileKind};
 use stickler_types::{Code, DialectName};
-use stickler_workers::Cancellation;
+use stickler_workers::{Cancellation, Shard};
 
 /// Returns the grade of the column `strict`; the code where there is none.
 fn strict(example: &Example) -> Grade {
@@ -160,6 +160,52 @@ fn golden_stored_answers() {
             told
         );
         stored.clone()
+    });
+}
+
+/// The cases among which the examples of selecting select, each in two dialects.
+const SELECTABLE: [&str; 5] = ["a/b", "a/b2", "a/b::p(INT,-1)", "a/b::p(INT,-10)", "c/it's"];
+
+#[test]
+fn golden_selections() {
+    check("tests/examples/selecting.md", |example| {
+        let dialects = [DialectName::MATIEC, DialectName::PLCNEXT];
+        let keys = SELECTABLE
+            .iter()
+            .flat_map(|id| dialects.map(|dialect| format!("{id}@{dialect}")));
+        let cases: Vec<Case> = keys.map(|key| case_of(&key)).collect();
+        let words = |name: &str| example.text(name).split_whitespace().collect::<Vec<_>>();
+        let asked_for = example
+            .get("asked for")
+            .map(|asked_for| (example.text("engine").to_owned(), asked_for.to_owned()));
+        let plan = Plan {
+            filters: words("filters").into_iter().map(Filter::new).collect(),
+            dialects: words("dialects")
+                .iter()
+                .map(|name| name.parse().unwrap())
+                .collect(),
+            shard: example
+                .get("shard")
+                .map(|index| Shard::new(index.parse().unwrap(), 3).unwrap()),
+            rerun_prefix: "stickler run".to_owned(),
+            asked_for: asked_for.into_iter().collect(),
+            ..Plan::default()
+        };
+        let keys: Vec<String> = select(&plan, &cases).into_iter().map(Case::key).collect();
+        match example.wanted() {
+            "again" => {
+                let case = select(&plan, &cases)[0];
+                // The command selects the case alone.
+                let again = Plan {
+                    filters: vec![Filter::new(&*case.id)],
+                    dialects: vec![case.dialect],
+                    ..Plan::default()
+                };
+                assert_eq!(select(&again, &cases), [case]);
+                plan.rerun(case, example.text("engine"))
+            }
+            _ => keys.join(" "),
+        }
     });
 }
 

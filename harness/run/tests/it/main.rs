@@ -7,7 +7,6 @@ mod fixtures;
 mod inherited;
 mod packing;
 mod scheduling;
-mod selecting;
 mod suggestions;
 mod suite;
 mod words;

@@ -7,12 +7,14 @@ use std::collections::BTreeMap;
 use stickler_types::DialectName;
 use toml::Spanned;
 
+use crate::condition::Testable;
 use crate::frame::{FileContext, Harvest};
 use crate::place::TextPlace;
 use crate::places::{Arrangement, Design, Places, Role, Wording, compose};
 use crate::program::{ProgramTemplate, Remarks};
+use crate::table::key_reader::KeyReader;
 use crate::table::keys::{PlacesKey, ProbeKey, TableFile};
-use crate::table::probe::{Placeholders, Probe, ProbeReader, Target};
+use crate::table::probe::{Probe, Target};
 use crate::template::Template;
 
 const KEY: &str = "probe.places";
@@ -74,11 +76,7 @@ impl<'a> Arranged<'a> {
     ) -> Option<&mut Probe<'a>> {
         let slot = &mut self.probes[index];
         if slot.is_none() {
-            let mut reader = ProbeReader {
-                context,
-                placeholders: self.composer.placeholders,
-                mistakes: Vec::new(),
-            };
+            let mut reader = KeyReader::new(context, self.composer.testable);
             let mut remarks = Remarks::default();
             let arrangement = &self.design.arrangements()[index];
             let composed = self.composer.compose(&mut reader, arrangement, &mut remarks);
@@ -114,7 +112,7 @@ impl<'a> Arranged<'a> {
 
 /// Reads a probe with `places`. The probe that is returned beside the design has the program of its first combination.
 pub(super) fn read<'k>(
-    reader: &mut ProbeReader<'k, '_>,
+    reader: &mut KeyReader<'k, '_>,
     file: &'k TableFile,
     key: &'k ProbeKey,
     places: &'k Spanned<PlacesKey>,
@@ -122,20 +120,20 @@ pub(super) fn read<'k>(
 ) -> Option<(Probe<'k>, Arranged<'k>)> {
     if let Some(target) = key.observe.iter().flat_map(|observe| &observe.0).next() {
         let message = "`observe` belongs to a probe with `source`; a target says where its value is";
-        reader.wrong(target, "probe.observe", message.to_owned());
+        reader.wrong(target, "probe.observe", message);
     }
     let design = design(reader, places)?;
     let composer = Composer {
         is_matrix: file.matrix.is_some(),
         places,
-        placeholders: reader.placeholders,
+        testable: reader.testable,
         wording: wording(places.get_ref(), file.matrix.is_some()),
     };
     let (program, observe) = composer.compose(reader, design.arrangements().first()?, remarks)?;
     let probe = reader.with_program(file, key, program, vec![observe])?;
     let arranged = Arranged {
-        from: reader.template(places, composer.wording.from, KEY)?,
-        to: reader.template(places, composer.wording.to, KEY)?,
+        from: reader.text(places, composer.wording.from, KEY)?,
+        to: reader.text(places, composer.wording.to, KEY)?,
         combinations: places.get_ref().combinations,
         probes: design.arrangements().iter().map(|_| None).collect(),
         composer,
@@ -145,7 +143,7 @@ pub(super) fn read<'k>(
 }
 
 /// Returns the design of the places that a probe names; all of a role where it names none.
-fn design(reader: &mut ProbeReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Design> {
+fn design(reader: &mut KeyReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<Design> {
     let places = reader.context.places;
     let named = [
         (Role::Source, &key.get_ref().sources),
@@ -175,7 +173,7 @@ fn design(reader: &mut ProbeReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<
     let design = Design::new(places, sources, targets, &surroundings, &dialects, is_rejected);
     if design.arrangements().is_empty() && reader.mistakes.is_empty() {
         let message = "no source and no target of these can stand together in a surrounding";
-        reader.wrong(key, KEY, message.to_owned());
+        reader.wrong(key, KEY, message);
     }
     Some(design).filter(|_| reader.mistakes.is_empty())
 }
@@ -205,7 +203,7 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
 struct Composer<'a> {
     is_matrix: bool,
     places: &'a Spanned<PlacesKey>,
-    placeholders: Placeholders<'a>,
+    testable: Testable<'a>,
     wording: Wording<'a>,
 }
 
@@ -213,23 +211,23 @@ impl Composer<'_> {
     /// Returns the program of an arrangement, and the variable in which its value arrives.
     fn compose(
         &self,
-        reader: &mut ProbeReader<'_, '_>,
+        reader: &mut KeyReader<'_, '_>,
         arrangement: &Arrangement,
         remarks: &mut Remarks,
     ) -> Option<(ProgramTemplate, Target)> {
         let context = reader.context;
         let composed = compose(context.places, arrangement, &self.wording);
         let at = TextPlace {
-            first: context.lines.line(self.places.span().start),
+            first: context.lines.of(self.places),
             line_by_line: false,
         };
         let program = reader.program(&composed.source, at, KEY, remarks)?;
         let ty = match self.is_matrix {
             true => None,
-            false => Some(reader.template(self.places, self.wording.to, KEY)?),
+            false => Some(reader.text(self.places, self.wording.to, KEY)?),
         };
         let observe = Target {
-            name: reader.template(self.places, &composed.observe, KEY)?,
+            name: reader.text(self.places, &composed.observe, KEY)?,
             ty,
         };
         Some((program, observe))

@@ -10,6 +10,7 @@ use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 use crate::assemble::Assembler;
 use crate::assembly::TypeNames;
 use crate::citations::WrittenBasis;
+use crate::condition::Testable;
 use crate::defined::converted;
 use crate::model::MatrixCell;
 use crate::table::probe::{Probe, Target};
@@ -19,7 +20,7 @@ use crate::table::types::{RowInput, TypeInfo};
 pub(crate) const PLACEHOLDERS: [&str; 8] = [
     "row", "column", "cell", "types", "value", "typed", "expected", "other",
 ];
-pub(crate) const CELL: usize = 2;
+const CELL: usize = 2;
 pub(crate) const TYPES: usize = 3;
 pub(crate) const VALUE: usize = 4;
 pub(crate) const TYPED: usize = 5;
@@ -27,7 +28,16 @@ pub(crate) const EXPECTED: usize = 6;
 pub(crate) const OTHER: usize = 7;
 
 /// The number of placeholders that conditions may test: the row, the column and the cell.
-pub(crate) const TESTABLE: usize = 3;
+const TESTABLE: usize = 3;
+
+/// Returns the placeholders of a matrix as conditions may test them.
+pub(crate) fn testable(names: &[Box<str>]) -> Testable<'_> {
+    Testable {
+        names,
+        known: TESTABLE,
+        unnamed: Some(CELL),
+    }
+}
 
 /// The texts that replace the placeholders of a matrix.
 pub(crate) type CellTexts<'t> = [&'t str; PLACEHOLDERS.len()];

@@ -11,21 +11,22 @@ use stickler_types::{DialectName, ElementaryType, MatrixWord, Value};
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
+use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::{DialectGroup, Harvest};
+use crate::frame::Harvest;
 use crate::ident;
 use crate::model::MatrixCell;
 use crate::program::Remarks;
-use crate::table::budget::Budget;
 use crate::table::cell::{
-    CELL, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TESTABLE, TYPED, TYPES, VALUE,
-    declarations, one_of,
+    CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE, declarations,
+    one_of,
 };
-use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
+use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
 use crate::table::inputs;
+use crate::table::key_reader::KeyReader;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
-use crate::table::probe::{Placeholders, Probe};
+use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 use crate::table::section::{self, Section};
 use crate::table::types::{self, RowInput, TypeInfo};
@@ -38,25 +39,17 @@ const UNKNOWN: &str = "?";
 pub(crate) fn expand(
     table: &TableExpansion<'_>,
     key: &MatrixKey,
-    names: &[Box<str>],
+    testable: Testable<'_>,
     harvest: &mut Harvest,
     remarks: &mut Remarks,
 ) {
-    let placeholders = Placeholders {
-        names,
-        known: TESTABLE,
-        unnamed: Some(CELL),
-    };
     let mistakes = &mut harvest.mistakes;
     let declared = types::declared(&table.file.types, table.context, mistakes);
-    let mut probes = probes::read(table.file, table.context, placeholders, mistakes, remarks);
-    let sections = section::read(table, key, names, mistakes);
-    let mut expander = MatrixExpander {
-        table,
-        harvest,
-        budget: table.context.budget,
-        scratch: String::new(),
-    };
+    let mut probes = probes::read(table.file, table.context, testable, mistakes, remarks);
+    let mut reader = KeyReader::new(table.context, testable);
+    let sections = section::read(&mut reader, table, key);
+    mistakes.append(&mut reader.mistakes);
+    let mut expander = MatrixExpander(CaseMaker::new(table, harvest));
     expander.check_keys(&mut probes);
     let mut counts = vec![0; probes.len()];
     for section in &sections {
@@ -64,12 +57,11 @@ pub(crate) fn expand(
             continue;
         };
         for (probe, count) in probes.iter_mut().zip(&mut counts) {
-            let before = expander.harvest.cases.len();
+            let before = expander.0.harvest.cases.len();
             if let Err(mistake) = expander.section(section, probe, &types) {
-                expander.harvest.mistakes.push(mistake);
-                return;
+                return expander.0.wrong(mistake);
             }
-            *count += expander.harvest.cases.len() - before;
+            *count += expander.0.harvest.cases.len() - before;
         }
     }
     if harvest.mistakes.is_empty() {
@@ -101,25 +93,22 @@ fn number(row: &MatrixRow, column: &TypeInfo) -> usize {
     31 * number(&row.name) + number(&column.name)
 }
 
-struct MatrixExpander<'a, 'h> {
-    table: &'a TableExpansion<'a>,
-    harvest: &'h mut Harvest,
-    budget: Budget,
-    scratch: String,
-}
+struct MatrixExpander<'a, 'h>(CaseMaker<'a, 'h>);
 
 impl MatrixExpander<'_, '_> {
     /// Reports the keys that have no meaning in a matrix.
     fn check_keys(&mut self, probes: &mut [ProbePrograms<'_>]) {
-        if let Some(expect) = &self.table.file.expect {
-            let line = self.table.context.lines.line(expect.span().start);
+        let CaseMaker { table, .. } = self.0;
+        if let Some(expect) = &table.file.expect {
             let message = "`expect` belongs to a table of rows; a matrix says it by its words";
-            self.wrong(Mistake::new(line, message).key("expect"));
+            self.0
+                .wrong(table.context.lines.mistake(expect, "expect", message));
         }
         for ProbePrograms { probe, .. } in probes {
             if probe.key.expect.is_some() {
                 let message = "`expect` belongs to a table of rows";
-                self.wrong(Mistake::new(probe.line, message).key("probe.expect"));
+                self.0
+                    .wrong(Mistake::new(probe.line, message).key("probe.expect"));
             }
             if probe
                 .basis
@@ -127,7 +116,7 @@ impl MatrixExpander<'_, '_> {
                 .is_some_and(|basis| basis.template.slots().any(|slot| slot >= TYPES))
             {
                 let message = "a basis may use {row}, {column} and {cell} only";
-                self.wrong(Mistake::new(probe.line, message).key("probe.basis"));
+                self.0.wrong(Mistake::new(probe.line, message).key("probe.basis"));
                 probe.basis = None;
             }
         }
@@ -151,7 +140,7 @@ impl MatrixExpander<'_, '_> {
                     types.insert(Arc::clone(name), info);
                 }
                 Err(message) => {
-                    self.wrong(Mistake::new(line, message).key("matrix"));
+                    self.0.wrong(Mistake::new(line, message).key("matrix"));
                     return None;
                 }
             }
@@ -184,33 +173,25 @@ impl MatrixExpander<'_, '_> {
                 &probe.probe,
                 row_type,
                 row.line,
-                self.table.context,
-                &mut self.harvest.mistakes,
+                self.0.table.context,
+                &mut self.0.harvest.mistakes,
             );
             for (column, word) in columns.iter().zip(&row.words) {
-                self.budget
-                    .visit()
-                    .map_err(|message| Mistake::new(row.line, message))?;
+                self.0.visit(row.line)?;
                 if let Some(word) = word {
                     for (said, dialects) in words(&probe.probe, &row.name, column, *word, &dialects) {
                         let texts = cell_texts(row, column, said.word, "");
                         if !probe.probe.only.holds(&texts) {
                             continue;
                         }
-                        let (context, place) = (self.table.context, (row, row_type));
+                        let (context, place) = (self.0.table.context, (row, row_type));
                         let number = number(row, column);
                         for (index, dialects) in probe.chosen(context.places, number, dialects, &texts) {
-                            if let Some(probe) = probe.at(index, context, self.harvest) {
+                            if let Some(probe) = probe.at(index, context, self.0.harvest) {
                                 self.cell(section, probe, place, (column, said), &inputs, &dialects)?;
                             }
                         }
                     }
-                }
-                if self.harvest.mistakes.len() > MAX_MISTAKES {
-                    return Err(Mistake::new(
-                        row.line,
-                        "further mistakes in this table are left out",
-                    ));
                 }
             }
         }
@@ -245,7 +226,7 @@ impl MatrixExpander<'_, '_> {
                     text: basis.into(),
                     line: row.line,
                 }),
-                None => self.basis(section, probe, &texts),
+                None => self.0.basis(probe, section.basis.as_ref(), &texts),
             },
             stated_by: stated.map(|(dialect, _)| dialect),
         };
@@ -258,7 +239,7 @@ impl MatrixExpander<'_, '_> {
                     row.name, column.name
                 );
                 let hint = format!("in the probe `{}`, add `(*! error CODE if no *)`", probe.name);
-                self.wrong(Mistake::new(row.line, message).hint(hint));
+                self.0.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }
             if word == MatrixWord::Warn && stated.is_none() && !probe.program.warns(&active) {
@@ -267,7 +248,7 @@ impl MatrixExpander<'_, '_> {
                     row.name, column.name
                 );
                 let hint = format!("in the probe `{}`, add `(*! warning CODE if warn *)`", probe.name);
-                self.wrong(Mistake::new(row.line, message).hint(hint));
+                self.0.wrong(Mistake::new(row.line, message).hint(hint));
                 continue;
             }
             let case = CaseGroup {
@@ -290,7 +271,7 @@ impl MatrixExpander<'_, '_> {
 
     fn prefix(&self, section: &Section<'_>, probe: &Probe<'_>, row: &str, column: &str) -> String {
         let mut id = String::with_capacity(96);
-        id.push_str(&self.table.context.id);
+        id.push_str(&self.0.table.context.id);
         id.push_str("::");
         if let Some(name) = section.name {
             id.push_str(name);
@@ -302,15 +283,6 @@ impl MatrixExpander<'_, '_> {
         id.push(',');
         ident::push_cell(&mut id, column);
         id
-    }
-
-    fn basis(&mut self, section: &Section<'_>, probe: &Probe<'_>, texts: &[&str]) -> Option<WrittenBasis> {
-        let written = probe
-            .basis
-            .as_ref()
-            .or(section.basis.as_ref())
-            .or(self.table.basis.as_ref())?;
-        Some(written.basis(&mut self.scratch, texts))
     }
 
     /// Makes the cases of one value in the dialects of one group.
@@ -344,7 +316,7 @@ impl MatrixExpander<'_, '_> {
                 "{} has no other value for the probe `{}`",
                 column.name, probe.name
             );
-            self.wrong(
+            self.0.wrong(
                 Mistake::new(cell.line, message).hint(format!("give [types.{}] `values`", column.name)),
             );
             return Ok(());
@@ -358,42 +330,27 @@ impl MatrixExpander<'_, '_> {
         let assembly = match self.assemble(of, input, &texts) {
             Ok(assembly) => assembly,
             Err(mistake) => {
-                self.wrong(mistake);
+                self.0.wrong(mistake);
                 return Ok(());
             }
         };
         let value_in_id = probe.takes_values() && !of.rejected;
-        let id = self.id(of, value_in_id.then_some(texts[VALUE]));
-        let source = program.fill(&mut self.scratch, &texts);
-        self.budget
-            .program(source.len())
-            .map_err(|message| Mistake::new(cell.line, message))?;
-        let title = probe
-            .title
-            .as_ref()
-            .or(section.title.as_ref())
-            .unwrap_or(&self.table.title);
         let title = match cell.stated_by {
             Some(dialect) => {
                 let (row, column, word) = (&cell.row.name, &column.name, cell.word.as_str());
                 format!("{row} to {column} is `{word}` in {dialect}").into()
             }
-            None => title.fill(&mut self.scratch, &texts),
+            None => self.0.title(probe, section.title.as_ref(), &texts),
         };
-        let group = DialectGroup {
-            id,
+        let parts = CaseParts {
+            id: self.id(of, value_in_id.then_some(texts[VALUE])),
+            line: cell.line,
             title,
             basis: cell.basis.clone(),
-            line: cell.line,
-            source,
             assembly,
-            question: probe.question(&mut self.scratch, &texts, cell.line)?,
             cell: Some(&cell.place),
-            placement: probe.placement.as_ref(),
         };
-        self.harvest
-            .add(self.table.context, &probe.frame, &group, of.dialects);
-        Ok(())
+        self.0.add(probe, &texts, parts, of.dialects)
     }
 
     fn assemble(
@@ -402,60 +359,45 @@ impl MatrixExpander<'_, '_> {
         input: Option<&RowInput>,
         texts: &[&str],
     ) -> Result<Assembly, Mistake> {
-        let CaseGroup { probe, cell, .. } = of;
-        let names = self.table.context.type_names;
-        if let Some(slot) = probe.program.breaks_a_mark(texts) {
-            let message = format!(
-                "`{{{}}}` has `(*` or `*)` in it and stands in a mark",
-                PLACEHOLDERS[slot]
-            );
-            return Err(Mistake::new(cell.line, message).hint("write `($2A` and `*$29`"));
-        }
-        let mut assembler = Assembler::new(names);
-        let applied = probe.program.apply(of.active, texts, &mut assembler);
-        of.targets(input, texts, names, &mut assembler)
-            .map_err(|message| Mistake::new(probe.line, message).key("probe.observe"))?;
-        let assembly = applied
-            .and_then(|()| assembler.finish(probe.frame.scans))
-            .map_err(|mistake| {
-                let line = probe.program.place.line(mistake.line.max(1));
-                let hint = format!("in the cell {} to {}", cell.row.name, cell.column.name);
-                Mistake::new(line, mistake.message).key("probe.source").hint(hint)
-            })?;
+        let CaseGroup {
+            probe, cell, active, ..
+        } = of;
+        let names = self.0.table.context.type_names;
+        let targets = |assembler: &mut Assembler<'_>| {
+            let targets = of.targets(input, texts, names, assembler);
+            targets.map_err(|message| Mistake::new(probe.line, message).key("probe.observe"))
+        };
+        let hint = || format!("in the cell {} to {}", cell.row.name, cell.column.name);
+        let assembly = self
+            .0
+            .assembly(probe, active, (texts, cell.line), targets, hint)?;
         if assembly.claims_nothing() {
+            let word = cell.word.as_str();
             let message = format!(
-                "in `{}` cells the probe `{}` {}",
-                cell.word.as_str(),
+                "in `{word}` cells the probe `{}` {}",
                 probe.name,
                 Assembly::NOTHING
             );
-            self.harvest.remark(
-                Mistake::new(probe.line, message)
-                    .key("probe")
-                    .hint(Assembly::SAY_OK),
-            );
+            let remark = Mistake::new(probe.line, message).key("probe");
+            self.0.harvest.remark(remark.hint(Assembly::SAY_OK));
         }
         Ok(assembly)
     }
 
     fn id(&mut self, of: &CaseGroup<'_, '_>, value: Option<&str>) -> Arc<str> {
-        self.scratch.clear();
-        self.scratch.push_str(&of.cell.prefix);
+        self.0.scratch.clear();
+        self.0.scratch.push_str(&of.cell.prefix);
         if let Some(value) = value {
-            self.scratch.push(',');
-            ident::push_cell(&mut self.scratch, value);
+            self.0.scratch.push(',');
+            ident::push_cell(&mut self.0.scratch, value);
         }
         if let Some(placement) = &of.probe.placement {
             for name in placement.names() {
-                self.scratch.push(',');
-                self.scratch.push_str(name);
+                self.0.scratch.push(',');
+                self.0.scratch.push_str(name);
             }
         }
-        self.scratch.push(')');
-        Arc::from(self.scratch.as_str())
-    }
-
-    fn wrong(&mut self, mistake: Mistake) {
-        self.harvest.mistakes.push(mistake);
+        self.0.scratch.push(')');
+        Arc::from(self.0.scratch.as_str())
     }
 }

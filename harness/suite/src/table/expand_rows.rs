@@ -8,15 +8,15 @@ use toml::Spanned;
 use crate::assemble::Assembler;
 use crate::assembly::Assembly;
 use crate::citations::WrittenBasis;
+use crate::condition::Testable;
 use crate::error::Mistake;
-use crate::frame::{DialectGroup, Harvest};
+use crate::frame::Harvest;
 use crate::ident;
 use crate::mark::MarkWord;
 use crate::program::Remarks;
-use crate::table::budget::Budget;
-use crate::table::expansion::{MAX_MISTAKES, TableExpansion};
+use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
 use crate::table::keys::TableRow;
-use crate::table::probe::{Placeholders, Probe};
+use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 
 /// The indices of the columns that have a meaning of their own.
@@ -45,29 +45,22 @@ enum Expect {
 /// Expands the rows of a file.
 pub(crate) fn expand(
     table: &TableExpansion<'_>,
-    names: &[Box<str>],
+    testable: Testable<'_>,
     harvest: &mut Harvest,
     remarks: &mut Remarks,
 ) {
-    let placeholders = Placeholders {
-        names,
-        known: names.len(),
-        unnamed: None,
-    };
     let mut probes = probes::read(
         table.file,
         table.context,
-        placeholders,
+        testable,
         &mut harvest.mistakes,
         remarks,
     );
     let Some(dialects) = table.dialects.clone().filter(|dialects| !dialects.is_empty()) else {
-        harvest
-            .mistakes
-            .push(Mistake::new(1, "the file has no dialects").key("dialects"));
-        return;
+        let mistake = Mistake::new(1, "the file has no dialects").key("dialects");
+        return harvest.mistakes.push(mistake);
     };
-    let position = |name: &str| names.iter().position(|known| **known == *name);
+    let position = |name: &str| table.names.iter().position(|known| **known == *name);
     let special = Special {
         id: position("id"),
         title: position("title"),
@@ -75,82 +68,71 @@ pub(crate) fn expand(
         dialects: position("dialects"),
     };
     let mut expander = RowExpander {
-        table,
-        names,
+        maker: CaseMaker::new(table, harvest),
         special,
-        harvest,
-        budget: table.context.budget,
-        scratch: String::new(),
     };
     expander.check_keys(&probes);
     if let Err(mistake) = expander.probes(&mut probes, &dialects) {
-        expander.harvest.mistakes.push(mistake);
-        return;
+        return expander.maker.wrong(mistake);
     }
     if harvest.mistakes.is_empty() {
-        note_unused_columns(table, names, &probes, harvest);
+        note_unused_columns(table, &probes, harvest);
     }
 }
 
 struct RowExpander<'a, 'h> {
-    table: &'a TableExpansion<'a>,
-    names: &'a [Box<str>],
+    maker: CaseMaker<'a, 'h>,
     special: Special,
-    harvest: &'h mut Harvest,
-    budget: Budget,
-    scratch: String,
 }
 
 impl RowExpander<'_, '_> {
     /// Reports columns that cannot be placeholders, and keys that have no meaning in a table of rows.
     fn check_keys(&mut self, probes: &[ProbePrograms<'_>]) {
-        for (at, column) in self.table.file.columns.iter().flatten().enumerate() {
+        let CaseMaker { table, .. } = self.maker;
+        let lines = &table.context.lines;
+        for (at, column) in table.file.columns.iter().flatten().enumerate() {
             let name = column.get_ref();
-            let line = self.table.context.lines.line(column.span().start);
             let is_name = |c: char| c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | ' ');
             if name.is_empty() || !name.chars().all(is_name) {
                 let message = format!("`{name}` is no name of a column; letters, digits, `_` and `-` are");
-                self.wrong(Mistake::new(line, message).key("columns"));
+                self.maker.wrong(lines.mistake(column, "columns", message));
             }
-            if self.names[..at].iter().any(|known| **known == **name) {
-                self.wrong(Mistake::new(line, format!("there are two columns `{name}`")).key("columns"));
+            if table.names[..at].iter().any(|known| **known == **name) {
+                let message = format!("there are two columns `{name}`");
+                self.maker.wrong(lines.mistake(column, "columns", message));
             }
         }
-        if !self.table.file.types.is_empty() {
-            self.wrong(Mistake::new(1, "[types] belongs to a matrix").key("types"));
+        if !table.file.types.is_empty() {
+            self.maker
+                .wrong(Mistake::new(1, "[types] belongs to a matrix").key("types"));
         }
         for ProbePrograms { probe, .. } in probes {
             if let Some(values) = &probe.key.values {
-                let line = self.table.context.lines.line(values.span().start);
-                self.wrong(
-                    Mistake::new(line, "`values` belongs to a matrix; rows have theirs").key("probe.values"),
-                );
+                let message = "`values` belongs to a matrix; rows have theirs";
+                self.maker.wrong(lines.mistake(values, "probe.values", message));
             }
             let untyped = probe.observe.iter().any(|target| target.ty.is_none());
             if probe.expect.is_none() && untyped {
                 let message = "`observe` needs `expect`, or a type: `observe = \"name : TYPE\"`";
-                self.wrong(Mistake::new(probe.line, message).key("probe.observe"));
+                self.maker
+                    .wrong(Mistake::new(probe.line, message).key("probe.observe"));
             }
         }
     }
 
     fn probes(&mut self, probes: &mut [ProbePrograms<'_>], dialects: &[DialectName]) -> Result<(), Mistake> {
         for probe in probes {
-            let before = self.harvest.cases.len();
+            let before = self.maker.harvest.cases.len();
             let own = probe.probe.narrowed(dialects);
-            for (number, row) in self.table.file.rows.iter().flatten().enumerate() {
-                let line = self.table.context.lines.line(row.span().start);
-                self.budget
-                    .visit()
-                    .map_err(|message| Mistake::new(line, message))?;
+            let CaseMaker { table, .. } = self.maker;
+            for (number, row) in table.file.rows.iter().flatten().enumerate() {
+                let line = table.context.lines.of(row);
+                self.maker.visit(line)?;
                 self.row(probe, (number, row), line, &own)?;
-                if self.harvest.mistakes.len() > MAX_MISTAKES {
-                    return Err(Mistake::new(line, "further mistakes in this table are left out"));
-                }
             }
-            if self.harvest.mistakes.is_empty() {
-                let cases = self.harvest.cases.len() - before;
-                probe.remarks(cases, &mut self.harvest.remarks);
+            if self.maker.harvest.mistakes.is_empty() {
+                let cases = self.maker.harvest.cases.len() - before;
+                probe.remarks(cases, &mut self.maker.harvest.remarks);
             }
         }
         Ok(())
@@ -163,14 +145,16 @@ impl RowExpander<'_, '_> {
         line: u32,
         dialects: &[DialectName],
     ) -> Result<(), Mistake> {
-        let cells: Vec<Box<str>> = row.get_ref().iter().map(|cell| self.spelling(cell)).collect();
-        if cells.len() != self.names.len() {
+        let CaseMaker { table, .. } = self.maker;
+        let context = table.context;
+        let cells: Vec<Box<str>> = row.get_ref().iter().map(|cell| context.spelling(cell)).collect();
+        if cells.len() != table.names.len() {
             let message = format!(
                 "the row has {} cells for {} columns",
                 cells.len(),
-                self.names.len()
+                table.names.len()
             );
-            self.wrong(Mistake::new(line, message).key("rows"));
+            self.maker.wrong(Mistake::new(line, message).key("rows"));
             return Ok(());
         }
         let texts: Vec<&str> = cells.iter().map(|cell| &**cell).collect();
@@ -181,7 +165,7 @@ impl RowExpander<'_, '_> {
         let dialects = match self.row_dialects(&texts, dialects) {
             Ok(dialects) => dialects,
             Err(message) => {
-                self.wrong(Mistake::new(line, message).key("rows"));
+                self.maker.wrong(Mistake::new(line, message).key("rows"));
                 return Ok(());
             }
         };
@@ -189,13 +173,12 @@ impl RowExpander<'_, '_> {
             Ok(Expect::None) => return Ok(()),
             Ok(expect) => expect,
             Err(message) => {
-                self.wrong(Mistake::new(line, message).key("expect"));
+                self.maker.wrong(Mistake::new(line, message).key("expect"));
                 return Ok(());
             }
         };
-        let context = self.table.context;
         for (index, dialects) in programs.chosen(context.places, number, dialects, &texts) {
-            if let Some(probe) = programs.at(index, context, self.harvest) {
+            if let Some(probe) = programs.at(index, context, self.maker.harvest) {
                 self.cases(probe, &texts, line, &expect, &dialects);
             }
         }
@@ -214,14 +197,9 @@ impl RowExpander<'_, '_> {
         for (active, members) in probe.program.groups(dialects, texts) {
             probe.note_applied(&active);
             if let Err(mistake) = self.case(probe, texts, line, expect, &active, &members) {
-                self.wrong(mistake);
+                self.maker.wrong(mistake);
             }
         }
-    }
-
-    fn spelling(&self, cell: &Spanned<crate::toml_text::Scalar>) -> Box<str> {
-        cell.get_ref()
-            .spelling(self.table.context.text.get(cell.span()).unwrap_or_default())
     }
 
     fn row_dialects(&self, texts: &[&str], dialects: &[DialectName]) -> Result<Vec<DialectName>, String> {
@@ -235,7 +213,7 @@ impl RowExpander<'_, '_> {
         };
         let mut own = Vec::new();
         for name in names.split_whitespace() {
-            own.extend(self.table.context.dialects.resolve(name)?);
+            own.extend(self.maker.table.context.dialects.resolve(name)?);
         }
         Ok(dialects
             .iter()
@@ -248,7 +226,7 @@ impl RowExpander<'_, '_> {
         let Some(template) = &probe.expect else {
             return Ok(Expect::Unsaid);
         };
-        let text = template.fill(&mut self.scratch, texts);
+        let text = template.fill(&mut self.maker.scratch, texts);
         match &*text {
             "no" => Ok(Expect::Rejected),
             "fault" => Ok(Expect::Fault),
@@ -284,111 +262,43 @@ impl RowExpander<'_, '_> {
             Expect::Fault if !faults => return Err(here("`fault` is expected, but no `fault` mark applies")),
             _ => {}
         }
-        if let Some(slot) = program.breaks_a_mark(texts) {
-            let message = format!(
-                "`{{{}}}` has `(*` or `*)` in it and stands in a mark",
-                self.names[slot]
-            );
-            return Err(Mistake::new(line, message).hint("write `($2A` and `*$29`"));
-        }
-        let mut assembler = Assembler::new(self.table.context.type_names);
-        let applied = program.apply(active, texts, &mut assembler);
-        if !rejected && !faults {
-            self.targets(probe, texts, line, expect, &mut assembler)?;
-        }
-        let assembly = applied
-            .and_then(|()| assembler.finish(probe.frame.scans))
-            .map_err(|mistake| {
-                let place = program.place.line(mistake.line.max(1));
-                Mistake::new(place, mistake.message)
-                    .key("probe.source")
-                    .hint(format!("for the row on line {line}"))
-            })?;
+        let targets = |assembler: &mut Assembler<'_>| match rejected || faults {
+            true => Ok(()),
+            false => targets(probe, texts, line, expect, assembler),
+        };
+        let hint = || format!("for the row on line {line}");
+        let assembly = self.maker.assembly(probe, active, (texts, line), targets, hint)?;
         if assembly.claims_nothing() && !matches!(expect, Expect::Accepted) {
             let message = format!("the probe `{}` {} for this row", probe.name, Assembly::NOTHING);
-            self.harvest
-                .remark(Mistake::new(line, message).hint(Assembly::SAY_OK));
+            let remark = Mistake::new(line, message).hint(Assembly::SAY_OK);
+            self.maker.harvest.remark(remark);
         }
-        let source = program.fill(&mut self.scratch, texts);
-        self.budget
-            .program(source.len())
-            .map_err(|message| Mistake::new(line, message))?;
-        let basis = match self
-            .special
-            .basis
-            .map(|column| texts[column])
-            .filter(|basis| !basis.is_empty())
-        {
+        let own = |column: Option<usize>| column.map(|column| texts[column]).filter(|text| !text.is_empty());
+        let basis = match own(self.special.basis) {
             Some(basis) => Some(WrittenBasis {
                 text: basis.into(),
                 line,
             }),
-            None => {
-                let written = probe.basis.as_ref().or(self.table.basis.as_ref());
-                written.map(|written| written.basis(&mut self.scratch, texts))
-            }
+            None => self.maker.basis(probe, None, texts),
         };
-        let title = match self
-            .special
-            .title
-            .map(|column| texts[column])
-            .filter(|title| !title.is_empty())
-        {
+        let title = match own(self.special.title) {
             Some(title) => title.into(),
-            None => probe
-                .title
-                .as_ref()
-                .unwrap_or(&self.table.title)
-                .fill(&mut self.scratch, texts),
+            None => self.maker.title(probe, None, texts),
         };
-        let group = DialectGroup {
+        let parts = CaseParts {
             id: self.id(probe, texts).into(),
+            line,
             title,
             basis,
-            line,
-            source,
             assembly,
-            question: probe.question(&mut self.scratch, texts, line)?,
             cell: None,
-            placement: probe.placement.as_ref(),
         };
-        self.harvest
-            .add(self.table.context, &probe.frame, &group, members);
-        Ok(())
-    }
-
-    /// Adds the values that the observed variables must hold, or records the variables.
-    fn targets(
-        &mut self,
-        probe: &Probe<'_>,
-        texts: &[&str],
-        line: u32,
-        expect: &Expect,
-        assembler: &mut Assembler<'_>,
-    ) -> Result<(), Mistake> {
-        if matches!(expect, Expect::Open) {
-            assembler.observe_acceptance();
-        }
-        for target in &probe.observe {
-            let name = target.name.fill(&mut self.scratch, texts);
-            match (expect, &target.ty) {
-                (Expect::Value(value), _) => assembler.value(name, value.clone(), line),
-                (Expect::Open | Expect::Unsaid, Some(ty)) => {
-                    assembler.observe(name, ty.fill(&mut self.scratch, texts));
-                }
-                (Expect::Open, None) => {
-                    let message = "`open` is expected, so `observe` needs a type: `\"name : TYPE\"`";
-                    return Err(Mistake::new(line, message).key("probe.observe"));
-                }
-                _ => {}
-            }
-        }
-        Ok(())
+        self.maker.add(probe, texts, parts, members)
     }
 
     /// Returns the id of the case: it names those cells of the row that the program uses outside its marks.
     fn id(&self, probe: &Probe<'_>, texts: &[&str]) -> String {
-        let mut id = format!("{}::{}", self.table.context.id, probe.name);
+        let mut id = format!("{}::{}", self.maker.table.context.id, probe.name);
         let Special {
             id: own,
             title,
@@ -415,29 +325,50 @@ impl RowExpander<'_, '_> {
         }
         id
     }
-
-    fn wrong(&mut self, mistake: Mistake) {
-        self.harvest.mistakes.push(mistake);
-    }
 }
 
-fn note_unused_columns(
-    table: &TableExpansion<'_>,
-    names: &[Box<str>],
-    probes: &[ProbePrograms<'_>],
-    harvest: &mut Harvest,
-) {
+/// Adds the values that the observed variables must hold, or records the variables.
+fn targets(
+    probe: &Probe<'_>,
+    texts: &[&str],
+    line: u32,
+    expect: &Expect,
+    assembler: &mut Assembler<'_>,
+) -> Result<(), Mistake> {
+    let mut scratch = String::new();
+    if matches!(expect, Expect::Open) {
+        assembler.observe_acceptance();
+    }
+    for target in &probe.observe {
+        let name = target.name.fill(&mut scratch, texts);
+        match (expect, &target.ty) {
+            (Expect::Value(value), _) => assembler.value(name, value.clone(), line),
+            (Expect::Open | Expect::Unsaid, Some(ty)) => {
+                assembler.observe(name, ty.fill(&mut scratch, texts));
+            }
+            (Expect::Open, None) => {
+                let message = "`open` is expected, so `observe` needs a type: `\"name : TYPE\"`";
+                return Err(Mistake::new(line, message).key("probe.observe"));
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+fn note_unused_columns(table: &TableExpansion<'_>, probes: &[ProbePrograms<'_>], harvest: &mut Harvest) {
     for (slot, column) in table.file.columns.iter().flatten().enumerate() {
-        let own_meaning = matches!(&*names[slot], "id" | "title" | "basis" | "dialects");
+        let own_meaning = matches!(&*table.names[slot], "id" | "title" | "basis" | "dialects");
         let basis = table.basis.as_ref().map(|basis| &basis.template);
         let in_file = [Some(&table.title), basis]
             .into_iter()
             .flatten()
             .any(|template| template.slots().any(|used| used == slot));
         if !own_meaning && !in_file && !probes.iter().any(|probe| probe.mentions(slot)) {
-            let line = table.context.lines.line(column.span().start);
             let message = format!("nothing uses the column `{}`", column.get_ref());
-            harvest.remarks.push(Mistake::new(line, message).key("columns"));
+            harvest
+                .remarks
+                .push(table.context.lines.mistake(column, "columns", message));
         }
     }
 }

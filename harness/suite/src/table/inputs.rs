@@ -30,8 +30,7 @@ pub(crate) fn of_row<'t>(
             TextOr::Text(word) => {
                 let message =
                     format!("`{word}` is no set of values; there are boundaries, one and telling, and lists");
-                let line = context.lines.line(values.span().start);
-                mistakes.push(Mistake::new(line, message).key("probe.values"));
+                mistakes.push(context.lines.mistake(values, "probe.values", message));
                 return Cow::default();
             }
             TextOr::List(list) if !list.is_empty() => return listed(list, row, context, mistakes).into(),
@@ -53,15 +52,12 @@ fn listed(
 ) -> Vec<RowInput> {
     let mut inputs = Vec::new();
     for item in list {
-        let literal = item
-            .get_ref()
-            .spelling(context.text.get(item.span()).unwrap_or_default());
+        let literal = context.spelling(item);
         match row.input(&literal) {
             Some(input) => inputs.push(input),
             None => {
                 let message = format!("`{literal}` is no literal of {}", row.name);
-                let line = context.lines.line(item.span().start);
-                mistakes.push(Mistake::new(line, message).key("probe.values"));
+                mistakes.push(context.lines.mistake(item, "probe.values", message));
             }
         }
     }

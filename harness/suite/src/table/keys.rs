@@ -12,7 +12,7 @@ use crate::toml_text::{Scalar, Strings, TextOr};
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct TableFile {
-    pub(crate) title: String,
+    pub(crate) title: Spanned<String>,
     pub(crate) basis: Option<Spanned<Bases>>,
     pub(crate) dialects: Option<Vec<Spanned<String>>>,
     pub(crate) summary: Option<String>,

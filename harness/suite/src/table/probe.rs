@@ -5,9 +5,9 @@ use std::sync::Arc;
 use stickler_types::{Code, DialectName, Question, UnknownQuestion};
 use toml::Spanned;
 
-use crate::condition::{Condition, Testable};
+use crate::condition::Condition;
 use crate::error::Mistake;
-use crate::frame::{self, FileContext, ProbeFrame};
+use crate::frame::{self, ProbeFrame};
 use crate::header;
 use crate::ident;
 use crate::mark::{Known, MarkClaim};
@@ -15,6 +15,7 @@ use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::places::Placement;
 use crate::program::{ProgramTemplate, Remarks};
+use crate::table::key_reader::KeyReader;
 use crate::table::keys::{ProbeKey, TableFile};
 use crate::template::{BasisTemplate, Template};
 
@@ -50,22 +51,7 @@ pub(crate) struct Target {
     pub(crate) ty: Option<Template>,
 }
 
-/// The placeholders of a file, and which of them conditions may test.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Placeholders<'a> {
-    pub(crate) names: &'a [Box<str>],
-    pub(crate) known: usize,
-    pub(crate) unnamed: Option<usize>,
-}
-
-/// Reads one probe, and collects its mistakes.
-pub(super) struct ProbeReader<'a, 'c> {
-    pub(super) context: &'c FileContext<'c>,
-    pub(super) placeholders: Placeholders<'a>,
-    pub(super) mistakes: Vec<Mistake>,
-}
-
-impl<'a> ProbeReader<'a, '_> {
+impl<'a> KeyReader<'a, '_> {
     /// Reads a probe whose program is written out.
     pub(super) fn written_out(
         &mut self,
@@ -99,35 +85,19 @@ impl<'a> ProbeReader<'a, '_> {
             tags: header::tags(file.tags.iter().chain(&key.tags)),
             scans: frame::scans(scans, lines, &mut self.mistakes),
         };
-        let dialects = key.dialects.as_ref();
         Some(Probe {
             name: key.name.get_ref().as_str().into(),
             key,
-            line: lines.line(key.name.span().start),
+            line: lines.of(&key.name),
             applied: vec![false; program.marks.len()],
             program,
             observe,
-            only: self.only(key.only.as_ref())?,
-            dialects: dialects.map(|names| self.context.resolve(names, "probe.dialects", &mut self.mistakes)),
-            title: key
-                .title
-                .as_ref()
-                .and_then(|title| self.template(title, title.get_ref(), "probe.title")),
-            basis: key.basis.as_ref().and_then(|basis| {
-                let template = self.template(basis, basis.get_ref().text(), "probe.basis")?;
-                let line = lines.line(basis.span().start);
-                Some(BasisTemplate { template, line })
-            }),
-            expect: key
-                .expect
-                .as_ref()
-                .or(file.expect.as_ref())
-                .and_then(|expect| self.template(expect, expect.get_ref(), "expect")),
-            asks: key
-                .asks
-                .as_ref()
-                .or(file.asks.as_ref())
-                .and_then(|asks| self.template(asks, asks.get_ref(), "asks")),
+            only: self.condition(key.only.as_ref(), "probe.only")?,
+            dialects: self.dialects(key.dialects.as_ref(), "probe.dialects"),
+            title: self.template(key.title.as_ref(), "probe.title"),
+            basis: self.basis(key.basis.as_ref(), "probe.basis"),
+            expect: self.template(key.expect.as_ref().or(file.expect.as_ref()), "expect"),
+            asks: self.template(key.asks.as_ref().or(file.asks.as_ref()), "asks"),
             frame,
             placement: None,
         })
@@ -143,7 +113,7 @@ impl<'a> ProbeReader<'a, '_> {
     ) -> Option<ProgramTemplate> {
         let reader = MarkReader {
             dialects: self.context.dialects,
-            testable: self.testable(),
+            testable: self.testable,
             is_template: true,
         };
         let program = ProgramTemplate::read(source, 0, place, &reader, remarks);
@@ -159,52 +129,10 @@ impl<'a> ProbeReader<'a, '_> {
             Some((name, ty)) => (name.trim(), Some(ty.trim())),
             None => (target.get_ref().trim(), None),
         };
-        let mut read = |text: &str| {
-            let template = Template::parse(text, self.placeholders.names);
-            template
-                .map_err(|mistake| self.wrong(target, "probe.observe", mistake.message))
-                .ok()
-        };
         Some(Target {
-            name: read(name)?,
-            ty: ty.and_then(read),
+            name: self.text(target, name, "probe.observe")?,
+            ty: ty.and_then(|ty| self.text(target, ty, "probe.observe")),
         })
-    }
-
-    fn only(&mut self, only: Option<&Spanned<String>>) -> Option<Condition> {
-        let Some(only) = only else {
-            return Some(Condition::default());
-        };
-        let words: Vec<&str> = only.get_ref().split_whitespace().collect();
-        let condition = Condition::parse(&words, self.testable());
-        condition
-            .map_err(|message| self.wrong(only, "probe.only", message))
-            .ok()
-    }
-
-    pub(super) fn template<T>(&mut self, place: &Spanned<T>, text: &str, key: &str) -> Option<Template> {
-        let template = Template::parse(text, self.placeholders.names);
-        template
-            .map_err(|mistake| self.wrong(place, key, mistake.message))
-            .ok()
-    }
-
-    fn testable(&self) -> Testable<'_> {
-        let Placeholders {
-            names,
-            known,
-            unnamed,
-        } = self.placeholders;
-        Testable {
-            names,
-            known,
-            unnamed,
-        }
-    }
-
-    pub(super) fn wrong<T>(&mut self, at: &Spanned<T>, key: &str, message: String) {
-        self.mistakes
-            .push(Mistake::new(self.context.lines.line(at.span().start), message).key(key));
     }
 }
 

@@ -5,13 +5,15 @@
 use rustc_hash::FxHashSet;
 use stickler_types::DialectName;
 
+use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::places::Places;
 use crate::program::Remarks;
 use crate::table::arranged::{self, Arranged};
+use crate::table::key_reader::KeyReader;
 use crate::table::keys::{ProbeKey, TableFile};
-use crate::table::probe::{Placeholders, Probe, ProbeReader};
+use crate::table::probe::Probe;
 
 /// A probe of a table with its programs: the one that is written out, or one for each combination of places.
 #[derive(Debug)]
@@ -76,7 +78,7 @@ impl<'a> ProbePrograms<'a> {
 pub(crate) fn read<'a>(
     file: &'a TableFile,
     context: &FileContext<'_>,
-    placeholders: Placeholders<'a>,
+    testable: Testable<'a>,
     mistakes: &mut Vec<Mistake>,
     remarks: &mut Remarks,
 ) -> Vec<ProbePrograms<'a>> {
@@ -86,11 +88,7 @@ pub(crate) fn read<'a>(
     let mut probes: Vec<ProbePrograms<'a>> = Vec::new();
     let mut names = FxHashSet::default();
     for key in &file.probe {
-        let mut reader = ProbeReader {
-            context,
-            placeholders,
-            mistakes: Vec::new(),
-        };
+        let mut reader = KeyReader::new(context, testable);
         let read = one(&mut reader, file, key.get_ref(), remarks);
         if let Some(read) = read.filter(|_| reader.mistakes.is_empty()) {
             if !names.insert(read.probe.name.clone()) {
@@ -107,7 +105,7 @@ pub(crate) fn read<'a>(
 }
 
 fn one<'a>(
-    reader: &mut ProbeReader<'a, '_>,
+    reader: &mut KeyReader<'a, '_>,
     file: &'a TableFile,
     key: &'a ProbeKey,
     remarks: &mut Remarks,
@@ -126,7 +124,7 @@ fn one<'a>(
             Some(ProbePrograms { probe, arranged })
         }
         _ => {
-            let message = "a probe has either `source` or `places`".to_owned();
+            let message = "a probe has either `source` or `places`";
             reader.wrong(&key.name, "probe", message);
             None
         }

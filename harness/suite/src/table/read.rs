@@ -1,12 +1,13 @@
 //! Reads a table file and expands it into its cases.
 
+use crate::condition::Testable;
 use crate::error::Mistake;
 use crate::frame::{FileContext, Harvest};
 use crate::program::Remarks;
 use crate::table::expansion::TableExpansion;
+use crate::table::key_reader::KeyReader;
 use crate::table::keys::TableFile;
 use crate::table::{cell, expand_matrix, expand_rows};
-use crate::template::{BasisTemplate, Template, TemplateMistake};
 use crate::toml_text;
 
 /// The largest number of columns of a table; placeholders are searched linearly among them.
@@ -44,43 +45,37 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
         harvest.mistakes.push(Mistake::new(1, message).key("columns"));
         return;
     }
-    let mistakes = &mut harvest.mistakes;
+    let testable = match &file.matrix {
+        Some(_) => cell::testable(&names),
+        None => Testable {
+            names: &names,
+            known: names.len(),
+            unnamed: None,
+        },
+    };
+    let mut reader = KeyReader::new(context, testable);
     if let (Some(generate), Some(_)) = (&file.generate, &file.matrix) {
-        let line = context.lines.line(generate.span().start);
-        let message = "a matrix has no rows to be generated";
-        mistakes.push(Mistake::new(line, message).key("generate"));
+        reader.wrong(generate, "generate", "a matrix has no rows to be generated");
     }
-    let dialects = file.dialects.as_ref();
-    let dialects = dialects.map(|names| context.resolve(names, "dialects", mistakes));
-    let mut template = |text: &str, key: &str, line: u32| {
-        let wrong = |mistake: TemplateMistake| mistakes.push(Mistake::new(line, mistake.message).key(key));
-        Template::parse(text, &names).map_err(wrong).ok()
-    };
-    let title = template(&file.title, "title", 1);
-    let basis = match &file.basis {
-        Some(basis) => {
-            let line = context.lines.line(basis.span().start);
-            let Some(template) = template(basis.get_ref().text(), "basis", line) else {
-                return;
-            };
-            Some(BasisTemplate { template, line })
-        }
-        None => None,
-    };
-    let Some(title) = title else {
+    let dialects = reader.dialects(file.dialects.as_ref(), "dialects");
+    let title = reader.template(Some(&file.title), "title");
+    let basis = reader.basis(file.basis.as_ref(), "basis");
+    harvest.mistakes.append(&mut reader.mistakes);
+    let Some(title) = title.filter(|_| basis.is_some() == file.basis.is_some()) else {
         return;
     };
     let table = TableExpansion {
         context,
         file,
+        names: &names,
         dialects,
         title,
         basis,
     };
     let mut remarks = Remarks::default();
     match &file.matrix {
-        Some(matrix) => expand_matrix::expand(&table, matrix, &names, harvest, &mut remarks),
-        None => expand_rows::expand(&table, &names, harvest, &mut remarks),
+        Some(matrix) => expand_matrix::expand(&table, matrix, testable, harvest, &mut remarks),
+        None => expand_rows::expand(&table, testable, harvest, &mut remarks),
     }
     harvest.remarks.append(&mut remarks.0);
 }

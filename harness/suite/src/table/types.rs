@@ -11,7 +11,7 @@ use crate::mark::MarkWord;
 use crate::table::keys::TypeKey;
 
 /// The type after which a row or a column is named.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct TypeInfo {
     pub(crate) name: Arc<str>,
     /// The elementary type that the type is or derives from.
@@ -56,7 +56,7 @@ impl TypeInfo {
     /// Finds the type of a name: an elementary type, a text with a length, or a type that the file declares.
     pub(crate) fn find(name: &Arc<str>, declared: &BTreeMap<Box<str>, TypeInfo>) -> Result<TypeInfo, String> {
         if let Some(declared) = declared.get(&**name) {
-            return Ok(declared.copy());
+            return Ok(declared.clone());
         }
         match ElementaryType::declared(name) {
             Some(ty) => Ok(TypeInfo::elementary(name, ty)),
@@ -74,17 +74,6 @@ impl TypeInfo {
             boundaries: boundaries::boundaries(ty).into_iter().map(RowInput::of).collect(),
             ordinary: boundaries::ordinary(ty).map(RowInput::of),
             telling: boundaries::telling(ty).map(RowInput::of),
-        }
-    }
-
-    fn copy(&self) -> TypeInfo {
-        TypeInfo {
-            name: Arc::clone(&self.name),
-            base: self.base,
-            declaration: self.declaration.clone(),
-            boundaries: self.boundaries.clone(),
-            ordinary: self.ordinary.clone(),
-            telling: self.telling.clone(),
         }
     }
 
@@ -142,16 +131,11 @@ pub(crate) fn declared(
 
 fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut Vec<Mistake>) -> TypeInfo {
     let path = format!("types.{name}");
-    let mut wrong = |at: usize, message: String| {
-        mistakes.push(Mistake::new(context.lines.line(at), message).key(&path));
-    };
     let base = key.base.as_ref().and_then(|base| {
         let ty = ElementaryType::from_name(base.get_ref());
         if ty.is_none() {
-            wrong(
-                base.span().start,
-                format!("`{}` is no elementary type", base.get_ref()),
-            );
+            let message = format!("`{}` is no elementary type", base.get_ref());
+            mistakes.push(context.lines.mistake(base, &path, message));
         }
         ty
     });
@@ -159,14 +143,12 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
     for line in &key.arrives {
         match read_arrival(line.get_ref()) {
             Ok(found) => arrives.push(found),
-            Err(message) => wrong(line.span().start, message),
+            Err(message) => mistakes.push(context.lines.mistake(line, &path, message)),
         }
     }
     if !arrives.is_empty() && key.values.len() != 1 {
-        wrong(
-            key.declaration.span().start,
-            "`arrives` needs exactly one value".to_owned(),
-        );
+        let message = "`arrives` needs exactly one value";
+        mistakes.push(context.lines.mistake(&key.declaration, &path, message));
     }
     let arrives: Arc<[(Box<str>, Value)]> = arrives.into();
     let mut info = match base {
@@ -185,19 +167,17 @@ fn declare(name: &str, key: &TypeKey, context: &FileContext<'_>, mistakes: &mut 
         info.boundaries.clear();
     }
     for value in &key.values {
-        let literal = value
-            .get_ref()
-            .spelling(context.text.get(value.span()).unwrap_or_default());
+        let literal = context.spelling(value);
         let input = match base {
             Some(_) => info.input(&literal),
             None => Some(info.enumerated(&literal, Arc::clone(&arrives))),
         };
         match input {
             Some(input) => info.boundaries.push(input),
-            None => wrong(
-                value.span().start,
-                format!("`{literal}` is no literal of the base type"),
-            ),
+            None => {
+                let message = format!("`{literal}` is no literal of the base type");
+                mistakes.push(context.lines.mistake(value, &path, message));
+            }
         }
     }
     if !key.values.is_empty() {

@@ -33,33 +33,12 @@ const STANDARD_FUNCTIONS: &str = "ABS ACOS ADD ADD_DT_TIME ADD_TIME ADD_TOD_TIME
 static SHIPPED: LazyLock<Suite> =
     LazyLock::new(|| Suite::load(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases")));
 
-/// Returns the words of a program outside comments and texts, in capitals, each with the place behind it. Words of the language are
-/// ASCII, so that bytes will do, which are read several times as quickly where nothing is optimised.
+/// Returns the keywords and names of a program, each in capitals with the place behind it.
 fn words(source: &str) -> Vec<(String, usize)> {
-    let bytes = source.as_bytes();
-    let is_part = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
-    let behind = |start: usize, end: &str| {
-        source[start..]
-            .find(end)
-            .map_or(bytes.len(), |at| start + at + end.len())
-    };
-    let mut words = Vec::new();
-    let mut at = 0;
-    while let Some(&byte) = bytes.get(at) {
-        at = match (byte, bytes.get(at + 1)) {
-            (b'(', Some(b'*')) => behind(at + 2, "*)"),
-            (b'/', Some(b'/')) => behind(at + 2, "\n"),
-            (b'\'', _) => behind(at + 1, "'"),
-            (b'"', _) => behind(at + 1, "\""),
-            _ if byte.is_ascii_alphabetic() || byte == b'_' => {
-                let length = bytes[at..].iter().take_while(|byte| is_part(byte)).count();
-                words.push((source[at..at + length].to_ascii_uppercase(), at + length));
-                at + length
-            }
-            _ => at + 1,
-        };
-    }
+    let words = stickler_syntax::words(source, Dialect::of(DialectName::IEC_ED3));
     words
+        .map(|word| (word.text.to_ascii_uppercase(), word.span.end as usize))
+        .collect()
 }
 
 #[test]

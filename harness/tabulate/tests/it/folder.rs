@@ -3,6 +3,7 @@
 use crate::root;
 use similar::TextDiff;
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 use stickler_suite::{Case, Suite};
 use stickler_tabulate::call::Call;
 use stickler_tabulate::{folder, generate};
@@ -84,28 +85,15 @@ fn cases() -> Vec<Case> {
 /// A vendor's page and a recording of its compiler may both be asked, since they can differ.
 #[test]
 fn nothing_is_asked_twice_for_one_source() {
-    let mut seen: HashMap<(DialectName, String, String, Vec<String>), String> = HashMap::new();
+    let mut seen: HashMap<(DialectName, String, Arc<str>, Vec<String>), String> = HashMap::new();
     for case in cases() {
         let observed = case.observe.iter().map(|observed| format!("{observed:?}"));
         let (source, _) = case.basis.split_once(':').expect("a source and a section");
-        let program = without_marks(&case.source);
+        let program = case.without_marks().source;
         let asked = (case.dialect, source.to_owned(), program, observed.collect());
         if let Some(first) = seen.insert(asked, case.key()) {
             panic!("{} asks what {first} asks", case.key());
         }
     }
     assert!(seen.len() > 20_000, "{} cases", seen.len());
-}
-
-/// Returns the program without its marks, which an engine does not see, and without the blanks before them.
-fn without_marks(source: &str) -> String {
-    let mut rest = source;
-    let mut program = String::new();
-    while let Some(start) = rest.find("(*!") {
-        program.push_str(rest[..start].trim_end());
-        rest = rest[start..]
-            .find("*)")
-            .map_or("", |end| &rest[start + end + 2..]);
-    }
-    program + rest
 }
