@@ -38,6 +38,9 @@ struct RunFile {
     /// Whether the run was cut short after its cases.
     #[serde(default)]
     cut: bool,
+    /// Of a run of a site: whether its folder has a page.
+    #[serde(default)]
+    page: bool,
 }
 
 /// What a case has otherwise than that of [`sample::case`].
@@ -120,8 +123,8 @@ fn changed<T: serde::Serialize + DeserializeOwned>(part: &T, table: Value) -> T 
     serde_json::from_value(merged(base, table)).expect("keys that there are")
 }
 
-/// Reads the events of a run.
-fn read(path: &Path) -> Vec<Event> {
+/// Reads the events of a run, and whether its folder has a page.
+pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let text = fs::read_to_string(path).expect("a run");
     let run: RunFile = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut events = sample::run_of(run.case.into_iter().flat_map(CaseTable::cases).collect());
@@ -142,7 +145,7 @@ fn read(path: &Path) -> Vec<Event> {
     });
     let mut events = sample::with_causes(events, causes);
     events.truncate(events.len() - usize::from(run.cut));
-    events
+    (events, run.page)
 }
 
 /// Returns what is shown of a run on the terminal, without its styles.
@@ -168,10 +171,7 @@ fn written(name: &str, overview: &Overview, reports: &Path) -> String {
         "terminal-failures.txt" => terminal(around(Detail::Summary, Some(usize::MAX))),
         "rerun.txt" => shown(|out| terminal::rerun::write(out, overview, None).expect("written")),
         "annotations.txt" => shown(|out| annotations::write_github(overview, out).expect("written")),
-        "files.txt" => files(reports)
-            .iter()
-            .map(|file| format!("{}\n", file.display()))
-            .collect(),
+        "files.txt" => list(reports),
         report => {
             let text = fs::read_to_string(reports.join(report)).expect(report);
             match serde_json::from_str::<Value>(&text) {
@@ -182,8 +182,14 @@ fn written(name: &str, overview: &Overview, reports: &Path) -> String {
     }
 }
 
+/// Returns the paths of the files in a folder, one a line.
+pub(crate) fn list(folder: &Path) -> String {
+    let files = files(folder);
+    files.iter().map(|file| format!("{}\n", file.display())).collect()
+}
+
 /// Returns the paths of the files in a folder and in its folders, relative to it and sorted.
-fn files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
         let (path, name) = (entry.path(), PathBuf::from(entry.file_name()));
@@ -227,7 +233,7 @@ fn reports_of_small_runs_are_their_golden_texts() {
     let mut differences = Vec::new();
     for run in files(&golden).iter().filter(|file| file.ends_with("run.toml")) {
         let folder = golden.join(run.parent().expect("the folder of the run"));
-        let events = read(&folder.join("run.toml"));
+        let (events, _) = read(&folder.join("run.toml"));
         let reports = tempfile::tempdir().expect("a temporary folder");
         sample::report(reports.path(), &events);
         if files(reports.path()).len() > 1 {
