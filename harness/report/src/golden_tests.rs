@@ -20,7 +20,11 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Observed, Verdict};
+use std::sync::Arc;
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
+use stickler_conversions::recording::Recording;
+use stickler_run::{BaselineNote, CaseEvent, EngineTotals, Event, Fact, Observed, Totals, Verdict};
+use stickler_types::{DialectName, MatrixWord};
 
 /// The content of a `run.toml`.
 #[derive(Deserialize)]
@@ -123,6 +127,19 @@ fn changed<T: serde::Serialize + DeserializeOwned>(part: &T, table: Value) -> T 
     serde_json::from_value(merged(base, table)).expect("keys that there are")
 }
 
+/// Returns the totals of the cases of an engine.
+fn totals(name: String, events: &[Event]) -> EngineTotals {
+    let mut totals = Totals::default();
+    for event in events {
+        if let Event::Case(case) = event
+            && case.engine == name
+        {
+            totals.count(case.verdict);
+        }
+    }
+    EngineTotals { name, totals }
+}
+
 /// Reads the events of a run, and whether its folder has a page.
 pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let text = fs::read_to_string(path).expect("a run");
@@ -130,6 +147,11 @@ pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let mut events = sample::run_of(run.case.into_iter().flat_map(CaseTable::cases).collect());
     let header = sample::header(&mut events);
     *header = changed(header, run.header);
+    let names: Vec<String> = header.engines.iter().map(|engine| engine.name.clone()).collect();
+    let of_engines = names.into_iter().map(|name| totals(name, &events)).collect();
+    if let Some(Event::Footer(footer)) = events.last_mut() {
+        footer.engines = of_engines;
+    }
     let causes = run.cause.into_iter().map(|mut table| {
         let keys = table.as_object_mut().expect("a table");
         let [title, number, verdict] = ["title", "number", "verdict"].map(|key| keys.remove(key));
@@ -146,6 +168,51 @@ pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let mut events = sample::with_causes(events, causes);
     events.truncate(events.len() - usize::from(run.cut));
     (events, run.page)
+}
+
+/// What documents state about the conversions of a run, in a `statements.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StatementsFile {
+    dialects: Vec<String>,
+    statement: Vec<StatementTable>,
+}
+
+/// What a document states of a question of a case.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StatementTable {
+    question: String,
+    case: String,
+    dialect: String,
+    word: String,
+    result: Option<String>,
+    basis: String,
+}
+
+/// Reads what documents state about the conversions of a run, and what compilers answered that a folder `recordings` beside it has.
+pub(crate) fn statements(folder: &Path) -> Statements {
+    let text = |file: &Path| fs::read_to_string(folder.join(file)).expect("a file");
+    let read: StatementsFile = toml::from_str(&text(Path::new("statements.toml"))).expect("statements");
+    let dialect = |name: &String| name.parse::<DialectName>().expect("a dialect");
+    let mut builder = StatementsBuilder::new(read.dialects.iter().map(dialect).collect());
+    for table in read.statement {
+        let literal = |text: String| stickler_types::Value::parse(&text).expect("a literal");
+        let result = table.result.map(literal);
+        let statement = CaseStatement {
+            case: &Arc::from(table.case),
+            dialect: dialect(&table.dialect),
+            word: MatrixWord::from_word(&table.word).expect("a word"),
+            result: result.as_ref(),
+            basis: &Arc::from(table.basis),
+        };
+        builder.add(&table.question.parse().expect("a question"), &statement);
+    }
+    let recordings = files(&folder.join("recordings")).into_iter().map(|file| {
+        let name = file.display().to_string();
+        Recording::parse(&name, &text(&Path::new("recordings").join(file))).expect("a recording")
+    });
+    builder.finish(&recordings.collect::<Vec<_>>())
 }
 
 /// Returns what is shown of a run on the terminal, without its styles.

@@ -5,7 +5,7 @@
 
 use super::{SiteError, SiteSummary};
 use crate::events::{EventLog, NAME};
-use crate::golden_tests::{difference, files, list, read};
+use crate::golden_tests::{difference, files, list, read, statements};
 use crate::sample;
 use std::error::Error;
 use std::fs;
@@ -20,7 +20,7 @@ fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
 }
 
 /// Writes a site of the runs in a folder of `golden-sites`; returns what the command line is told.
-fn write_golden(golden: &Path, folder: &Path) -> String {
+pub(super) fn write_golden(golden: &Path, folder: &Path) -> String {
     let runs = files(&golden.join("runs")).into_iter().map(|file| {
         let (events, has_page) = read(&golden.join("runs").join(&file));
         let run = written(&folder.join(file.with_extension("")), &events);
@@ -29,7 +29,12 @@ fn write_golden(golden: &Path, folder: &Path) -> String {
         }
         run
     });
-    let summary = write(&runs.collect::<Vec<_>>(), &folder.join("site")).expect("a site");
+    let statements = match golden.join("statements.toml").is_file() {
+        true => statements(golden),
+        false => Statements::default(),
+    };
+    let runs: Vec<PathBuf> = runs.collect();
+    let summary = super::write(&runs, false, &folder.join("site"), &statements).expect("a site");
     format!("{summary:#?}\n").replace(&folder.display().to_string(), "RUNS")
 }
 
@@ -72,7 +77,7 @@ fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>
     written(&folder.join(name), &events)
 }
 
-pub(super) fn written(folder: &Path, events: &[Event]) -> PathBuf {
+fn written(folder: &Path, events: &[Event]) -> PathBuf {
     fs::create_dir_all(folder).expect("a folder");
     let mut log = EventLog::create(folder.join(NAME)).expect("a log");
     events.iter().for_each(|event| log.take(event).expect("written"));
