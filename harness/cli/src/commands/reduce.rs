@@ -138,8 +138,7 @@ fn shown(
         }
         others.extend(symptoms.iter().map(|symptom| format!("{symptom} in {dialect}")));
     }
-    let dialects: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
-    let dialects = dialects.join(", ");
+    let dialects = engines::listed(&dialects);
     output::error(&match &arguments.symptom {
         Some(wanted) if others.is_empty() => {
             anyhow::anyhow!("{path} shows no {wanted} on {name} in {dialects}, and nothing else")
