@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders without pages of the manual: build output, recorded commands, and what runs leave.
-const SKIPPED: [&str; 5] = ["target", "cmd", "latest", "cache", "findings"];
+/// Folders without pages of the manual: build output, recorded commands, golden reports, and what runs leave.
+const SKIPPED: [&str; 6] = ["target", "cmd", "golden", "latest", "cache", "findings"];
 
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
