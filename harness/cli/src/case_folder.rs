@@ -7,6 +7,8 @@ use crate::exit::Exit;
 use crate::output;
 use crate::shell;
 use anyhow::{Context, bail};
+use jiff::tz::TimeZone;
+use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::env;
 use std::fs;
@@ -259,12 +261,12 @@ fn report_mistakes(suite: &Suite) {
     for error in &suite.errors {
         output::error(&anyhow::anyhow!("{error}"));
     }
-    if !suite.errors.is_empty() {
-        let number = suite.errors.len();
-        let mistakes = if number == 1 { "mistake" } else { "mistakes" };
-        output::note(format!(
-            "{number} {mistakes} in case files; the rest of the cases is used"
-        ));
+    match suite.errors.len() {
+        0 => {}
+        1 => output::note("1 mistake in case files; the rest of the cases is used"),
+        number => output::note(format!(
+            "{number} mistakes in case files; the rest of the cases is used"
+        )),
     }
 }
 
@@ -332,7 +334,14 @@ pub fn nothing_selected(suite: &Suite) -> Exit {
     Exit::NothingTested.worst(exit_of(suite))
 }
 
-/// Returns the plan that selects the requested cases.
+/// Returns the time of now, to the second.
+pub fn now() -> Timestamp {
+    let now = Timestamp::now();
+    // Rounding a time to seconds fails only at the end of time.
+    now.round(Unit::Second).unwrap_or(now)
+}
+
+/// Returns the plan of a run that begins now and selects the requested cases.
 pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
     Plan {
         filters: selection
@@ -343,8 +352,16 @@ pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
         dialects: selection.dialect.clone(),
         shard,
         rerun_prefix: format!("{} run{}", shell::program(), places(selection.cases.as_deref())),
+        today: now().to_zoned(TimeZone::UTC).date(),
+        started: now().to_string(),
+        command: shell::command_line(),
         ..Plan::default()
     }
+}
+
+/// Returns the folder of a run's reports: the one that is named, or `reports/latest` in the folder that contains `reports/`.
+pub fn report_folder(named: Option<&Path>, root: &Path) -> PathBuf {
+    named.map_or_else(|| root.join("reports").join("latest"), Path::to_owned)
 }
 
 /// Returns the options with which another command reads the same cases and the same stickler.toml.

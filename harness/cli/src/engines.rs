@@ -144,6 +144,12 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
     Ok(engines)
 }
 
+/// Returns the names of dialects in a list.
+pub fn listed(dialects: &[DialectName]) -> String {
+    let names: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
+    names.join(", ")
+}
+
 /// Returns the requested dialects that an engine speaks.
 ///
 /// # Errors
@@ -152,14 +158,10 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
     let speaks = |dialect: &DialectName| identity.speaks(*dialect);
     let spoken: Vec<DialectName> = asked.iter().copied().filter(speaks).collect();
     if spoken.is_empty() {
-        let names = |dialects: &[DialectName]| {
-            let names: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
-            names.join(", ")
-        };
         return Err(SpeaksNone {
             engine: identity.name.clone(),
-            asked: names(asked),
-            spoken: names(&identity.dialects),
+            asked: listed(asked),
+            spoken: listed(&identity.dialects),
         }
         .into());
     }

@@ -41,44 +41,43 @@ impl Exit {
     ];
 
     /// Returns the number with which the process ends.
-    ///
-    /// Basis: harness/docs/testing-a-compiler.md (exit codes); 130 is what shells give a process that SIGINT ended.
     pub const fn number(self) -> u8 {
-        match self {
-            Exit::AsExpected => 0,
-            Exit::Failures => 1,
-            Exit::Usage => 2,
-            Exit::EngineNotRun => 3,
-            Exit::NothingTested => 4,
-            Exit::Interrupted => 130,
-        }
+        self.row().0
     }
 
     /// Returns the explanation in one line, for the help text.
     pub const fn meaning(self) -> &'static str {
-        match self {
-            Exit::AsExpected => "all is as expected",
-            Exit::Failures => "conformance failures (check, eval, render: the program is rejected or faults)",
-            Exit::Usage => "wrong usage, a broken case file, or a file or folder that cannot be used",
-            Exit::EngineNotRun => "an engine could not be run",
-            Exit::NothingTested => "no case selected, or none that the engine supports",
-            Exit::Interrupted => "stopped by Ctrl-C",
-        }
+        self.row().2
     }
 
     /// Returns the one of two exit codes that the process reports: 130 over 3 over 2 over 4 over 1 over 0.
     pub fn worst(self, other: Exit) -> Exit {
-        if self.rank() >= other.rank() { self } else { other }
+        if self.row().1 >= other.row().1 {
+            self
+        } else {
+            other
+        }
     }
 
-    const fn rank(self) -> u8 {
+    /// Returns the number of the exit code, its rank among several, and its meaning.
+    ///
+    /// Basis: harness/docs/testing-a-compiler.md (exit codes); 130 is what shells give a process that SIGINT ended.
+    const fn row(self) -> (u8, u8, &'static str) {
         match self {
-            Exit::AsExpected => 0,
-            Exit::Failures => 1,
-            Exit::NothingTested => 2,
-            Exit::Usage => 3,
-            Exit::EngineNotRun => 4,
-            Exit::Interrupted => 5,
+            Exit::AsExpected => (0, 0, "all is as expected"),
+            Exit::Failures => (
+                1,
+                1,
+                "conformance failures (check, eval, render: the program is rejected or faults)",
+            ),
+            Exit::Usage => (
+                2,
+                3,
+                "wrong usage, a broken case file, or a file or folder that cannot be used",
+            ),
+            Exit::EngineNotRun => (3, 4, "an engine could not be run"),
+            Exit::NothingTested => (4, 2, "no case selected, or none that the engine supports"),
+            Exit::Interrupted => (130, 5, "stopped by Ctrl-C"),
         }
     }
 }

@@ -212,9 +212,9 @@ fn sign(answer: MatrixAnswer) -> char {
 
 #[cfg(test)]
 mod tests {
-    use super::{DialectMatrix, Documents, EngineAnswers};
+    use super::{Documents, EngineAnswers};
     use stickler_conversions::implicit::MatrixAnswer;
-    use stickler_types::{DialectName, ElementaryType, MatrixWord};
+    use stickler_types::{ElementaryType, MatrixWord};
 
     const WIDENING: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Int);
     const SIGN: (ElementaryType, ElementaryType) = (ElementaryType::Sint, ElementaryType::Uint);
@@ -256,55 +256,5 @@ mod tests {
                 "{answer:?}"
             );
         }
-    }
-
-    #[test]
-    fn what_was_recorded_fails_nothing() {
-        let of = |recorded: Option<&str>| DialectMatrix {
-            dialect: DialectName::MATIEC,
-            types: vec![ElementaryType::Sint, ElementaryType::Int],
-            documents: documents(),
-            engines: vec![EngineAnswers {
-                recorded: recorded.map(str::to_owned),
-                ..always("e", MatrixAnswer::Fails)
-            }],
-        };
-        assert!(of(None).differs());
-        let recorded = of(Some("2026-11-24"));
-        assert!(!recorded.differs());
-        let mut bytes = Vec::new();
-        recorded.write(&mut bytes).unwrap();
-        let shown = String::from_utf8(bytes).unwrap();
-        assert!(
-            shown.contains("SINT to INT: yes by here: there, but e fails at it (recorded 2026-11-24)\n"),
-            "{shown}"
-        );
-    }
-
-    #[test]
-    fn several_engines_stand_in_one_cell_which_is_marked_where_one_of_them_differs() {
-        let matrix = DialectMatrix {
-            dialect: DialectName::MATIEC,
-            types: vec![ElementaryType::Sint, ElementaryType::Int],
-            documents: documents(),
-            engines: vec![
-                always("a", MatrixAnswer::Accepts),
-                always("b", MatrixAnswer::Rejects),
-                always("c", MatrixAnswer::Unsupported),
-            ],
-        };
-        let mut bytes = Vec::new();
-        matrix.write(&mut bytes).unwrap();
-        let shown = anstream::adapter::strip_bytes(&bytes).into_vec();
-        assert_eq!(
-            String::from_utf8(shown).unwrap(),
-            "\
-matiec  the documents speak of 3 pairs: 2 differ on a, 2 differ on b, 0 differ on c
-          SINT   INT
-SINT       ??? !y+-?
-INT      !n+-?   ???
-
-"
-        );
     }
 }

@@ -1,7 +1,18 @@
-//! The progress bar of a run or sweep, on stderr and only where that is a terminal.
+//! Progress bars, on stderr and only where that is a terminal.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Duration;
+
+/// Makes a bar of a form, which shows nothing where stderr is no terminal; without a length it only turns.
+pub fn bar(length: Option<u64>, template: &str) -> ProgressBar {
+    let bar = length.map_or_else(ProgressBar::new_spinner, ProgressBar::new);
+    // The templates are constants; if one were wrong, the bar would look plain.
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+    bar.enable_steady_tick(Duration::from_millis(100));
+    bar
+}
 
 /// The progress bar of a run or sweep.
 pub struct Progress {
@@ -9,15 +20,11 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Makes a bar for a number of cases or inputs, which shows nothing where stderr is no terminal.
+    /// Makes a bar for a number of cases or inputs.
     pub fn new(cases: u64) -> Progress {
-        let bar = ProgressBar::new(cases);
-        // The template is a constant; if it were wrong, the bar would look plain.
-        if let Ok(style) = ProgressStyle::with_template("{wide_bar} {human_pos}/{human_len} {elapsed}{msg}") {
-            bar.set_style(style);
+        Progress {
+            bar: bar(Some(cases), "{wide_bar} {human_pos}/{human_len} {elapsed}{msg}"),
         }
-        bar.enable_steady_tick(Duration::from_millis(100));
-        Progress { bar }
     }
 
     /// Makes a bar for the search for causes, whose groups of cases are not counted yet.

@@ -20,7 +20,11 @@ use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use stickler_run::{BaselineNote, CaseEvent, Event, Fact, Observed, Verdict};
+use std::sync::Arc;
+use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
+use stickler_conversions::recording::Recording;
+use stickler_run::{BaselineNote, CaseEvent, EngineTotals, Event, Fact, Observed, Totals, Verdict};
+use stickler_types::{DialectName, MatrixWord};
 
 /// The content of a `run.toml`.
 #[derive(Deserialize)]
@@ -38,6 +42,9 @@ struct RunFile {
     /// Whether the run was cut short after its cases.
     #[serde(default)]
     cut: bool,
+    /// Of a run of a site: whether its folder has a page.
+    #[serde(default)]
+    page: bool,
 }
 
 /// What a case has otherwise than that of [`sample::case`].
@@ -120,13 +127,31 @@ fn changed<T: serde::Serialize + DeserializeOwned>(part: &T, table: Value) -> T 
     serde_json::from_value(merged(base, table)).expect("keys that there are")
 }
 
-/// Reads the events of a run.
-fn read(path: &Path) -> Vec<Event> {
+/// Returns the totals of the cases of an engine.
+fn totals(name: String, events: &[Event]) -> EngineTotals {
+    let mut totals = Totals::default();
+    for event in events {
+        if let Event::Case(case) = event
+            && case.engine == name
+        {
+            totals.count(case.verdict);
+        }
+    }
+    EngineTotals { name, totals }
+}
+
+/// Reads the events of a run, and whether its folder has a page.
+pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     let text = fs::read_to_string(path).expect("a run");
     let run: RunFile = toml::from_str(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let mut events = sample::run_of(run.case.into_iter().flat_map(CaseTable::cases).collect());
     let header = sample::header(&mut events);
     *header = changed(header, run.header);
+    let names: Vec<String> = header.engines.iter().map(|engine| engine.name.clone()).collect();
+    let of_engines = names.into_iter().map(|name| totals(name, &events)).collect();
+    if let Some(Event::Footer(footer)) = events.last_mut() {
+        footer.engines = of_engines;
+    }
     let causes = run.cause.into_iter().map(|mut table| {
         let keys = table.as_object_mut().expect("a table");
         let [title, number, verdict] = ["title", "number", "verdict"].map(|key| keys.remove(key));
@@ -142,7 +167,52 @@ fn read(path: &Path) -> Vec<Event> {
     });
     let mut events = sample::with_causes(events, causes);
     events.truncate(events.len() - usize::from(run.cut));
-    events
+    (events, run.page)
+}
+
+/// What documents state about the conversions of a run, in a `statements.toml`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StatementsFile {
+    dialects: Vec<String>,
+    statement: Vec<StatementTable>,
+}
+
+/// What a document states of a question of a case.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StatementTable {
+    question: String,
+    case: String,
+    dialect: String,
+    word: String,
+    result: Option<String>,
+    basis: String,
+}
+
+/// Reads what documents state about the conversions of a run, and what compilers answered that a folder `recordings` beside it has.
+pub(crate) fn statements(folder: &Path) -> Statements {
+    let text = |file: &Path| fs::read_to_string(folder.join(file)).expect("a file");
+    let read: StatementsFile = toml::from_str(&text(Path::new("statements.toml"))).expect("statements");
+    let dialect = |name: &String| name.parse::<DialectName>().expect("a dialect");
+    let mut builder = StatementsBuilder::new(read.dialects.iter().map(dialect).collect());
+    for table in read.statement {
+        let literal = |text: String| stickler_types::Value::parse(&text).expect("a literal");
+        let result = table.result.map(literal);
+        let statement = CaseStatement {
+            case: &Arc::from(table.case),
+            dialect: dialect(&table.dialect),
+            word: MatrixWord::from_word(&table.word).expect("a word"),
+            result: result.as_ref(),
+            basis: &Arc::from(table.basis),
+        };
+        builder.add(&table.question.parse().expect("a question"), &statement);
+    }
+    let recordings = files(&folder.join("recordings")).into_iter().map(|file| {
+        let name = file.display().to_string();
+        Recording::parse(&name, &text(&Path::new("recordings").join(file))).expect("a recording")
+    });
+    builder.finish(&recordings.collect::<Vec<_>>())
 }
 
 /// Returns what is shown of a run on the terminal, without its styles.
@@ -168,10 +238,7 @@ fn written(name: &str, overview: &Overview, reports: &Path) -> String {
         "terminal-failures.txt" => terminal(around(Detail::Summary, Some(usize::MAX))),
         "rerun.txt" => shown(|out| terminal::rerun::write(out, overview, None).expect("written")),
         "annotations.txt" => shown(|out| annotations::write_github(overview, out).expect("written")),
-        "files.txt" => files(reports)
-            .iter()
-            .map(|file| format!("{}\n", file.display()))
-            .collect(),
+        "files.txt" => list(reports),
         report => {
             let text = fs::read_to_string(reports.join(report)).expect(report);
             match serde_json::from_str::<Value>(&text) {
@@ -182,8 +249,14 @@ fn written(name: &str, overview: &Overview, reports: &Path) -> String {
     }
 }
 
+/// Returns the paths of the files in a folder, one a line.
+pub(crate) fn list(folder: &Path) -> String {
+    let files = files(folder);
+    files.iter().map(|file| format!("{}\n", file.display())).collect()
+}
+
 /// Returns the paths of the files in a folder and in its folders, relative to it and sorted.
-fn files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).expect("a folder").flatten() {
         let (path, name) = (entry.path(), PathBuf::from(entry.file_name()));
@@ -227,7 +300,7 @@ fn reports_of_small_runs_are_their_golden_texts() {
     let mut differences = Vec::new();
     for run in files(&golden).iter().filter(|file| file.ends_with("run.toml")) {
         let folder = golden.join(run.parent().expect("the folder of the run"));
-        let events = read(&folder.join("run.toml"));
+        let (events, _) = read(&folder.join("run.toml"));
         let reports = tempfile::tempdir().expect("a temporary folder");
         sample::report(reports.path(), &events);
         if files(reports.path()).len() > 1 {

@@ -13,6 +13,11 @@ pub(crate) fn linked(text: &str, address: &str) -> String {
     }
 }
 
+/// Returns further cells of a row of a table, whose texts are escaped already.
+pub(crate) fn cells(texts: impl IntoIterator<Item = String>) -> String {
+    texts.into_iter().map(|text| format!(" {text} |")).collect()
+}
+
 /// Returns a code fence: three backticks, or more than any line of the text has.
 pub(crate) fn fence(text: &str) -> String {
     let longest = text

@@ -6,8 +6,8 @@ use std::fs;
 use std::path::Path;
 use stickler_conversions::overview::Statements;
 use stickler_run::{
-    BaselineHeader, BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases,
-    FORMAT, Fact, Footer, Grade, Header, Observed, OutdatedEntry, Reproducer, SourceHeader, Totals, Verdict,
+    BaselineNote, CaseEvent, Cause, EngineHeader, EngineTotals, Event, ExplainedCases, FORMAT, Fact, Footer,
+    Grade, Header, Observed, Reproducer, SourceHeader, Totals, Verdict,
 };
 use stickler_types::{Diagnostic, Severity, Value};
 
@@ -140,30 +140,6 @@ pub(crate) fn baseline_note() -> BaselineNote {
         reason: "rounds".to_owned(),
         link: Some("https://example.org/1".to_owned()),
     }
-}
-
-/// Returns a run of an unexpected pass and an expected failure, both with a note of a baseline of which one entry is out of
-/// date.
-pub(crate) fn run_with_baseline() -> Vec<Event> {
-    let noted = |id, verdict| CaseEvent {
-        baseline: Some(baseline_note()),
-        ..case(id, verdict)
-    };
-    let mut events = run_of(vec![
-        noted("mended", Verdict::Xpass),
-        noted("known", Verdict::Xfail),
-    ]);
-    header(&mut events).baselines = vec![BaselineHeader {
-        engine: "reference".to_owned(),
-        file: "b/reference.toml".to_owned(),
-        entries: 2,
-        outdated: vec![OutdatedEntry {
-            at: "b/reference.toml:12".to_owned(),
-            case: "widening/gone*".to_owned(),
-            why: "fits no case".to_owned(),
-        }],
-    }];
-    events
 }
 
 /// Returns the header of a run, to be changed.

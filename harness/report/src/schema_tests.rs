@@ -3,17 +3,18 @@
 //! To write the schemas again after a change: `cargo xtask bless`.
 
 use crate::events::{self, LogLine};
-use crate::golden_tests::difference;
+use crate::golden_tests::{self, difference};
 use crate::results::{self, ResultsDocument};
 use crate::{sample, schema_check};
 use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
-use serde_json::{Value, json};
+use serde::Deserialize;
+use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_conversions::overview::Statements;
-use stickler_run::{CaseEvent, Event, Fact, Verdict};
+use stickler_run::Event;
 
 /// Returns the schema of what is written of a type.
 fn schema_of<T: JsonSchema>() -> Schema {
@@ -31,30 +32,15 @@ fn read(path: PathBuf) -> Value {
     serde_json::from_slice(&fs::read(path).expect("a file")).expect("JSON")
 }
 
-/// Returns a run with each kind of element that the reports have.
+/// Returns a file about a run with each kind of element that the reports have.
+fn of_log(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("golden-log")
+        .join(file)
+}
+
 fn full_run() -> Vec<Event> {
-    let mut events = sample::with_sources(sample::run_with_baseline());
-    let passed_oddly = CaseEvent {
-        got: vec![Fact::RejectedSilently],
-        ..sample::open_case("t::p(3)")
-    };
-    let cases = [
-        sample::case("t::p(1)", Verdict::Pass),
-        sample::open_case("t::p(2)"),
-        passed_oddly,
-        sample::case("broken", Verdict::Crash),
-    ];
-    let baseline_cases = events.iter().filter_map(|event| match event {
-        Event::Case(case) => Some(case.clone()),
-        _ => None,
-    });
-    let mut run = sample::run_of(baseline_cases.chain(cases).collect());
-    if let (Event::Header(full), Event::Header(counted)) = (&mut events[0], &run[0]) {
-        full.cases = counted.cases;
-        full.filters = vec!["widening".to_owned()];
-    }
-    run[0] = events.remove(0);
-    sample::with_causes(run, [sample::cause("a cause", 1, Verdict::Crash)])
+    golden_tests::read(&of_log("run.toml")).0
 }
 
 #[test]
@@ -93,120 +79,77 @@ pub(crate) fn assert_fits(reports: &Path) {
     assert_eq!(keys(&document), keys(&schemas[1]["properties"]));
 }
 
-/// Edits a line of a log, and returns what a site says of the log, and the schema of the line.
-fn edited(number: usize, edit: impl FnOnce(&mut Value)) -> (String, Option<String>) {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let log = String::from_utf8(events::log_of(&full_run())).expect("text");
-    let mut lines: Vec<Value> = log
-        .lines()
-        .map(|line| serde_json::from_str(line).expect("JSON"))
-        .collect();
-    edit(&mut lines[number - 1]);
-    let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
-    let path = folder.path().join("handed-in.jsonl");
-    fs::write(&path, text).expect("written");
-    let site = folder.path().join("site");
-    let refused = match crate::site::write(&[path], false, &site, &Statements::default()) {
-        Ok(_) => String::new(),
-        Err(error) => crate::parts::describe_error(&error),
-    };
-    let misfit = schema_check::misfit(&read(published("events")), &lines[number - 1]);
-    (refused, misfit)
+/// The edits of `golden-log/edits.toml`, by what is wrong then.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Edits {
+    misfit: Vec<Edit>,
+    contradiction: Vec<Edit>,
+    sound: Vec<Edit>,
 }
 
-type Edit = fn(&mut Value);
-
-#[test]
-fn what_does_not_fit_the_schema_is_refused_with_its_line_what_was_expected_and_what_was_found() {
-    let edits: [(usize, Edit, &[&str]); 8] = [
-        (3, |case| case["type"] = json!("passed"), &["`passed`", "`fail`"]),
-        (7, |case| case[2] = json!("12"), &["\"12\"", "expected"]),
-        (
-            1,
-            |header| header["engines"][0]["name"] = json!(7),
-            &["`7`", "string"],
-        ),
-        (
-            2,
-            |group| drop(group.as_object_mut().map(|keys| keys.remove("number"))),
-            &["missing field `number`"],
-        ),
-        (
-            14,
-            |footer| footer["totals"]["pass"] = json!(-1),
-            &["`-1`", "u64"],
-        ),
-        (
-            3,
-            |case| case["got"][0]["fact"] = json!("pondered"),
-            &["`pondered`"],
-        ),
-        (14, |footer| footer["duration_ms"] = json!(0.5), &["`0.5`", "u64"]),
-        (1, |header| header["engines"] = json!({}), &["map", "sequence"]),
-    ];
-    for (number, edit, parts) in edits {
-        let (refused, misfit) = edited(number, edit);
-        assert!(
-            refused.contains(&format!("line {number} of")),
-            "{number}: {refused}"
-        );
-        for part in parts {
-            assert!(refused.contains(part), "{number}: {part}: {refused}");
-        }
-        assert!(misfit.is_some(), "{number}: the schema does not refuse it");
-    }
+/// An edit of a line, and what a site says of the log then.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Edit {
+    line: usize,
+    at: String,
+    value: Option<Value>,
+    #[serde(default)]
+    says: Vec<String>,
 }
 
-#[test]
-fn lines_that_contradict_each_other_are_refused_with_both() {
-    let edits: [(usize, Edit, &str); 7] = [
-        (
-            1,
-            |header| header["started"] = json!("yesterday"),
-            "the run began at `yesterday`, which is no time such as 2026-09-01T12:00:00Z",
-        ),
-        (
-            1,
-            |header| header["engines"][0]["name"] = json!(" "),
-            "line 1 of the event log: expected an engine with a name, found \" \"",
-        ),
-        (
-            1,
-            |header| header["engines"] = json!([]),
-            "line 1 of the event log: expected at least one engine, found none",
-        ),
-        (
-            1,
-            |header| {
-                let engine = header["engines"][0].clone();
-                header["engines"].as_array_mut().expect("a list").push(engine);
+impl Edit {
+    fn apply(&self, line: &mut Value) {
+        let (parent, key) = self.at.rsplit_once('/').expect("a place");
+        match (line.pointer_mut(parent).expect("a parent"), &self.value) {
+            (Value::Object(keys), Some(value)) => drop(keys.insert(key.to_owned(), value.clone())),
+            (Value::Object(keys), None) => drop(keys.remove(key)),
+            (Value::Array(list), Some(value)) => match key.parse::<usize>() {
+                Ok(place) => list[place] = value.clone(),
+                Err(_) => list.push(value.clone()),
             },
-            "line 1 of the event log: expected engines with names of their own, found \"reference\" a second time",
-        ),
-        (
-            2,
-            |group| group["group"]["engine"] = json!("<b>"),
-            "line 3 of the event log: expected an engine that the header names, found \"<b>\"",
-        ),
-        (
-            10,
-            |case| case["case"] = json!("(2)"),
-            "line 10 of the event log: expected each case of an engine once, found \"widening/t::p(2)@ironplc-ed2\" a second time",
-        ),
-        (
-            14,
-            |footer| footer["engines"][0]["totals"]["pass"] = json!(9000),
-            "line 14 of the event log: expected 3 pass cases on \"reference\", as many as the log lists, found 9000",
-        ),
-    ];
-    for (number, edit, expected) in edits {
-        let (refused, _) = edited(number, edit);
-        assert!(refused.contains(expected), "{expected}\n{refused}");
+            (other, _) => panic!("{}: {other} has no parts", self.at),
+        }
+    }
+
+    /// Returns what a site says of the edited log, and the schema of the edited line.
+    fn judged(&self) -> (String, Option<String>) {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let log = String::from_utf8(events::log_of(&full_run())).expect("text");
+        let lines = log.lines().map(serde_json::from_str);
+        let mut lines: Vec<Value> = lines.collect::<Result<_, _>>().expect("JSON");
+        self.apply(&mut lines[self.line - 1]);
+        let text: String = lines.iter().map(|line| format!("{line}\n")).collect();
+        let path = folder.path().join("handed-in.jsonl");
+        fs::write(&path, text).expect("written");
+        let site = folder.path().join("site");
+        let refused = match crate::site::write(&[path], false, &site, &Statements::default()) {
+            Ok(_) => String::new(),
+            Err(error) => crate::parts::describe_error(&error),
+        };
+        for part in &self.says {
+            assert!(refused.contains(part), "{}: {part}\n{refused}", self.at);
+        }
+        let misfit = schema_check::misfit(&read(published("events")), &lines[self.line - 1]);
+        (refused, misfit)
     }
 }
 
 #[test]
-fn keys_that_are_not_known_are_no_mistake() {
-    let (refused, misfit) = edited(3, |case| case["mood"] = json!("fine"));
-    assert_eq!((refused.as_str(), misfit), ("", None));
+fn a_log_is_refused_where_it_does_not_fit_the_schema_or_contradicts_itself() {
+    let text = fs::read_to_string(of_log("edits.toml")).expect("the edits");
+    let edits: Edits = toml::from_str(&text).expect("edits");
+    for edit in edits.misfit {
+        let (refused, misfit) = edit.judged();
+        let line = format!("line {} of", edit.line);
+        assert!(refused.contains(&line), "{}: {refused}", edit.at);
+        assert!(misfit.is_some(), "{}: the schema does not refuse it", edit.at);
+    }
+    for edit in edits.contradiction {
+        edit.judged();
+    }
+    for edit in edits.sound {
+        assert_eq!(edit.judged(), (String::new(), None), "{}", edit.at);
+    }
 }

@@ -5,7 +5,7 @@ mod observed;
 
 use crate::basis::Basis;
 use crate::discrepancies::NAME;
-use crate::markdown::{code, fence, inline, linked};
+use crate::markdown::{cells, code, fence, inline, linked};
 use crate::overview::Overview;
 use crate::text::{MAX_SHOWN_CHARACTERS, clip, duration, judged, noted, outdated, outdated_entries, visible};
 use crate::{compared, diff, engine};
@@ -105,24 +105,20 @@ fn heading(overview: &Overview) -> String {
 
 fn totals(overview: &Overview, page: &mut BoundedMarkdown) {
     let areas = overview.areas();
-    page.add("\n## Cases\n\n| engine | dialect |");
-    areas
-        .iter()
-        .for_each(|area| page.add(&format!(" {} |", inline(area))));
-    page.add(" all |\n|---|---|");
-    areas.iter().for_each(|_| page.add("--:|"));
-    page.add("--:|\n");
+    let heads = cells(areas.iter().map(|area| inline(area)));
+    page.add(&format!("\n## Cases\n\n| engine | dialect |{heads} all |\n"));
+    page.add(&format!("|---|---|{}--:|\n", "--:|".repeat(areas.len())));
     for (engine, dialects) in &overview.totals {
         for (dialect, totals) in dialects {
             let mut sum = Totals::default();
             totals.values().for_each(|totals| sum += *totals);
-            let mut row = format!("| {} | {} |", inline(engine), inline(dialect));
-            areas
-                .iter()
-                .for_each(|area| row.push_str(&total_cell(totals.get(*area))));
-            row.push_str(&total_cell(Some(&sum)));
-            row.push('\n');
-            page.add(&row);
+            let of_areas = areas.iter().map(|area| totals.get(*area));
+            let numbers = cells(of_areas.chain([Some(&sum)]).map(total_cell));
+            page.add(&format!(
+                "| {} | {} |{numbers}\n",
+                inline(engine),
+                inline(dialect)
+            ));
         }
     }
     if overview.failed > 0 {
@@ -132,9 +128,9 @@ fn totals(overview: &Overview, page: &mut BoundedMarkdown) {
 
 fn total_cell(totals: Option<&Totals>) -> String {
     match totals.map(|totals| (totals.all(), totals.unexpected())) {
-        None | Some((0, _)) => " - |".to_owned(),
-        Some((all, 0)) => format!(" {all} |"),
-        Some((all, unexpected)) => format!(" **{}/{all}** |", all - unexpected),
+        None | Some((0, _)) => "-".to_owned(),
+        Some((all, 0)) => all.to_string(),
+        Some((all, unexpected)) => format!("**{}/{all}**", all - unexpected),
     }
 }
 

@@ -2,7 +2,7 @@
 //! share.
 
 use std::fmt::Write;
-use stickler_run::{BaselineNote, Grade, OutdatedEntry, Verdict, clip_line};
+use stickler_run::{BaselineNote, Grade, OutdatedEntry, Totals, Verdict, clip_line};
 use stickler_types::counted;
 
 /// The maximum number of characters that a report for people shows of a line.
@@ -97,6 +97,16 @@ pub(crate) fn outdated_entries(number: usize) -> String {
         "entries of baselines are",
     );
     format!("{entries} out of date")
+}
+
+/// Formats the number of cases with each verdict that is meant and occurs: `3 pass, 1 fail`.
+pub(crate) fn verdicts(totals: &Totals, is_meant: impl Fn(Verdict) -> bool) -> String {
+    let occurring = Verdict::ALL.into_iter().filter(|verdict| totals.of(*verdict) > 0);
+    let counts = occurring.filter(|verdict| is_meant(*verdict));
+    let counts: Vec<String> = counts
+        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
+        .collect();
+    counts.join(", ")
 }
 
 /// Formats milliseconds for people: `34 ms`, `1.2 s`, `2 min 5 s`.

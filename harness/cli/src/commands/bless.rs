@@ -1,7 +1,7 @@
 //! `stickler bless`: rewrites baselines from the results of a run.
 
 use crate::arguments::BlessArguments;
-use crate::case_folder::CaseFolder;
+use crate::case_folder::{self, CaseFolder};
 use crate::exit::Exit;
 use crate::{baselines, output};
 use anyhow::{Context, bail};
@@ -25,10 +25,7 @@ const MAX_CHANGES: usize = 40;
 /// with a mistake, or one that cannot be written.
 pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let report = arguments
-        .report
-        .clone()
-        .unwrap_or_else(|| folder.root.join("reports").join("latest"));
+    let report = case_folder::report_folder(arguments.report.as_deref(), &folder.root);
     let (dialects, runs) = read(&report)?;
     let (day, runs) = chosen(runs, &arguments.engine)?;
     if arguments.baseline.is_some() && runs.len() > 1 {

@@ -69,10 +69,9 @@ fn command_line(words: &[String]) -> String {
 
 fn write_page(validation: &Validation, out: &mut dyn Write) -> io::Result<()> {
     let identity = &validation.identity;
-    let dialects: Vec<&str> = identity.dialects.iter().map(|dialect| dialect.as_str()).collect();
     let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}  {}", identity.name, identity.version)?;
-    writeln!(out, "  dialects    {}", dialects.join(", "))?;
+    writeln!(out, "  dialects    {}", engines::listed(&identity.dialects))?;
     writeln!(out, "  can         {}", abilities.join(", "))?;
     writeln!(out, "  grade       {}\n", identity.grade)?;
     for check in &validation.checks {

@@ -4,7 +4,6 @@ use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::{output, shell};
-use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
@@ -114,8 +113,7 @@ fn exit(exported: &Exported) -> Exit {
 
 /// Returns the plan of a project file that is created now.
 fn project(file: PathBuf) -> ProjectPlan {
-    let now = Timestamp::now();
-    let created = now.round(Unit::Second).unwrap_or(now).to_string();
+    let created = case_folder::now().to_string();
     ProjectPlan { file, created }
 }
 

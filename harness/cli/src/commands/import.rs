@@ -1,13 +1,11 @@
 //! `stickler import`: judges and reports results that were copied out of an editor, like a run of any engine.
 
-use crate::arguments::ImportArguments;
+use crate::arguments::{ImportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder};
 use crate::commands::record;
 use crate::exit::{self, Exit};
 use crate::{baselines, output, shell};
 use anyhow::{Context, bail};
-use jiff::tz::TimeZone;
-use jiff::{Timestamp, Unit};
 use std::fs;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
@@ -49,7 +47,8 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         (None, true) => Suite::default(),
     };
     let baseline = plan.matched_baseline(&suite, &engine);
-    let report = report_folder(arguments, &root);
+    let report =
+        (!arguments.no_report).then(|| case_folder::report_folder(arguments.report.as_deref(), &root));
     let (imported, overview) = judged(
         &export,
         &texts,
@@ -137,7 +136,6 @@ fn plan(
     root: &Path,
     engine: &Identity,
 ) -> anyhow::Result<Plan> {
-    let now = Timestamp::now();
     let baselines = match arguments.no_baseline {
         true => Vec::new(),
         false => baselines::load(&arguments.baseline, root, &[&engine.name])?,
@@ -159,22 +157,11 @@ fn plan(
     }
     Ok(Plan {
         baselines,
-        today: now.to_zoned(TimeZone::UTC).date(),
-        started: now.round(Unit::Second).unwrap_or(now).to_string(),
-        command: shell::command_line(),
         rerun_prefix,
         // A page of one case runs the case again; no engine can be named there.
         asked_for: [(engine.name.clone(), Reference::NAME.to_owned())].into(),
-        ..Plan::default()
+        ..case_folder::plan(&SelectionArguments::default(), None)
     })
-}
-
-fn report_folder(arguments: &ImportArguments, root: &Path) -> Option<PathBuf> {
-    match &arguments.report {
-        _ if arguments.no_report => None,
-        Some(named) => Some(named.clone()),
-        None => Some(root.join("reports").join("latest")),
-    }
 }
 
 fn judged(

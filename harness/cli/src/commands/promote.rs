@@ -4,7 +4,7 @@ use super::fuzz::finding_place;
 use crate::arguments::PromoteArguments;
 use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
-use crate::{output, shell};
+use crate::{engines, output, shell};
 use anyhow::{Context, bail};
 use std::fs;
 use std::io::Write;
@@ -140,14 +140,7 @@ fn write(path: &Path, text: &str) -> std::io::Result<()> {
 
 /// Returns the dialect to which the cases belong: the one that is named, or the only one of the recording.
 fn owner(arguments: &PromoteArguments, recording: &Recording) -> anyhow::Result<DialectName> {
-    let names = || {
-        let names: Vec<&str> = recording
-            .dialects
-            .iter()
-            .map(|dialect| dialect.as_str())
-            .collect();
-        names.join(", ")
-    };
+    let names = || engines::listed(&recording.dialects);
     let owner = match (arguments.dialect, &recording.dialects[..]) {
         (Some(named), _) => named,
         (None, [only]) => *only,

@@ -3,9 +3,8 @@
 use crate::arguments::RecordArguments;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use crate::{engines, interrupt};
+use crate::{case_folder, engines, interrupt};
 use anyhow::{Context, bail};
-use jiff::Timestamp;
 use jiff::tz::TimeZone;
 use std::env::consts;
 use std::fs;
@@ -112,7 +111,7 @@ pub fn write(recording: &Recording, path: &Path) -> anyhow::Result<()> {
 
 /// Returns today's date, as a recording has it.
 pub fn today() -> String {
-    Timestamp::now().to_zoned(TimeZone::UTC).date().to_string()
+    case_folder::now().to_zoned(TimeZone::UTC).date().to_string()
 }
 
 fn origin(arguments: &RecordArguments, identity: &Identity) -> anyhow::Result<RecordingOrigin> {

@@ -2,14 +2,14 @@
 
 use crate::arguments::ReduceArguments;
 use crate::exit::Exit;
+use crate::progress::bar;
 use crate::reduction_engine::ReductionEngine;
 use crate::{engines, interrupt, output, source_file};
 use anyhow::{Context, bail};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 use stickler_engines::{Engine, ProcessEngine, ProcessLimits};
 use stickler_generate::reduce::OutcomeSymptom;
 use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
@@ -36,7 +36,8 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
         return Ok(Exit::Failures);
     };
     let started = Instant::now();
-    let bar = ReductionBar::new(&symptom);
+    let bar = bar(None, "{spinner} {prefix}: {pos} tries, {elapsed}{msg}");
+    bar.set_prefix(symptom.to_string());
     let stopped = || stop.is_requested();
     let budget = ReductionBudget {
         tries: arguments.tries,
@@ -52,12 +53,17 @@ pub fn execute(arguments: &ReduceArguments, out: &mut dyn Write) -> anyhow::Resu
                 trouble.get_or_insert(error);
                 Interestingness::Uninteresting
             });
-            bar.tried(candidate, answer);
+            if answer != Interestingness::Invalid {
+                bar.inc(1);
+            }
+            if answer == Interestingness::Interesting {
+                bar.set_message(format!(", {} lines", candidate.lines().count()));
+            }
             answer
         },
         &budget,
     );
-    bar.finish();
+    bar.finish_and_clear();
     let again = found.ended != StopReason::NotInteresting
         && subject
             .answer(dialect, &found.value, &symptom)
@@ -132,8 +138,7 @@ fn shown(
         }
         others.extend(symptoms.iter().map(|symptom| format!("{symptom} in {dialect}")));
     }
-    let dialects: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
-    let dialects = dialects.join(", ");
+    let dialects = engines::listed(&dialects);
     output::error(&match &arguments.symptom {
         Some(wanted) if others.is_empty() => {
             anyhow::anyhow!("{path} shows no {wanted} on {name} in {dialects}, and nothing else")
@@ -176,34 +181,4 @@ fn write(file: Option<&Path>, program: &str, out: &mut dyn Write) -> anyhow::Res
         write!(out, "{program}{end}")?;
     }
     written.with_context(|| format!("cannot write {}; the program is printed instead", file.display()))
-}
-
-/// The progress bar of a reduction, on stderr and only where that is a terminal.
-struct ReductionBar(ProgressBar);
-
-impl ReductionBar {
-    fn new(symptom: &OutcomeSymptom) -> ReductionBar {
-        let bar = ProgressBar::new_spinner();
-        // The template is a constant; if it were wrong, the bar would look plain.
-        if let Ok(style) = ProgressStyle::with_template("{spinner} {prefix}: {pos} tries, {elapsed}{msg}") {
-            bar.set_style(style);
-        }
-        bar.set_prefix(symptom.to_string());
-        bar.enable_steady_tick(Duration::from_millis(100));
-        ReductionBar(bar)
-    }
-
-    fn tried(&self, candidate: &str, answer: Interestingness) {
-        if answer != Interestingness::Invalid {
-            self.0.inc(1);
-        }
-        if answer == Interestingness::Interesting {
-            self.0
-                .set_message(format!(", {} lines", candidate.lines().count()));
-        }
-    }
-
-    fn finish(&self) {
-        self.0.finish_and_clear();
-    }
 }

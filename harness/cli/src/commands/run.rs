@@ -12,12 +12,9 @@ use crate::exit::{self, Exit};
 use crate::progress::Progress;
 use crate::{baselines, engines, interrupt, output, shell};
 use anyhow::bail;
-use jiff::tz::TimeZone;
-use jiff::{Timestamp, Unit};
 use std::collections::BTreeMap;
 use std::env;
 use std::io::Write;
-use std::path::PathBuf;
 use stickler_causes::Search;
 use stickler_conversions::overview::Statements;
 use stickler_engines::Engine;
@@ -95,7 +92,8 @@ fn run(
         return Ok(case_folder::nothing_selected(&suite));
     }
     understood(&selected, engines)?;
-    let report_folder = report_folder(arguments, folder);
+    let report_folder =
+        (!arguments.no_report).then(|| case_folder::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
     let stated = match &report_folder {
         Some(_) => statements(&selected, folder),
@@ -195,7 +193,6 @@ fn baselines(
 }
 
 fn plan(arguments: &RunArguments) -> Plan {
-    let now = Timestamp::now();
     let mut plan = case_folder::plan(&arguments.selection, arguments.shard);
     plan.rerun_prefix.push_str(&judged_alike(arguments));
     Plan {
@@ -203,10 +200,6 @@ fn plan(arguments: &RunArguments) -> Plan {
         unpacked: arguments.unpacked,
         strict: arguments.strict,
         strict_rules: arguments.strict_rules,
-        // Rounding a time to seconds fails only at the end of time.
-        today: now.to_zoned(TimeZone::UTC).date(),
-        started: now.round(Unit::Second).unwrap_or(now).to_string(),
-        command: shell::command_line(),
         ..plan
     }
 }
@@ -236,14 +229,6 @@ fn caches(arguments: &RunArguments, folder: &CaseFolder, engines: &[&dyn Engine]
     match arguments.no_cache || arguments.no_report {
         true => Caches::none(),
         false => Caches::open(&folder.root.join("reports").join("cache"), engines),
-    }
-}
-
-fn report_folder(arguments: &RunArguments, folder: &CaseFolder) -> Option<PathBuf> {
-    match &arguments.report {
-        _ if arguments.no_report => None,
-        Some(named) => Some(named.clone()),
-        None => Some(folder.root.join("reports").join("latest")),
     }
 }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Folders without pages of the manual: build output, recorded commands and reports, and what runs leave.
+/// Folders without pages of the manual: build output, recorded commands, golden reports, and what runs leave.
 const SKIPPED: [&str; 6] = ["target", "cmd", "golden", "latest", "cache", "findings"];
 
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {

@@ -5,10 +5,10 @@ use crate::engine;
 use crate::observations::probe;
 use crate::terminal::failure::write_difference;
 use crate::terminal::{BAD, BOLD, DIM, GOOD};
-use crate::text::visible;
+use crate::text::{verdicts, visible};
 use anstyle::Style;
 use std::io::{self, Write};
-use stickler_run::{Header, Totals, Verdict};
+use stickler_run::{Header, Totals};
 use stickler_types::counted;
 
 /// The maximum number of groups of one kind that are shown.
@@ -218,13 +218,8 @@ fn write_unmatched(out: &mut dyn Write, word: &str, cases: &[UnmatchedCase]) -> 
     }
     let mut totals = Totals::default();
     cases.iter().for_each(|case| totals.count(case.verdict));
-    let kinds: Vec<String> = Verdict::ALL
-        .into_iter()
-        .filter(|verdict| totals.of(*verdict) > 0)
-        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
-        .collect();
     let number = counted(cases.len() as u64, "case is", "cases are");
-    writeln!(out, "{number} {word}: {}", kinds.join(", "))
+    writeln!(out, "{number} {word}: {}", verdicts(&totals, |_| true))
 }
 
 fn write_last_line(out: &mut dyn Write, comparison: &Comparison) -> io::Result<()> {

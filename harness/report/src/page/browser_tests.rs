@@ -5,17 +5,13 @@
 //! an address, which is what a click leads to. `keyboard_tests` presses keys.
 
 use super::tests;
-use crate::sample;
+use crate::golden_tests;
+use serde::Deserialize;
 use std::env;
 use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::sync::Arc;
-use stickler_conversions::overview::{CaseStatement, Statements, StatementsBuilder};
-use stickler_conversions::recording::Recording;
-use stickler_run::{CaseEvent, Event, SourceHeader, Verdict};
-use stickler_types::{DialectName, MatrixWord, Value};
 
 /// The variable that names a browser.
 const VARIABLE: &str = "STICKLER_CHROMIUM";
@@ -80,136 +76,48 @@ pub(crate) fn open(browser: &Path, page: &Path, address: &str, option: &str) -> 
     String::from_utf8(output.stdout).expect("a document in UTF-8")
 }
 
-const CALL: &str = "PROGRAM main\nVAR\n    data : REAL := 2.25;\n    into : INT;\nEND_VAR\n    into := REAL_TO_INT(data);\nEND_PROGRAM\n";
-
-fn statements() -> Statements {
-    let mut builder = StatementsBuilder::new(vec![
-        DialectName::IRONPLC_ED2,
-        DialectName::PLCNEXT,
-        DialectName::STRUCPP,
-        DialectName::CODESYS,
-    ]);
-    let implicit = CaseStatement {
-        case: &Arc::from("widening/w::assignment(INT,SINT,1)"),
-        dialect: DialectName::IRONPLC_ED2,
-        word: MatrixWord::No,
-        result: None,
-        basis: &Arc::from("ironplc-type-conversions: Integer widening"),
-    };
-    let mut add = |question: &str, statement: &CaseStatement<'_>| {
-        builder.add(&question.parse().expect("a question"), statement);
-    };
-    add("implicit(INT,SINT)", &implicit);
-    for (question, case) in [
-        ("implicit(INT,USINT)", "widening/w::assignment(INT,USINT,1)"),
-        ("implicit(INT,UINT)", "widening/w::assignment(INT,UINT,1)"),
-    ] {
-        let statement = CaseStatement {
-            word: MatrixWord::Warn,
-            case: &Arc::from(case),
-            ..implicit
-        };
-        add(question, &statement);
-    }
-    let bit = CaseStatement {
-        case: &Arc::from("widening/b::write(BYTE,8)"),
-        ..implicit
-    };
-    add("bits(BYTE,8)", &bit);
-    let call = CaseStatement {
-        case: &Arc::from("widening/c::variable(REAL,INT,2.25)"),
-        dialect: DialectName::IRONPLC_ED2,
-        word: MatrixWord::Yes,
-        result: None,
-        basis: &Arc::from("ironplc-conversion-functions: Real to Integer"),
-    };
-    add("REAL_TO_INT(REAL#2.25) : INT", &call);
-    let call = CaseStatement {
-        case: &Arc::from("widening/c::variable(REAL,INT,2.375)"),
-        dialect: DialectName::PLCNEXT,
-        result: Some(&Value::parse("INT#7").expect("a literal")),
-        basis: &Arc::from("builds: 2026"),
-        ..call
-    };
-    add("REAL_TO_INT(REAL#2.375) : INT", &call);
-    let call = CaseStatement {
-        case: &Arc::from("widening/c::variable(LREAL,DINT,-3.0E9)"),
-        dialect: DialectName::CODESYS,
-        result: Some(&Value::parse("DINT#-2147483648").expect("a literal")),
-        ..call
-    };
-    add("LREAL_TO_DINT(LREAL#-3.0E9) : DINT", &call);
-    builder.finish(&RECORDINGS.map(|(file, text)| Recording::parse(file, text).expect("a recording")))
-}
-
-/// A recorded compiler that is no engine of the run, and one that is, by the name of its file.
-const RECORDINGS: [(&str, &str); 2] = [
-    (
-        "strucpp.toml",
-        "[recording]\nproduct = \"STruC++\"\nversion = \"0.6.1\"\nplatform = \"linux\"\ndate = \"2026-11-24\"\n\
-         [[answers]]\ndialects = [\"ironplc-ed2\"]\n\
-         [answers.implicit]\nINT = { accepts = \"SINT USINT\", rejects = \"UINT\" }\n\
-         [answers.bits]\nBYTE = { accepts = \"8\" }\n\
-         [answers.comparisons]\nINT = { false = \"USINT\" }\nUSINT = { rejected = \"INT\" }\n\
-         [answers.functions]\n\"REAL_TO_INT(REAL) : INT\" = [[\"2.5\", \"7\"], [\"2.25\", \"crashed\"]]\n",
-    ),
-    (
-        "reference.toml",
-        "[recording]\nproduct = \"An older reference\"\nversion = \"0.0.1\"\nplatform = \"linux\"\ndate = \"2026-11-24\"\n\
-         [[answers]]\ndialects = [\"ironplc-ed2\"]\n[answers.implicit]\nINT = { accepts = \"SINT\" }\n",
-    ),
-];
+/// The run that the tests look at, what documents state of it, and what a browser shows at its addresses.
+const GOLDEN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/golden-page");
 
 /// Writes the page of a run with an engine that fails in each part.
 pub(super) fn write(folder: &Path) -> PathBuf {
+    let golden = Path::new(GOLDEN);
     let path = folder.join("index.html");
-    let failed = |id: &str, program: &str, got| CaseEvent {
-        got: vec![got],
-        program: Some(program.to_owned()),
-        ..sample::case(id, Verdict::Fail)
-    };
-    let evil = "PROGRAM evil (* </script><img src=x> *) END_PROGRAM";
-    let mut events = sample::with_sources(sample::run_of(vec![
-        failed(
-            "w::assignment(INT,SINT,1)",
-            "PROGRAM w END_PROGRAM",
-            stickler_run::Fact::Accepted,
-        ),
-        failed("c::variable(REAL,INT,2.25)", CALL, sample::value("into", "INT#3")),
-        CaseEvent {
-            expected: vec![stickler_run::Fact::Accepted, sample::warning(6, "C0195")],
-            ..failed(
-                "w::assignment(INT,USINT,1)",
-                "PROGRAM w END_PROGRAM",
-                stickler_run::Fact::Accepted,
-            )
-        },
-        sample::case("w::assignment(INT,UINT,1)", Verdict::Pass),
-        failed(
-            "evil::p(1)",
-            evil,
-            sample::reported(3, "P4035", "no <b>bold</b> value \u{fffd}\u{1b}[31m"),
-        ),
-        sample::case("b::write(BYTE,8)", Verdict::Pass),
-    ]));
-    let header = sample::header(&mut events);
-    header.engines[0].dialects = ["ironplc-ed2", "ironplc-ed2+partial-access"]
-        .map(String::from)
-        .to_vec();
-    header.sources.push(SourceHeader {
-        key: "builds".to_owned(),
-        kind: "recording".to_owned(),
-        ..header.sources[0].clone()
-    });
-    let footer = events.pop().expect("a footer");
-    events.push(Event::Cause(sample::cause(
-        "`into := data` gives 3",
-        7,
-        Verdict::Fail,
-    )));
-    events.push(footer);
-    tests::write(&path, statements(), &events);
+    let (events, _) = golden_tests::read(&golden.join("run.toml"));
+    tests::write(&path, golden_tests::statements(golden), &events);
     path
+}
+
+/// What a browser shows at the addresses of the page.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Addresses {
+    page: Vec<ShownPage>,
+}
+
+/// What a browser shows at an address.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ShownPage {
+    address: String,
+    #[serde(default)]
+    shows: Vec<String>,
+    #[serde(default)]
+    row: Vec<String>,
+    #[serde(default)]
+    cell: Vec<ShownCell>,
+}
+
+#[derive(Deserialize)]
+struct ShownCell {
+    label: String,
+    begins: String,
+}
+
+/// Returns the part of a text between two others.
+fn between<'t>(text: &'t str, start: &str, end: &str) -> &'t str {
+    let (_, rest) = text.split_once(start).expect(start);
+    rest.split_once(end).expect(end).0
 }
 
 /// Asserts that every field of a document has a label, which a screen reader reads.
@@ -228,172 +136,31 @@ fn assert_labelled(document: &str) {
 
 #[test]
 fn every_part_of_the_page_opens_by_its_address() {
+    let text = fs::read_to_string(Path::new(GOLDEN).join("addresses.toml")).expect("the addresses");
+    let addresses: Addresses = toml::from_str(&text).expect("addresses");
     let Some(browser) = browser() else { return };
     let folder = tempfile::tempdir().expect("a temporary folder");
     let page = write(folder.path());
-    let dom = |address: &str| {
-        let document = open(&browser, &page, address, "--dump-dom");
+    for shown in addresses.page {
+        let address = shown.address;
+        let document = open(&browser, &page, &address, "--dump-dom");
+        assert!(!document.contains("An older reference"), "the run counts");
         // The data and the scripts are no part of what is seen.
         let (seen, _) = document.split_once("<script type").expect("a document");
         assert_labelled(seen);
-        seen.to_owned()
-    };
-
-    let first = dom("");
-    assert!(first.contains("What does a conversion do?"), "{first}");
-    assert!(first.contains(">ironplc-ed2, 1 variant<"), "{first}");
-    assert!(
-        first.contains("REAL_TO_INT(REAL) : INT") && first.contains("4 fail"),
-        "{first}"
-    );
-
-    let found = dom("#REAL_TO_INT?value=2.25");
-    let (_, row) = found
-        .split_once("class=\"wanted\"")
-        .expect("the row of the value");
-    let (row, _) = row.split_once("</tr>").expect("its end");
-    assert!(
-        row.contains("2.25") && row.contains("✗ 3") && row.contains("#case?"),
-        "{row}"
-    );
-
-    let matrix = dom("#matrix");
-    let cell = "#convert?from=INT&amp;to=SINT";
-    assert!(
-        matrix.contains(cell) && matrix.contains("reference: yes"),
-        "{matrix}"
-    );
-    let pair = dom(&cell.replace("&amp;", "&"));
-    assert!(
-        pair.contains("Does INT become SINT without a function?") && pair.contains("✗ yes"),
-        "{pair}"
-    );
-    assert!(
-        pair.contains("No case asks in plcnext, strucpp, codesys."),
-        "{pair}"
-    );
-
-    for (label, cell) in [
-        (
-            "INT to USINT: yes, with a warning; reference: yes, no warning; STruC++ 0.6.1: yes, no warning",
-            "!<b>≠R✓</b><b>≠S✓</b></a>",
-        ),
-        (
-            "INT to UINT: yes, with a warning; STruC++ 0.6.1: no",
-            "!<b>≠S✕</b></a>",
-        ),
-    ] {
-        let (_, named) = matrix
-            .split_once(&format!("aria-label=\"{label} ("))
-            .expect("a labelled cell");
-        let (_, inside) = named.split_once('>').expect("its inside");
-        assert!(inside.starts_with(cell), "{label}: {inside}");
+        for part in shown.shows {
+            assert!(seen.contains(&part), "{address}: {part}\n{seen}");
+        }
+        for part in shown.row {
+            let row = between(seen, "class=\"wanted\"", "</tr>");
+            assert!(row.contains(&part), "{address}: {part}\n{row}");
+        }
+        for ShownCell { label, begins } in shown.cell {
+            let named = between(seen, &format!("aria-label=\"{label} ("), "</td>");
+            let (_, inside) = named.split_once('>').expect("its inside");
+            assert!(inside.starts_with(&begins), "{label}: {inside}");
+        }
     }
-    let warned = dom("#convert?from=INT&to=USINT");
-    assert!(
-        warned.contains("! yes, with a warning</span>") && warned.contains("✗ yes, no warning"),
-        "{warned}"
-    );
-    assert!(dom("#cases").contains("<option value=\"C0195\">"));
-    let coded = dom("#cases?code=C0195");
-    assert!(coded.contains("1 of 4 cases"), "{coded}");
-
-    let bits = dom("#bits?type=BYTE");
-    assert!(
-        bits.contains("BYTE has bits 0 to 7") && bits.contains("BYTE: variable.8 in ironplc-ed2: no"),
-        "{bits}"
-    );
-
-    let claims = dom("#claims?source=ironplc-type-conversions");
-    assert!(
-        claims.contains("href=\"https://example.org/Integer widening#integer-widening\""),
-        "{claims}"
-    );
-
-    let cases = dom("#cases?verdict=fail&code=P4035&q=evil");
-    assert!(
-        cases.contains("1 of 4 cases") && cases.contains("widening/evil::p(1)@ironplc-ed2"),
-        "{cases}"
-    );
-    let case = dom("#case?engine=reference&dialect=ironplc-ed2&id=widening%2Fevil%3A%3Ap(1)");
-    assert!(
-        case.contains("&lt;/script&gt;&lt;img src=x&gt;")
-            && case.contains("no &lt;b&gt;bold&lt;/b&gt; value \u{fffd}\\u{1b}[31m"),
-        "{case}"
-    );
-    assert!(
-        case.contains("--filter 'widening/evil::p(1)@ironplc-ed2'"),
-        "{case}"
-    );
-
-    let causes = dom("#causes?number=1");
-    assert!(
-        causes.contains("Copy text of a report") && causes.contains("PROGRAM m END_PROGRAM"),
-        "{causes}"
-    );
-
-    let unknown = dom("#REAL_TO_NOTHING");
-    assert!(
-        unknown.contains("No case of this run calls a function REAL_TO_NOTHING"),
-        "{unknown}"
-    );
-}
-
-#[test]
-fn a_recorded_compiler_is_a_column_like_an_engine_unless_it_ran() {
-    let Some(browser) = browser() else { return };
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let page = write(folder.path());
-    let dom = |address: &str| open(&browser, &page, address, "--dump-dom");
-    let values = dom("#REAL_TO_INT?value=2.5");
-    assert!(
-        values.contains("STruC++ 0.6.1<div class=\"dim\">recorded 2026-11-24</div>"),
-        "{values}"
-    );
-    let (_, row) = values
-        .split_once("class=\"wanted\"")
-        .expect("the row of the value");
-    let (row, _) = row.split_once("</tr>").expect("its end");
-    assert!(row.contains("✗ 7"), "{row}");
-    let pair = dom("#convert?from=INT&to=SINT");
-    assert!(pair.contains("✗ yes</span> STruC++ 0.6.1"), "{pair}");
-    let matrix = dom("#matrix");
-    assert!(
-        matrix.contains(
-            "INT to USINT: yes, with a warning; reference: yes, no warning; STruC++ 0.6.1: yes, no warning"
-        ) && matrix.contains("Engines: R reference, S STruC++ 0.6.1 (recorded 2026-11-24)"),
-        "{matrix}"
-    );
-    let compared = dom("#convert?from=INT&to=USINT");
-    assert!(
-        compared.contains("<code>INT#-1 &lt; USINT#255</code> is true of the numbers.")
-            && compared.contains("≠ false</span> STruC++ 0.6.1 (ironplc-ed2)"),
-        "{compared}"
-    );
-    let bits = dom("#bits?type=BYTE");
-    assert!(
-        bits.contains("BYTE: variable.8 in ironplc-ed2: no; STruC++ 0.6.1: yes"),
-        "{bits}"
-    );
-    for shown in [&values, &pair, &matrix] {
-        assert!(!shown.contains("An older reference"), "the run counts");
-    }
-}
-
-#[test]
-fn a_page_of_the_vendor_stands_beside_a_recording_that_contradicts_it() {
-    let Some(browser) = browser() else { return };
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let page = write(folder.path());
-    let values = open(&browser, &page, "#LREAL_TO_DINT?value=-3E9", "--dump-dom");
-    let (_, row) = values
-        .split_once("class=\"wanted\"")
-        .expect("the row of the value");
-    let (row, _) = row.split_once("</tr>").expect("its end");
-    assert!(
-        row.contains("-2147483648") && row.contains("≠ 1294967296") && row.contains("by codesys-real-to"),
-        "{row}"
-    );
 }
 
 #[test]

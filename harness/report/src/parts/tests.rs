@@ -79,82 +79,74 @@ fn all_parts_in_any_order_are_the_whole_run() {
     assert_eq!(merged, expected);
 }
 
-#[test]
-fn a_missing_part_is_named_and_the_rest_is_not_taken_for_the_whole() {
-    let (events, missing) = merged(vec![log("a", &part(1, 3)), log("c", &part(3, 3))]);
-    assert_eq!(missing, ["part 2/3 is missing"]);
-    assert!(!is_whole(&events) && events.len() > 10);
-}
-
-#[test]
-fn a_truncated_part_is_named_and_the_rest_is_not_taken_for_the_whole() {
-    let cut = part(2, 2);
-    let (events, missing) = merged(vec![
-        log("a", &part(1, 2)),
-        log("machine-2", &cut[..cut.len() - 1]),
-    ]);
-    let cases = cut.len() - 2;
-    let sentence = format!(
-        "part 2/2 (machine-2): the run was cut short after {cases} cases: its event log has no footer"
-    );
-    assert_eq!(missing, [sentence]);
-    assert!(!is_whole(&events));
-}
-
-#[test]
-fn a_part_that_lost_a_case_is_named() {
-    let mut lossy = part(2, 2);
-    lossy.remove(3);
-    let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &lossy)]);
-    assert!(
-        missing.len() == 1 && missing[0].contains("part 2/2 (b)"),
-        "{missing:?}"
-    );
-    assert!(missing[0].contains("is not whole"), "{missing:?}");
-    assert!(!is_whole(&events));
-}
-
-fn of_format_1(mut events: Vec<Event>) -> Vec<Event> {
-    sample::header(&mut events).format = 1;
+/// Returns the events of part 2 of 2, edited.
+fn edited(edit: impl FnOnce(&mut Vec<Event>)) -> Vec<Event> {
+    let mut events = part(2, 2);
+    edit(&mut events);
     events
 }
 
 #[test]
-fn what_is_no_part_of_the_same_run_is_named() {
-    let mut other = part(2, 2);
-    sample::header(&mut other).engines[0].version = "0.2.0".to_owned();
-    for (second, reason) in [
-        (log("b", &part(1, 2)), "part 1/2 is there more than once: a and b"),
-        (log("b", &whole()), "b is a whole run, and no part of one"),
+fn what_is_missing_or_no_part_of_the_run_is_named_and_the_rest_is_not_taken_for_the_whole() {
+    let missing_part = "part 2/2 is missing";
+    let cut = edited(|events| drop(events.pop()));
+    let cases = cut.len() - 1;
+    let cut_short =
+        format!("part 2/2 (b): the run was cut short after {cases} cases: its event log has no footer");
+    let lossy = edited(|events| drop(events.remove(3)));
+    let strange = edited(|events| events[1] = part(1, 2).swap_remove(1));
+    let newer = edited(|events| sample::header(events).engines[0].version = "0.2.0".to_owned());
+    let of_format_1 = edited(|events| sample::header(events).format = 1);
+    for (second, reasons) in [
         (
-            log("b", &part(2, 3)),
-            "b is no part of the same run as a: its number of parts is 3",
+            part(2, 3),
+            &[
+                "b is no part of the same run as a: its number of parts is 3",
+                missing_part,
+            ][..],
+        ),
+        (cut, &[&cut_short]),
+        (
+            lossy,
+            &[
+                "part 2/2 (b) cannot be read to its end: the event log promises 23 cases and holds 22, so it is not whole",
+            ],
         ),
         (
-            log("b", &other),
-            "b is no part of the same run as a: its list of engines is reference 0.2.0",
+            strange,
+            &["part 2/2 (b) holds widening/a::x(0), which is another part's"],
         ),
-        (log("b", &[]), "b cannot be read: the event log is empty"),
         (
-            log("b", &of_format_1(part(2, 2))),
-            "b cannot be read: the event log has format 1, which an earlier version of Stickler wrote",
+            part(1, 2),
+            &["part 1/2 is there more than once: a and b", missing_part],
+        ),
+        (whole(), &["b is a whole run, and no part of one", missing_part]),
+        (
+            newer,
+            &[
+                "b is no part of the same run as a: its list of engines is reference 0.2.0",
+                missing_part,
+            ],
+        ),
+        (
+            Vec::new(),
+            &["b cannot be read: the event log is empty", missing_part],
+        ),
+        (
+            of_format_1,
+            &[
+                "b cannot be read: the event log has format 1, which an earlier version of Stickler wrote",
+                missing_part,
+            ],
         ),
     ] {
-        let (events, missing) = merged(vec![log("a", &part(1, 2)), second]);
-        assert!(missing[0].starts_with(reason), "{missing:?}");
-        assert_eq!(missing[1], "part 2/2 is missing");
-        assert!(!is_whole(&events));
+        let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &second)]);
+        assert_eq!(missing.len(), reasons.len(), "{missing:?}");
+        for (missing, reason) in missing.iter().zip(reasons) {
+            assert!(missing.starts_with(reason), "{reason}: {missing}");
+        }
+        assert!(!is_whole(&events) && events.len() > 10, "{missing:?}");
     }
-}
-
-#[test]
-fn a_case_of_another_part_is_named() {
-    let mut mixed = part(2, 2);
-    let stranger = part(1, 2).swap_remove(1);
-    mixed[1] = stranger;
-    let (events, missing) = merged(vec![log("a", &part(1, 2)), log("b", &mixed)]);
-    assert!(missing[0].contains("which is another part's"), "{missing:?}");
-    assert!(!is_whole(&events));
 }
 
 #[test]

@@ -1,7 +1,11 @@
-//! Tests sites of small runs.
+//! Tests sites of small runs: each folder of `golden-sites` is one, with its runs and what some of the site's files must be.
+//!
+//! A run is written as those of `golden`, which `golden_tests` describes. Of a page the style sheet is left out; `summary.txt` is what the
+//! command line is told.
 
 use super::{SiteError, SiteSummary};
 use crate::events::{EventLog, NAME};
+use crate::golden_tests::{difference, files, list, read, statements};
 use crate::sample;
 use std::error::Error;
 use std::fs;
@@ -15,6 +19,55 @@ fn write(paths: &[PathBuf], site: &Path) -> Result<SiteSummary, SiteError> {
     super::write(paths, false, site, &Statements::default())
 }
 
+/// Writes a site of the runs in a folder of `golden-sites`; returns what the command line is told.
+pub(super) fn write_golden(golden: &Path, folder: &Path) -> String {
+    let runs = files(&golden.join("runs")).into_iter().map(|file| {
+        let (events, has_page) = read(&golden.join("runs").join(&file));
+        let run = written(&folder.join(file.with_extension("")), &events);
+        if has_page {
+            fs::write(run.join("index.html"), "the run's page").expect("written");
+        }
+        run
+    });
+    let statements = match golden.join("statements.toml").is_file() {
+        true => statements(golden),
+        false => Statements::default(),
+    };
+    let runs: Vec<PathBuf> = runs.collect();
+    let summary = super::write(&runs, false, &folder.join("site"), &statements).expect("a site");
+    format!("{summary:#?}\n").replace(&folder.display().to_string(), "RUNS")
+}
+
+#[test]
+fn files_of_sites_are_their_golden_texts() {
+    let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden-sites");
+    let mut differences = Vec::new();
+    for entry in fs::read_dir(all).expect("a folder").flatten() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let summary = write_golden(&entry.path(), folder.path());
+        let site = folder.path().join("site");
+        let golden = entry.path().join("site");
+        for file in files(&golden) {
+            let text = match file.to_str() {
+                Some("summary.txt") => summary.clone(),
+                Some("files.txt") => list(&site),
+                _ => fs::read_to_string(site.join(&file)).expect("a file of the site"),
+            };
+            differences.extend(difference(&golden.join(file), &without_style(&text)));
+        }
+    }
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
+
+/// Returns a page without its style sheet.
+fn without_style(page: &str) -> String {
+    let parts = page.split_once("<style>").and_then(|(before, rest)| {
+        let (_, after) = rest.split_once("</style>")?;
+        Some(format!("{before}{after}"))
+    });
+    parts.unwrap_or_else(|| page.to_owned())
+}
+
 /// Writes a run of an engine's version, started on a day of September.
 fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>) -> PathBuf {
     let mut events = sample::run_of(cases);
@@ -24,7 +77,7 @@ fn run(folder: &Path, name: &str, day: u32, version: &str, cases: Vec<CaseEvent>
     written(&folder.join(name), &events)
 }
 
-pub(super) fn written(folder: &Path, events: &[Event]) -> PathBuf {
+fn written(folder: &Path, events: &[Event]) -> PathBuf {
     fs::create_dir_all(folder).expect("a folder");
     let mut log = EventLog::create(folder.join(NAME)).expect("a log");
     events.iter().for_each(|event| log.take(event).expect("written"));
@@ -34,139 +87,6 @@ pub(super) fn written(folder: &Path, events: &[Event]) -> PathBuf {
 
 fn cases(first: Verdict, second: Verdict) -> Vec<CaseEvent> {
     vec![sample::case("first", first), sample::case("second", second)]
-}
-
-#[test]
-fn a_site_shows_the_newest_run_and_what_changed_since_the_version_before() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let new = run(
-        folder.path(),
-        "new",
-        9,
-        "2",
-        [
-            cases(Verdict::Pass, Verdict::Fail),
-            vec![sample::open_case("open"), sample::case("third", Verdict::Pass)],
-        ]
-        .concat(),
-    );
-    fs::write(new.join("index.html"), "the run's page").expect("written");
-    let old = run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
-    let site = folder.path().join("deep/site");
-    let summary = write(&[new, old], &site).expect("a site");
-    assert_eq!(
-        summary,
-        SiteSummary {
-            skipped: Vec::new(),
-            runs: 2,
-            engines: 1,
-            functions: 0,
-            replaced: Vec::new()
-        }
-    );
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    for part in [
-        "<a href=\"engines/reference.html\">reference</a></th><td>2</td><td>2026-09-09</td>",
-        "<th scope=\"col\">widening</th>",
-        "2 of 3<span class=\"bar\"><span style=\"width: 66.6%\">",
-        "2026-09-09: <a href=\"engines/reference.html\">reference</a> from 1 to 2: 1 fixed, 1 broken, 0 crashed",
-    ] {
-        assert!(front.contains(part), "{part}\n{front}");
-    }
-    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
-    for part in [
-        "points=\"0,50.0 600,33.4\"",
-        "<h3>Broken</h3>\n<details><summary>ironplc-type-conversions: Integer widening: 1 case</summary><ul>\n<li><code>widening/second@ironplc-ed2</code>: pass → fail",
-        "<code>widening/first@ironplc-ed2</code>: fail → pass",
-        "<a href=\"../runs/2.html\">its page</a>",
-        "without a page",
-    ] {
-        assert!(engine.contains(part), "{part}\n{engine}");
-    }
-    let copy = fs::read_to_string(site.join("runs/2.html")).expect("the copied page");
-    assert_eq!(copy, "the run's page");
-}
-
-#[test]
-fn of_two_runs_of_one_version_the_newer_counts_and_the_other_is_listed_and_named() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let paths = [
-        run(folder.path(), "late", 2, "1", cases(Verdict::Pass, Verdict::Pass)),
-        run(
-            folder.path(),
-            "early",
-            1,
-            "1",
-            cases(Verdict::Fail, Verdict::Fail),
-        ),
-    ];
-    let site = folder.path().join("site");
-    let summary = write(&paths, &site).expect("a site");
-    assert_eq!(summary.replaced.len(), 1);
-    assert!(summary.replaced[0].contains("early"), "{summary:?}");
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    assert!(front.contains("2 of 2<span") && front.contains("No engine has runs of two versions yet."));
-    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
-    let reason = "does not count: the later run of 2026-09-02 counts, with 2 cases";
-    assert!(
-        engine.contains("0 of 2<span") && engine.contains(reason),
-        "{engine}"
-    );
-}
-
-#[test]
-fn a_small_late_run_does_not_hide_a_large_one_of_the_same_version() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let many = |verdict, number: usize| -> Vec<CaseEvent> {
-        (0..number)
-            .map(|number| sample::case(&format!("t::a({number})"), verdict))
-            .collect()
-    };
-    let paths = [
-        run(folder.path(), "large", 1, "1", many(Verdict::Pass, 20)),
-        run(folder.path(), "alike", 2, "1", many(Verdict::Fail, 18)),
-        run(folder.path(), "small", 3, "1", many(Verdict::Fail, 17)),
-    ];
-    let site = folder.path().join("site");
-    let summary = write(&paths, &site).expect("a site");
-    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
-    let reason = "it has 17 cases, and the run of 2026-09-02 counts, with 18 cases";
-    assert!(
-        engine.contains(reason) && summary.replaced[1].contains(reason),
-        "{summary:?}"
-    );
-    let reason = "the later run of 2026-09-02 counts, with 18 cases";
-    assert!(
-        engine.contains(reason) && summary.replaced[0].contains(reason),
-        "{summary:?}"
-    );
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    assert!(front.contains("0 of 18<span"), "{front}");
-}
-
-#[test]
-fn an_old_version_that_is_handed_in_late_is_old_all_the_same() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let paths = [
-        run(
-            folder.path(),
-            "new",
-            1,
-            "0.10",
-            cases(Verdict::Pass, Verdict::Pass),
-        ),
-        run(
-            folder.path(),
-            "old",
-            2,
-            "0.9",
-            cases(Verdict::Pass, Verdict::Fail),
-        ),
-    ];
-    let site = folder.path().join("site");
-    write(&paths, &site).expect("a site");
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    assert!(front.contains("from 0.9 to 0.10: 1 fixed, 0 broken"), "{front}");
 }
 
 #[test]
@@ -191,111 +111,6 @@ fn a_run_is_known_from_its_log_of_any_name_alone_and_not_from_its_results() {
         error.contains("this is a results.json of format 3 and no event log"),
         "{error}"
     );
-}
-
-#[test]
-fn a_feed_has_an_entry_for_each_new_version_that_keeps_its_id_whatever_the_engine_is_called() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let named = |name: &str, day: u32, version: &str| {
-        let mut events = sample::run_on(&["a <b>&\u{1}"], Vec::new());
-        let header = sample::header(&mut events);
-        header.started = format!("2026-09-{day:02}T12:00:00Z");
-        header.engines[0].version = version.to_owned();
-        written(&folder.path().join(name), &events)
-    };
-    let [old, new, newest] = [("old", 1, "1"), ("new", 2, "2"), ("newest", 3, "3")]
-        .map(|(name, day, version)| named(name, day, version));
-    let feed_of = |runs: &[PathBuf]| {
-        let site = folder.path().join("site");
-        write(runs, &site).expect("a site");
-        fs::read_to_string(site.join("feed.xml")).expect("a feed")
-    };
-    let id = "<id>urn:x-stickler:change:a%20%3Cb%3E%26%01:1:2</id>";
-    let first = feed_of(&[old.clone(), new.clone()]);
-    let later = feed_of(&[old.clone(), new, newest]);
-    assert!(first.contains(id) && later.contains(id), "{first}");
-    assert_eq!(later.matches("<entry>").count(), 2);
-    for part in [
-        "<feed xmlns=\"http://www.w3.org/2005/Atom\">",
-        "<updated>2026-09-03T12:00:00Z</updated>",
-        "<author><name>Stickler</name></author>",
-        "<title>a &lt;b&gt;&amp;\\u{1} 3: not compared, since no case is in both runs</title>",
-        "<link rel=\"alternate\" href=\"engines/a--b---.html\"/>",
-    ] {
-        assert!(later.contains(part), "{part}\n{later}");
-    }
-    let mut reader = quick_xml::Reader::from_str(&later);
-    while !matches!(reader.read_event().expect("XML"), quick_xml::events::Event::Eof) {}
-    assert_eq!(feed_of(&[old]).matches("<entry>").count(), 0);
-    let front = fs::read_to_string(folder.path().join("site/index.html")).expect("the front page");
-    assert!(front.contains("<link rel=\"alternate\" type=\"application/atom+xml\""));
-}
-
-#[test]
-fn what_an_engine_says_of_itself_stays_text() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut events = sample::run_on(&["a/b", "a:b", "<b>", ".."], Vec::new());
-    sample::header(&mut events).engines[0].version = "<script>alert(1)</script>".to_owned();
-    let run = written(&folder.path().join("run"), &events);
-    let site = folder.path().join("site");
-    write(&[run], &site).expect("a site");
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    assert!(front.contains("&lt;script&gt;alert") && !front.contains("<script") && !front.contains("<b>"));
-    assert_eq!(
-        sample::names(&site.join("engines")),
-        ["-..html", "-b-.html", "a-b-2.html", "a-b.html"]
-    );
-}
-
-#[test]
-fn a_long_list_says_what_it_leaves_out() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let of = |verdict| -> Vec<CaseEvent> {
-        (0..25)
-            .map(|number| sample::case(&format!("t::a({number})"), verdict))
-            .collect()
-    };
-    let paths = [
-        run(folder.path(), "old", 1, "1", of(Verdict::Pass)),
-        run(folder.path(), "new", 2, "2", of(Verdict::Crash)),
-    ];
-    let site = folder.path().join("site");
-    write(&paths, &site).expect("a site");
-    let engine = fs::read_to_string(site.join("engines/reference.html")).expect("the engine's page");
-    assert!(engine.contains("<h3>Crashed</h3>") && engine.contains("and 5 more, which are not listed here"));
-}
-
-#[test]
-fn versions_without_a_case_in_common_are_not_said_to_be_equal() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let of = |id| vec![sample::case(id, Verdict::Pass)];
-    let paths = [
-        run(folder.path(), "old", 1, "1", of("first")),
-        run(folder.path(), "new", 2, "2", of("second")),
-    ];
-    let site = folder.path().join("site");
-    write(&paths, &site).expect("a site");
-    let front = fs::read_to_string(site.join("index.html")).expect("the front page");
-    assert!(
-        front.contains("from 1 to 2: not compared, since no case is in both runs"),
-        "{front}"
-    );
-}
-
-#[test]
-fn equal_runs_give_an_equal_site() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let paths = [
-        run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass)),
-        run(folder.path(), "new", 2, "2", cases(Verdict::Pass, Verdict::Fail)),
-    ];
-    for site in ["one", "other"] {
-        write(&paths, &folder.path().join(site)).expect("a site");
-    }
-    for page in ["index.html", "engines/reference.html"] {
-        let read = |site: &str| fs::read(folder.path().join(site).join(page)).expect("a page");
-        assert_eq!(read("one"), read("other"));
-    }
 }
 
 #[test]

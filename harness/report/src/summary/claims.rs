@@ -2,7 +2,7 @@
 
 use super::BoundedMarkdown;
 use crate::claims::{Row, Standing};
-use crate::markdown::{inline, linked};
+use crate::markdown::{cells, inline, linked};
 use crate::overview::Overview;
 
 /// Writes one table: for a single engine with its numbers, for several with one column per engine.
@@ -46,51 +46,33 @@ fn name(overview: &Overview, row: &Row<'_>) -> Option<String> {
 
 /// Writes a table with engines as columns and claims as rows.
 fn of_several_engines(overview: &Overview, rows: &[Row<'_>], engines: &[&str], page: &mut BoundedMarkdown) {
-    page.add("| | source | kind | section |");
-    engines
-        .iter()
-        .for_each(|engine| page.add(&format!(" {} |", inline(engine))));
-    page.add("\n|---|---|---|---|");
-    engines.iter().for_each(|_| page.add("--:|"));
-    page.add("\n");
+    let names = engines.iter().map(|engine| inline(engine));
+    page.add(&format!("| | source | kind | section |{}\n", cells(names)));
+    page.add(&format!("|---|---|---|---|{}\n", "--:|".repeat(engines.len())));
     for row in rows {
-        let Some(mut line) = name(overview, row) else {
-            continue;
-        };
-        row.standings
-            .iter()
-            .for_each(|standing| line.push_str(&format!(" {} |", cell(*standing))));
-        line.push('\n');
-        page.add(&line);
+        if let Some(name) = name(overview, row) {
+            page.add(&format!("{name}{}\n", cells(row.standings.iter().map(cell))));
+        }
     }
     page.add("\nn/m: n of m cases came out as the source says. -: the engine has no case of this claim.\n");
 }
 
 /// Formats an engine's results for a claim in a few words.
-fn cell(standing: Standing) -> String {
-    let Standing {
-        passed,
-        failed,
-        differs,
-        open,
-        unsupported,
-        ..
-    } = standing;
-    let mut words = Vec::new();
-    match (passed + failed, failed) {
-        (0, _) => {}
-        (judged, 0) => words.push(format!("{passed}/{judged}")),
-        (judged, _) => words.push(format!("**{passed}/{judged}**")),
-    }
-    if differs > 0 {
-        words.push(format!("{differs} differ"));
-    }
-    if open > 0 {
-        words.push(format!("{open} open"));
-    }
-    if unsupported > 0 {
-        words.push(format!("{unsupported} unsupported"));
-    }
+fn cell(standing: &Standing) -> String {
+    let (passed, judged) = (standing.passed, standing.decided());
+    let judged = match (judged, standing.failed) {
+        (0, _) => None,
+        (_, 0) => Some(format!("{passed}/{judged}")),
+        _ => Some(format!("**{passed}/{judged}**")),
+    };
+    let others = [
+        (standing.differs, "differ"),
+        (standing.open, "open"),
+        (standing.unsupported, "unsupported"),
+    ];
+    let others = others.into_iter().filter(|(number, _)| *number > 0);
+    let others = others.map(|(number, word)| format!("{number} {word}"));
+    let words: Vec<String> = judged.into_iter().chain(others).collect();
     match words.is_empty() {
         true => "-".to_owned(),
         false => words.join(", "),
@@ -102,23 +84,19 @@ fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut BoundedMarkdo
     page.add("|---|---|---|---|--:|--:|--:|--:|--:|\n");
     for row in rows {
         if let (Some(name), [standing]) = (name(overview, row), &row.standings[..]) {
-            page.add(&format!("{name}{}", numbers(*standing)));
+            let failed = match standing.failed {
+                0 => "0".to_owned(),
+                failed => format!("**{failed}**"),
+            };
+            let [passed, differs, open, unsupported] = [
+                standing.passed,
+                standing.differs,
+                standing.open,
+                standing.unsupported,
+            ]
+            .map(|number| number.to_string());
+            let numbers = cells([passed, failed, differs, open, unsupported]);
+            page.add(&format!("{name}{numbers}\n"));
         }
     }
-}
-
-fn numbers(standing: Standing) -> String {
-    let Standing {
-        passed,
-        failed,
-        differs,
-        open,
-        unsupported,
-        ..
-    } = standing;
-    let failed = match failed {
-        0 => "0".to_owned(),
-        failed => format!("**{failed}**"),
-    };
-    format!(" {passed} | {failed} | {differs} | {open} | {unsupported} |\n")
 }

@@ -151,45 +151,31 @@ fn standing_cell(standing: Standing) -> Cell {
     }
 }
 
-/// Adds a column for each result that some claim has.
+/// Adds a column for each result; differences and what is not supported only where some claim has them.
 fn of_one_engine(table: &mut Table, lines: &[DocumentRow]) {
-    let any = |count: fn(&Standing) -> u64| {
-        lines
-            .iter()
-            .flat_map(|line| &line.standings)
-            .any(|of| count(of) > 0)
-    };
-    let differs = any(|standing| standing.differs);
-    let unsupported = any(|standing| standing.unsupported);
-    let heads = [
-        ("passed", true),
-        ("failed", true),
-        ("differs", differs),
-        ("open", true),
-        ("unsupported", unsupported),
+    type Count = fn(&Standing) -> u64;
+    let columns: [(&str, Count); 5] = [
+        ("passed", |standing| standing.passed),
+        ("failed", |standing| standing.failed),
+        ("differs", |standing| standing.differs),
+        ("open", |standing| standing.open),
+        ("unsupported", |standing| standing.unsupported),
     ];
-    for (head, _) in heads.iter().filter(|(_, is_shown)| *is_shown) {
-        table.head(Cell::plain(head));
-    }
+    let is_shown = |(head, count): &(&str, Count)| {
+        let mut standings = lines.iter().flat_map(|line| &line.standings);
+        !matches!(*head, "differs" | "unsupported") || standings.any(|standing| count(standing) > 0)
+    };
+    let columns: Vec<(&str, Count)> = columns.into_iter().filter(is_shown).collect();
+    columns.iter().for_each(|(head, _)| table.head(Cell::plain(head)));
     for line in lines {
-        if let [standing] = line.standings[..] {
-            table.row(claim_cells(line.names.clone(), standing, differs, unsupported));
+        if let [standing] = &line.standings[..] {
+            let cell = |(head, count): &(&str, Count)| match (*head, count(standing)) {
+                ("failed", 0) => Cell::styled("0", DIM),
+                ("failed", failed) => Cell::styled(failed, BAD),
+                (_, number) => Cell::plain(number),
+            };
+            let cells = columns.iter().map(cell);
+            table.row(line.names.iter().cloned().chain(cells).collect());
         }
     }
-}
-
-fn claim_cells(mut cells: Vec<Cell>, standing: Standing, differs: bool, unsupported: bool) -> Vec<Cell> {
-    let failed = match standing.failed {
-        0 => Cell::styled("0", DIM),
-        failed => Cell::styled(failed, BAD),
-    };
-    cells.extend([Cell::plain(standing.passed), failed]);
-    if differs {
-        cells.push(Cell::plain(standing.differs));
-    }
-    cells.push(Cell::plain(standing.open));
-    if unsupported {
-        cells.push(Cell::plain(standing.unsupported));
-    }
-    cells
 }

@@ -4,7 +4,7 @@ use super::{BAD, Detail, GOOD, Surroundings};
 use crate::discrepancies::NAME;
 use crate::events;
 use crate::overview::Overview;
-use crate::text::{duration, judged, outdated, outdated_entries, visible, wrapped};
+use crate::text::{duration, judged, outdated, outdated_entries, verdicts, visible, wrapped};
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -140,15 +140,9 @@ fn engine(header: &EngineHeader) -> String {
 
 /// Formats the counts of those verdicts beside `pass` that are as expected, or of those that are not.
 fn kinds(totals: &Totals, as_expected: bool) -> String {
-    let kinds: Vec<String> = Verdict::ALL
-        .into_iter()
-        .filter(|verdict| *verdict != Verdict::Pass && verdict.is_as_expected() == as_expected)
-        .filter(|verdict| totals.of(*verdict) > 0)
-        .map(|verdict| format!("{} {verdict}", totals.of(verdict)))
-        .collect();
-    if kinds.is_empty() {
-        String::new()
-    } else {
-        format!(" ({})", kinds.join(", "))
+    let is_meant = |verdict: Verdict| verdict != Verdict::Pass && verdict.is_as_expected() == as_expected;
+    match verdicts(totals, is_meant) {
+        kinds if kinds.is_empty() => kinds,
+        kinds => format!(" ({kinds})"),
     }
 }

@@ -2,9 +2,9 @@
 
 use super::{BAD, GOOD, failure};
 use crate::overview::Overview;
-use crate::text::visible;
+use crate::text::{verdicts, visible};
 use std::io::{self, Write};
-use stickler_run::{EngineHeader, Totals, Verdict};
+use stickler_run::{EngineHeader, Totals};
 use stickler_types::counted;
 
 /// The maximum number of failures of a file that are shown whole.
@@ -26,15 +26,9 @@ pub fn write(out: &mut dyn Write, overview: &Overview, failures: Option<usize>) 
             .flat_map(|dialects| dialects.values())
             .flat_map(|areas| areas.values());
         areas.for_each(|totals| sum += *totals);
-        let of = |verdict: &Verdict| sum.of(*verdict);
-        let verdicts: Vec<String> = Verdict::ALL
-            .iter()
-            .filter(|verdict| of(verdict) > 0)
-            .map(|verdict| format!("{} {verdict}", of(verdict)))
-            .collect();
         let style = if sum.unexpected() > 0 { BAD } else { GOOD };
         let cases = counted(sum.all(), "case", "cases");
-        let (name, verdicts) = (visible(&engine.name), verdicts.join(", "));
+        let (name, verdicts) = (visible(&engine.name), verdicts(&sum, |_| true));
         writeln!(out, "{style}{cases} on {name}: {verdicts}{style:#}")?;
     }
     Ok(())

@@ -1,6 +1,7 @@
 //! The progress bar of a campaign, on stderr and only where that is a terminal.
 
-use indicatif::{HumanCount, ProgressBar, ProgressStyle};
+use crate::progress::bar;
+use indicatif::{HumanCount, ProgressBar};
 use std::time::{Duration, Instant};
 use stickler_campaign::{CampaignPlan, CampaignProgress, Until};
 
@@ -19,19 +20,13 @@ impl FuzzBar {
             Until::Count(count) => (plan.share().unwrap_or(count), true),
             Until::Time(time) => (time.as_secs(), false),
         };
-        let bar = ProgressBar::new(length);
         let template = if counts {
             "{wide_bar} {human_pos}/{human_len} {msg} {elapsed}"
         } else {
             "{wide_bar} {msg} {elapsed}"
         };
-        // The template is a constant; if it were wrong, the bar would look plain.
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
-        }
-        bar.enable_steady_tick(Duration::from_millis(200));
         FuzzBar {
-            bar,
+            bar: bar(Some(length), template),
             begun: Instant::now(),
             counts,
         }
