@@ -10,7 +10,8 @@ use crate::model::{
 use stickler_types::ElementaryType;
 
 /// The context in which an expression stands.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub(super) enum ExpressionContext {
     /// The right side of an assignment to a variable, a part of one, or a bit.
     Assigned,
@@ -29,6 +30,7 @@ pub(super) enum ExpressionContext {
     /// The argument of any other conversion function.
     Overloaded,
     /// The argument of a standard function, and its index.
+    #[serde(skip)]
     Standard(StandardFunction, usize),
     /// The condition of IF.
     If,
@@ -43,6 +45,7 @@ pub(super) enum ExpressionContext {
     /// A label of CASE.
     Label,
     /// A subscript, with the limits of its dimension.
+    #[serde(skip)]
     Subscript(i64, i64),
     /// The first or last value of FOR.
     Bound,
@@ -50,9 +53,20 @@ pub(super) enum ExpressionContext {
     Step,
     /// An operand of a binary operator, and the type that the text of the other operand determines; `None` if that takes its
     /// type from its context.
+    #[serde(skip)]
     Operand(BinaryOperator, Option<ElementaryType>),
     /// The operand of a unary operator.
+    #[serde(skip)]
     UnaryOperand(UnaryOperator),
+}
+
+impl ExpressionContext {
+    /// Returns whether the expression is the whole value of a variable or a parameter, or of the result of a function, that takes it
+    /// in a statement.
+    pub const fn has_target(self) -> bool {
+        use ExpressionContext as C;
+        matches!(self, C::Assigned | C::Result | C::Argument | C::Input)
+    }
 }
 
 /// The place of an expression in the program.
