@@ -11,7 +11,7 @@ use crate::model::{
     AssignmentTarget, DeclaredKind, Expression, ExpressionKind, LiteralForm, Program, Statement,
     StatementKind, Type, TypeDeclaration, UnaryOperator, Variable,
 };
-use crate::writer::{Style, operator_text, write};
+use crate::writer::{Style, write};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use stickler_syntax::features::feature_uses;
@@ -192,7 +192,7 @@ impl Visitor for FeatureCounter<'_> {
                 self.measure(format_args!("{name} of {shape}"));
             }
             ExpressionKind::Binary(operator, left, _) => {
-                let name = operator_text(*operator);
+                let name = operator.as_str();
                 self.measure(format_args!("{name} of {}", self.shape(&left.ty)));
             }
             ExpressionKind::Widen(operand) => {
