@@ -22,7 +22,7 @@ use super::places::{assign, integer, whole};
 use super::scope::PathStep;
 use crate::model::{
     ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
-    PlaceSelector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
+    PlaceSelector, StandardFunction, Statement, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -93,16 +93,14 @@ impl ProgramBuilder<'_, '_> {
             }
         }
         let literal = self.telling_value(ty);
-        let literal = Expression::elementary(
+        let literal = Expression::literal(
             ty,
-            ExpressionKind::Literal(
-                literal,
-                if ty.is_text() {
-                    LiteralForm::Untyped
-                } else {
-                    LiteralForm::Typed
-                },
-            ),
+            literal,
+            if ty.is_text() {
+                LiteralForm::Untyped
+            } else {
+                LiteralForm::Typed
+            },
         );
         let ordered = !matches!(ty.family(), Family::Text | Family::Character | Family::Boolean);
         let operator = if ordered {
@@ -116,9 +114,10 @@ impl ProgramBuilder<'_, '_> {
             Expression::binary(operator, read(place, ty), literal, ElementaryType::Bool)
         };
         let otherwise = vec![mix(checksum, number(2))];
-        statements.push(Statement {
-            kind: StatementKind::If(vec![(condition, vec![mix(checksum, number(1))])], Some(otherwise)),
-        });
+        statements.push(Statement::If(
+            vec![(condition, vec![mix(checksum, number(1))])],
+            Some(otherwise),
+        ));
         statements
     }
 
@@ -160,9 +159,7 @@ impl ProgramBuilder<'_, '_> {
             ty: ty.clone(),
             kind: ExpressionKind::Read(place),
         };
-        Some(Statement {
-            kind: StatementKind::Case(selector, branches.collect(), None),
-        })
+        Some(Statement::Case(selector, branches.collect(), None))
     }
 
     /// Generates `sum := sum * 0.5 + value;`.

@@ -4,7 +4,7 @@ use super::builder::ProgramBuilder;
 use super::scope::{PathStep, VisiblePlace, contains_text};
 use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, StandardFunction,
-    Statement, StatementKind, Type, VariableId,
+    Statement, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -134,13 +134,11 @@ pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
 /// Creates an assignment to a whole variable of an elementary type.
 pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
     let place = Place::whole(variable, Type::Elementary(ty));
-    Statement {
-        kind: StatementKind::Assign(AssignmentTarget::Place(place), value),
-    }
+    Statement::Assign(AssignmentTarget::Place(place), value)
 }
 
 /// Creates a literal of an integer type or a bit string.
 pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
     let value = Value::plain(ty, ty.wrap(i128::from(number)));
-    Expression::elementary(ty, ExpressionKind::Literal(value, form))
+    Expression::literal(ty, value, form)
 }

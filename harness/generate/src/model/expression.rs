@@ -23,6 +23,21 @@ impl Expression {
         }
     }
 
+    /// Creates a literal of an elementary type.
+    #[must_use]
+    pub const fn literal(ty: ElementaryType, value: Value, form: LiteralForm) -> Expression {
+        Expression::elementary(ty, ExpressionKind::Literal(value, form))
+    }
+
+    /// Creates the value of a variable, or of a part of one.
+    #[must_use]
+    pub fn read(place: Place) -> Expression {
+        Expression {
+            ty: place.ty.clone(),
+            kind: ExpressionKind::Read(place),
+        }
+    }
+
     /// Creates an operation with two operands whose result has an elementary type.
     #[must_use]
     pub fn binary(

@@ -4,8 +4,8 @@ use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
     Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
-    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, StatementKind, Type,
-    UnaryOperator, Unit, Variable, VariableId, VariableSection,
+    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit,
+    Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -171,17 +171,13 @@ impl<'p> SiteWalker<'p> {
         visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
     ) {
         for statement in statements {
-            self.statement(&mut statement.kind, visit);
+            self.statement(statement, visit);
         }
     }
 
-    fn statement(
-        self,
-        statement: &mut StatementKind,
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn statement(self, statement: &mut Statement, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         match statement {
-            StatementKind::Assign(target, value) => {
+            Statement::Assign(target, value) => {
                 let context = match target {
                     AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => {
                         self.place(place, visit);
@@ -191,7 +187,7 @@ impl<'p> SiteWalker<'p> {
                 };
                 self.expression(value, context, visit);
             }
-            StatementKind::If(branches, otherwise) => {
+            Statement::If(branches, otherwise) => {
                 for (number, (condition, body)) in branches.iter_mut().enumerate() {
                     let context = if number == 0 {
                         ExpressionContext::If
@@ -203,7 +199,7 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
-            StatementKind::Case(selector, branches, otherwise) => {
+            Statement::Case(selector, branches, otherwise) => {
                 self.expression(selector, ExpressionContext::Selector, visit);
                 for branch in branches {
                     for label in &mut branch.labels {
@@ -213,7 +209,7 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
-            StatementKind::For {
+            Statement::For {
                 from, to, by, body, ..
             } => {
                 self.expression(from, ExpressionContext::Bound, visit);
@@ -223,15 +219,15 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(body, visit);
             }
-            StatementKind::While(condition, body) => {
+            Statement::While(condition, body) => {
                 self.expression(condition, ExpressionContext::While, visit);
                 self.statements(body, visit);
             }
-            StatementKind::Repeat(body, condition) => {
+            Statement::Repeat(body, condition) => {
                 self.statements(body, visit);
                 self.expression(condition, ExpressionContext::Until, visit);
             }
-            StatementKind::Invoke {
+            Statement::Invoke {
                 instance,
                 inputs,
                 outputs,
@@ -243,7 +239,7 @@ impl<'p> SiteWalker<'p> {
                     self.place(place, visit);
                 }
             }
-            StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+            Statement::Exit | Statement::Return | Statement::Raw(_) => {}
         }
     }
 

@@ -105,10 +105,7 @@ impl Reader<'_> {
 
     fn read(&self, id: ExpressionId) -> Option<Expression> {
         let place = self.place(id)?;
-        Some(Expression {
-            ty: place.ty.clone(),
-            kind: ExpressionKind::Read(place),
-        })
+        Some(Expression::read(place))
     }
 
     /// Reads a bit of a place.

@@ -4,9 +4,7 @@
 use arbitrary::Unstructured;
 use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::{
-    AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind,
-};
+use stickler_generate::model::{AssignmentTarget, Expression, ExpressionKind, Program, Statement};
 use stickler_generate::writer::{
     ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write,
 };
@@ -143,25 +141,17 @@ fn a_style_changes_the_text() {
 #[test]
 fn the_lines_of_raw_text_are_remembered() {
     let mut program = made(DialectName::IRONPLC_ED3, 1);
-    let broken = Statement {
-        kind: StatementKind::Raw("rubbish\n    ;".to_owned()),
-    };
-    let target = program
-        .main
-        .body
-        .iter()
-        .find_map(|statement| match &statement.kind {
-            StatementKind::Assign(AssignmentTarget::Place(place), _) => Some(place.clone()),
-            _ => None,
-        });
+    let broken = Statement::Raw("rubbish\n    ;".to_owned());
+    let target = program.main.body.iter().find_map(|statement| match statement {
+        Statement::Assign(AssignmentTarget::Place(place), _) => Some(place.clone()),
+        _ => None,
+    });
     let target = target.expect("every program assigns something");
     let value = Expression {
         ty: target.ty.clone(),
         kind: ExpressionKind::Raw("nonsense".to_owned()),
     };
-    let assigned = Statement {
-        kind: StatementKind::Assign(AssignmentTarget::Place(target), value),
-    };
+    let assigned = Statement::Assign(AssignmentTarget::Place(target), value);
     program.main.body.extend([broken, assigned]);
     for style in [
         Style::default(),

@@ -7,7 +7,7 @@ use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
 use crate::dialect::has_bits;
-use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, StatementKind, Type};
+use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, Statement, Type};
 use stickler_types::ElementaryType;
 
 /// Returns the number of bits of a type that has bits.
@@ -96,7 +96,7 @@ fn written(
             let place = fault.place(unit, |place, writable| writable && eligible(place))?;
             let bit = fault.choose(numbers(bits(original, &place.ty).unwrap_or_default()))?;
             let value = literal(ElementaryType::Bool);
-            Some(StatementKind::Assign(AssignmentTarget::Bit(place, bit), value))
+            Some(Statement::Assign(AssignmentTarget::Bit(place, bit), value))
         },
     )
 }

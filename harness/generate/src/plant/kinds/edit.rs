@@ -7,7 +7,7 @@ use super::literals::integer_site;
 use super::misfits::{MisfitForm, misfit};
 use super::operands::stands_for_any_value;
 use super::table::{Plant, function};
-use crate::model::{ExpressionKind, StatementKind, Unit, VariableSection};
+use crate::model::{ExpressionKind, Statement, Unit, VariableSection};
 use serde::de::{Deserialize, Deserializer, Error};
 use stickler_types::ElementaryType;
 
@@ -58,10 +58,9 @@ impl Edit {
             }
             Edit::Part(part) => self::part(fault, part),
             Edit::Statement(texts) => fault.insert_text(|fault, unit| statement(fault, unit, texts)),
-            Edit::StatementOutsideLoops(text) => fault.insert(
-                |_, in_loop| !in_loop,
-                |_, _| Some(StatementKind::Raw(text.clone())),
-            ),
+            Edit::StatementOutsideLoops(text) => {
+                fault.insert(|_, in_loop| !in_loop, |_, _| Some(Statement::Raw(text.clone())))
+            }
             Edit::Declaration(texts) => declaration(fault, VariableSection::Local, texts),
             Edit::ConstantDeclaration(texts) => declaration(fault, VariableSection::Constant, texts),
         }

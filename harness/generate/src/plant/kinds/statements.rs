@@ -1,22 +1,22 @@
 //! Empty ranges of labels.
 
 use super::super::fault_site::FaultSite;
-use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
+use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, Statement};
 use stickler_types::{ElementaryType, Value};
 
 /// Plants a descending range of labels.
 ///
 /// Basis: language/diagnostics-statements.st.
 pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let has_integers = |_, kind: &StatementKind| match kind {
-        StatementKind::Case(_, branches, _) => branches
+    let has_integers = |_, kind: &Statement| match kind {
+        Statement::Case(_, branches, _) => branches
             .iter()
             .flat_map(|branch| &branch.labels)
             .any(|label| descending(label).is_some()),
         _ => false,
     };
     fault.change_statement(has_integers, |fault, _, kind| {
-        let StatementKind::Case(_, branches, _) = kind else {
+        let Statement::Case(_, branches, _) = kind else {
             return None;
         };
         let mut labels: Vec<_> = branches

@@ -5,7 +5,7 @@ use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
     AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue,
-    LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
+    LiteralForm, Program, StandardFunction, Statement, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
 use crate::reduce::{OutcomeSymptom, program};
@@ -102,16 +102,13 @@ fn variables(program: &mut Program, change: fn(&mut Variable)) {
 }
 
 fn literal(ty: ElementaryType, number: i128) -> Expression {
-    Expression {
-        ty: Type::Elementary(ty),
-        kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
-    }
+    Expression::literal(ty, Value::plain(ty, ty.wrap(number)), LiteralForm::Typed)
 }
 
 fn has_if(statements: &[Statement]) -> bool {
     statements
         .iter()
-        .any(|statement| matches!(statement.kind, StatementKind::If(..)))
+        .any(|statement| matches!(statement, Statement::If(..)))
 }
 
 /// The bugs with their names.
@@ -150,8 +147,8 @@ const BUGS: [(&str, Bug); 16] = [
     (
         "the compiler dies of IF within IF",
         Bug::Ends(
-            |statement| match &statement.kind {
-                StatementKind::If(branches, otherwise) => {
+            |statement| match statement {
+                Statement::If(branches, otherwise) => {
                     branches.iter().any(|(_, body)| has_if(body)) || otherwise.as_deref().is_some_and(has_if)
                 }
                 _ => false,
@@ -164,8 +161,8 @@ const BUGS: [(&str, Bug); 16] = [
     (
         "ranges in CASE are rejected",
         Bug::Ends(
-            |statement| match &statement.kind {
-                StatementKind::Case(_, branches, _) => branches
+            |statement| match statement {
+                Statement::Case(_, branches, _) => branches
                     .iter()
                     .flat_map(|branch| &branch.labels)
                     .any(|label| matches!(label, CaseLabel::Range(..))),
@@ -189,7 +186,7 @@ const BUGS: [(&str, Bug); 16] = [
     (
         "REPEAT never ends",
         Bug::Ends(
-            |statement| matches!(statement.kind, StatementKind::Repeat(..)),
+            |statement| matches!(statement, Statement::Repeat(..)),
             || Outcome::TimedOut { after_ms: 1000 },
         ),
     ),
@@ -197,9 +194,9 @@ const BUGS: [(&str, Bug); 16] = [
         "FOR downwards never begins",
         Bug::Runs(|program| {
             statements(program, |statement| {
-                if let StatementKind::For {
+                if let Statement::For {
                     by: Some(by), body, ..
-                } = &mut statement.kind
+                } = statement
                     && let ExpressionKind::Literal(Value::Plain { ty, raw }, _) = &by.kind
                     && ty.integer_value(*raw) < 0
                 {
@@ -245,7 +242,7 @@ const BUGS: [(&str, Bug); 16] = [
         "a write to a bit goes to its neighbour",
         Bug::Runs(|program| {
             statements(program, |statement| {
-                if let StatementKind::Assign(AssignmentTarget::Bit(_, bit), _) = &mut statement.kind {
+                if let Statement::Assign(AssignmentTarget::Bit(_, bit), _) = statement {
                     *bit ^= 1;
                 }
             });
@@ -255,7 +252,7 @@ const BUGS: [(&str, Bug); 16] = [
         "ELSIF is not looked at",
         Bug::Runs(|program| {
             statements(program, |statement| {
-                if let StatementKind::If(branches, _) = &mut statement.kind {
+                if let Statement::If(branches, _) = statement {
                     branches.truncate(1);
                 }
             });
@@ -298,9 +295,9 @@ const BUGS: [(&str, Bug); 16] = [
         "EXIT leaves nothing",
         Bug::Runs(|program| {
             statements(program, |statement| {
-                if let StatementKind::If(branches, _) = &mut statement.kind {
+                if let Statement::If(branches, _) = statement {
                     for (_, body) in branches {
-                        body.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
+                        body.retain(|statement| !matches!(statement, Statement::Exit));
                     }
                 }
             });
