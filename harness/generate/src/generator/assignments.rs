@@ -41,7 +41,7 @@ impl ProgramBuilder<'_, '_> {
             Family::Boolean | Family::BitString if self.has(Construct::Logic) => BinaryOperator::Xor,
             _ => return None,
         };
-        let held = Expression::elementary(ty, ExpressionKind::Read(place.clone()));
+        let held = Expression::read(place.clone());
         let added = self.value(ty, TypeContext::Operand, self.deepest - 1);
         Some(Expression::binary(operator, held, added, ty))
     }

@@ -174,11 +174,7 @@ impl ProgramBuilder<'_, '_> {
         let is_enumeration = |seen: &VisiblePlace| program.enumerated_values(&seen.ty).is_some();
         let seen = self.random.pick_where(&self.pou.places, is_enumeration)?.clone();
         let operator = [Operator::Equal, Operator::NotEqual][self.random.below(2)];
-        let place = self.place(&seen, false);
-        let left = Expression {
-            ty: seen.ty.clone(),
-            kind: ExpressionKind::Read(place),
-        };
+        let left = Expression::read(self.place(&seen, false));
         let right = self.enumerated(&seen.ty);
         Some(Expression::binary(operator, left, right, ElementaryType::Bool))
     }

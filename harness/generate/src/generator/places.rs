@@ -18,11 +18,7 @@ impl ProgramBuilder<'_, '_> {
             seen.ty == *ty && !(varying && seen.constant) && !(is_bound && seen.variable >= bound)
         };
         let chosen = self.choose(suits)?;
-        let place = self.place(&chosen, false);
-        Some(Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Read(place),
-        })
+        Some(Expression::read(self.place(&chosen, false)))
     }
 
     /// Picks a place that satisfies a predicate.
@@ -125,10 +121,7 @@ impl ProgramBuilder<'_, '_> {
 
 /// Creates a read of a whole variable of an elementary type.
 pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
-    Expression::elementary(
-        ty,
-        ExpressionKind::Read(Place::whole(variable, Type::Elementary(ty))),
-    )
+    Expression::read(Place::whole(variable, Type::Elementary(ty)))
 }
 
 /// Creates an assignment to a whole variable of an elementary type.

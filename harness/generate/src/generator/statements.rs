@@ -265,11 +265,8 @@ impl ProgramBuilder<'_, '_> {
                     let ty = self.program.unaliased(&ty).clone();
                     let place = self.writable_part(&ty, &given)?;
                     given.push(place.variable);
-                    let kind = ExpressionKind::Read(place);
-                    inputs.push(Argument {
-                        parameter,
-                        value: Expression { ty, kind },
-                    });
+                    let value = Expression::read(place);
+                    inputs.push(Argument { parameter, value });
                 }
                 VariableSection::Output if self.random.chance(1, 2) => {
                     if let Some(place) = self.writable_part(&ty, &given) {

@@ -2,8 +2,8 @@
 
 use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
 use crate::model::{
-    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type, Variable,
-    VariableId, VariableSection,
+    AssignmentTarget, Expression, LiteralForm, Place, Program, Statement, Type, Variable, VariableId,
+    VariableSection,
 };
 use crate::random::Random;
 use std::collections::HashSet;
@@ -96,7 +96,7 @@ fn dead(
 /// Creates `a := a;`.
 fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
     let place = Place::whole(id, Type::Elementary(ty));
-    let value = Expression::elementary(ty, ExpressionKind::Read(place.clone()));
+    let value = Expression::read(place.clone());
     Statement::Assign(AssignmentTarget::Place(place), value)
 }
 

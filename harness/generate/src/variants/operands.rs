@@ -84,10 +84,7 @@ const fn is_worth_a_variable(operand: &Expression) -> bool {
 fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames) -> Statement {
     let ty = operand.ty.clone();
     let id: VariableId = body.add(variable(names.next("part"), ty.clone(), VariableSection::Local));
-    let read = Expression {
-        ty: ty.clone(),
-        kind: ExpressionKind::Read(Place::whole(id, ty.clone())),
-    };
+    let read = Expression::read(Place::whole(id, ty.clone()));
     let value = mem::replace(operand, read);
     Statement::Assign(AssignmentTarget::Place(Place::whole(id, ty)), value)
 }
