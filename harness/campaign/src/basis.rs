@@ -1,11 +1,10 @@
 //! Which document says what a reduced program must give, for the case that is made of it.
 
 use stickler_exact::{Signature, expected};
+use stickler_generate::model::visit::{Visitor, walk_expression, walk_program};
 use stickler_generate::model::{Expression, ExpressionKind, Program, Type};
 use stickler_types::documents::{DocumentedFunctions, DocumentedImplicit};
 use stickler_types::{Code, DialectName, ElementaryType, Value};
-
-use crate::expressions::each_expression;
 
 /// The clause of the standard on the language of every dialect.
 const LANGUAGE: &str = "iec-61131-3: 7.3";
@@ -16,30 +15,29 @@ const LANGUAGE: &str = "iec-61131-3: 7.3";
 /// The basis is a proposal: a person who promotes a finding may know a better one.
 #[must_use]
 pub fn basis(program: &Program) -> String {
-    let mut proposals = Proposals::default();
-    each_expression(program, &mut |expression| {
-        proposals.add(expression, program.dialect)
-    });
-    let Proposals {
-        conversion,
-        widening,
-        bit,
-    } = proposals;
-    conversion
-        .or(widening)
-        .or(bit)
+    let mut proposals = Proposals {
+        dialect: program.dialect,
+        conversion: None,
+        widening: None,
+        bit: None,
+    };
+    walk_program(&mut proposals, program);
+    { proposals.conversion }
+        .or(proposals.widening)
+        .or(proposals.bit)
         .unwrap_or_else(|| LANGUAGE.to_owned())
 }
 
-#[derive(Default)]
 struct Proposals {
+    dialect: DialectName,
     conversion: Option<String>,
     widening: Option<String>,
     bit: Option<String>,
 }
 
-impl Proposals {
-    fn add(&mut self, expression: &Expression, dialect: DialectName) {
+impl Visitor for Proposals {
+    fn expression(&mut self, expression: &Expression) {
+        let dialect = self.dialect;
         match &expression.kind {
             ExpressionKind::Convert(signature, operand) if self.conversion.is_none() => {
                 self.conversion = of_conversion(signature, operand, dialect);
@@ -54,6 +52,7 @@ impl Proposals {
             }
             _ => {}
         }
+        walk_expression(self, expression);
     }
 }
 

@@ -16,7 +16,6 @@ mod basis;
 mod commands;
 mod differential;
 mod exclusions;
-mod expressions;
 pub mod finding;
 mod inputs;
 mod merge;

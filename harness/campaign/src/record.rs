@@ -1,6 +1,6 @@
 //! The record of a campaign, and whether it came to its end: a file beside its findings.
 
-use crate::store::StoreError;
+use crate::store::{StoreError, of_format};
 use crate::survey::FailingPart;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -96,23 +96,7 @@ impl Record {
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(None),
             Err(error) => return Err(StoreError::Read { path, error }),
         };
-        let wrong = |reason: String| StoreError::NotACampaign {
-            path: path.clone(),
-            reason,
-        };
-        let json: serde_json::Value =
-            serde_json::from_str(&text).map_err(|error| wrong(error.to_string()))?;
-        match json.get("format").and_then(serde_json::Value::as_u64) {
-            Some(format) if format == u64::from(FORMAT) => {}
-            Some(format) => {
-                return Err(wrong(format!(
-                    "its form is {format}; this version reads {FORMAT}"
-                )));
-            }
-            None => return Err(wrong("it does not say its `format`".to_owned())),
-        }
-        serde_json::from_value(json)
-            .map(Some)
-            .map_err(|error| wrong(error.to_string()))
+        let record = of_format(&text, FORMAT, RECORD, "").map(Some);
+        record.map_err(|reason| StoreError::NotACampaign { path, reason })
     }
 }

@@ -1,6 +1,7 @@
 //! The folder in which findings are kept: one folder each, which appears whole or not at all.
 
 use crate::finding::{FORMAT, Finding};
+use serde::de::DeserializeOwned;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -197,30 +198,35 @@ pub fn load(place: &Path) -> Result<Finding, StoreError> {
         }
         other => other.map_err(StoreError::reading(&path))?,
     };
-    let json: serde_json::Value =
-        serde_json::from_str(&text).map_err(|error| no_finding(format!("{FINDING}: {error}")))?;
-    let format = json.get("format").and_then(serde_json::Value::as_u64);
-    if format != Some(u64::from(FORMAT)) {
-        let by = json.get("stickler").and_then(serde_json::Value::as_str);
-        return Err(no_finding(other_format(format, by)));
-    }
     let mut finding: Finding =
-        serde_json::from_value(json).map_err(|error| no_finding(format!("{FINDING}: {error}")))?;
+        of_format(&text, FORMAT, FINDING, "; find it again by its seed").map_err(no_finding)?;
     finding.program = optional(&place.join(PROGRAM))?;
     finding.original = optional(&place.join(ORIGINAL))?;
     finding.input = optional_bytes(&place.join(INPUT))?.unwrap_or_default();
     Ok(finding)
 }
 
-fn other_format(format: Option<u64>, by: Option<&str>) -> String {
-    let by = by
-        .map(|version| format!(", written by Stickler {version}"))
-        .unwrap_or_default();
-    match format {
-        Some(number) => {
-            format!("its form is {number}{by}; this version reads {FORMAT}; find it again by its seed")
-        }
-        None => format!("{FINDING} does not say its `format`{by}"),
+/// Reads the JSON of a file that says which form it has.
+///
+/// # Errors
+/// What is wrong with it: another form, with a hint, or none, or a mistake.
+pub(crate) fn of_format<T: DeserializeOwned>(
+    text: &str,
+    format: u32,
+    file: &str,
+    hint: &str,
+) -> Result<T, String> {
+    let wrong = |error: serde_json::Error| format!("{file}: {error}");
+    let json: serde_json::Value = serde_json::from_str(text).map_err(wrong)?;
+    let by = json.get("stickler").and_then(serde_json::Value::as_str);
+    let by = by.map(|version| format!(", written by Stickler {version}"));
+    let by = by.unwrap_or_default();
+    match json.get("format").and_then(serde_json::Value::as_u64) {
+        Some(own) if own == u64::from(format) => serde_json::from_value(json).map_err(wrong),
+        Some(own) => Err(format!(
+            "its form is {own}{by}; this version reads {format}{hint}"
+        )),
+        None => Err(format!("{file} does not say its `format`{by}")),
     }
 }
 

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features;
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::{AssignmentTarget, Program, Statement, StatementKind};
+use stickler_generate::model::{AssignmentTarget, Program, Statement};
 use stickler_generate::oracles::InputOutcome;
 use stickler_generate::oracles::execute::judge_program;
 use stickler_generate::writer::{Style, write};
@@ -96,7 +96,7 @@ impl Measured {
     /// Leaves out one statement of main, and looks whether any value changes.
     fn leave_out(&mut self, program: &Program, values: &[(String, Value)]) {
         let own = |statement: &Statement| {
-            !matches!(&statement.kind, StatementKind::Assign(AssignmentTarget::Place(place), _)
+            !matches!(statement, Statement::Assign(AssignmentTarget::Place(place), _)
             if program.main.variables[place.variable.0].name.starts_with("checksum"))
         };
         let count = program

@@ -8,10 +8,10 @@ use crate::model::visit::{
     Visitor, walk_declaration, walk_expression, walk_program, walk_statement, walk_type, walk_variable,
 };
 use crate::model::{
-    AssignmentTarget, DeclaredKind, Expression, ExpressionKind, LiteralForm, Program, Statement,
-    StatementKind, Type, TypeDeclaration, UnaryOperator, Variable,
+    AssignmentTarget, DeclaredKind, Expression, ExpressionKind, LiteralForm, Program, Statement, Type,
+    TypeDeclaration, UnaryOperator, Variable,
 };
-use crate::writer::{Style, operator_text, write};
+use crate::writer::{Style, write};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use stickler_syntax::features::feature_uses;
@@ -164,10 +164,10 @@ impl Visitor for FeatureCounter<'_> {
     }
 
     fn statement(&mut self, statement: &Statement) {
-        match &statement.kind {
-            StatementKind::Assign(AssignmentTarget::Bit(..), _) => self.measure("bit written"),
-            StatementKind::Assign(AssignmentTarget::Result, _) => self.measure("result"),
-            StatementKind::Assign(AssignmentTarget::Place(_), _) => self.measure("assignment"),
+        match statement {
+            Statement::Assign(AssignmentTarget::Bit(..), _) => self.measure("bit written"),
+            Statement::Assign(AssignmentTarget::Result, _) => self.measure("result"),
+            Statement::Assign(AssignmentTarget::Place(_), _) => self.measure("assignment"),
             _ => {}
         }
         walk_statement(self, statement);
@@ -192,7 +192,7 @@ impl Visitor for FeatureCounter<'_> {
                 self.measure(format_args!("{name} of {shape}"));
             }
             ExpressionKind::Binary(operator, left, _) => {
-                let name = operator_text(*operator);
+                let name = operator.as_str();
                 self.measure(format_args!("{name} of {}", self.shape(&left.ty)));
             }
             ExpressionKind::Widen(operand) => {
@@ -253,8 +253,8 @@ mod tests {
                 .main
                 .body
                 .iter_mut()
-                .find_map(|statement| match &mut statement.kind {
-                    StatementKind::Invoke { inputs, .. } if !inputs.is_empty() => Some(inputs),
+                .find_map(|statement| match statement {
+                    Statement::Invoke { inputs, .. } if !inputs.is_empty() => Some(inputs),
                     _ => None,
                 });
             if let Some(inputs) = given {

@@ -1,7 +1,7 @@
 //! Programs with one planted error, and the code and the line that documents give it.
 //!
-//! Each kind of error is one function in one table. The expectation comes from documents, never from the output of the
-//! reference, and each function names them: the registry of codes and the rule code-of-the-context, the cases, the
+//! Each kind of error is an entry of one table, `kinds.toml`. The expectation comes from documents, never from the output of the
+//! reference, and each entry or function names them: the registry of codes and the rule code-of-the-context, the cases, the
 //! standard. Architecture Invariant: nothing here knows the reference.
 
 mod fault_site;
@@ -59,7 +59,7 @@ fn number_of_first(mut lines: impl Iterator<Item = bool>) -> u32 {
 
 /// Returns the names of all kinds of errors.
 pub fn kind_names() -> impl Iterator<Item = &'static str> {
-    KINDS.iter().map(|kind| kind.name)
+    KINDS.iter().map(|kind| kind.name.as_str())
 }
 
 /// Plants one error in a sound program; the input chooses the kind and the place. Returns `None` only if no kind finds a
@@ -87,11 +87,11 @@ pub fn plant_kind(program: &Program, kind: &str, input: &mut Unstructured<'_>) -
 fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) -> Option<Planted> {
     let kind = KINDS.get(number)?;
     let mut fault = FaultSite::new(program, input);
-    (kind.plant)(&mut fault)?;
+    kind.plant(&mut fault)?;
     Some(Planted {
         program: fault.program,
         code: kind.code,
-        kind: kind.name,
+        kind: &kind.name,
         suggested: fault.suggested,
         mark: fault.mark,
     })

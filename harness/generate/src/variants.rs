@@ -5,7 +5,7 @@
 //!
 //! | file | varies |
 //! |---|---|
-//! | `spelling` | the text alone, by the styles of the writer |
+//! | `variant` | the text alone, by the styles of the writer; it names the variants |
 //! | `capitals` | the case of every letter outside character strings |
 //! | `literals` | literals: moved to variables and constants, or written with their type |
 //! | `operands` | the order of operands, and the variables that hold them |
@@ -20,7 +20,6 @@ mod dead_code;
 mod literals;
 mod loops;
 mod operands;
-mod spelling;
 #[cfg(test)]
 pub(crate) mod tests;
 mod variant;

@@ -18,5 +18,4 @@ mod statements;
 mod style;
 
 pub use declarations::{WrittenProgram, write};
-pub(crate) use expressions::{function_name, operator_text};
 pub use style::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm};

@@ -1,6 +1,7 @@
 //! Enumerations whose variants are spelled as words in files and on the command line.
 
 /// Declares an enumeration and the word of each variant.
+#[macro_export]
 macro_rules! words {
     ($(#[$about:meta])* $name:ident { $($(#[$said:meta])* $word:ident = $text:literal,)* }) => {
         $(#[$about])*

@@ -1,8 +1,8 @@
 //! Describing what an engine did in text that a finding can save.
 
-use super::comparison::diagnostic;
 use crate::finding::{EngineInfo, EngineReport};
 use stickler_engines::Outcome;
+use stickler_generate::reduce::diagnostic_line;
 use stickler_types::Value;
 
 /// Describes an outcome, one fact a line.
@@ -16,7 +16,7 @@ pub(crate) fn describe(engine: EngineInfo, outcome: &Outcome) -> EngineReport {
     let (word, said) = match outcome {
         Outcome::Accepted { .. } => ("accepted", Vec::new()),
         Outcome::Executed { values: got, .. } => ("executed", values(got)),
-        Outcome::Rejected { diagnostics } => ("rejected", diagnostics.iter().map(diagnostic).collect()),
+        Outcome::Rejected { diagnostics } => ("rejected", diagnostics.iter().map(diagnostic_line).collect()),
         Outcome::Faulted {
             fault,
             line,

@@ -1,7 +1,7 @@
 //! Results of an evaluation: values, open questions, and errors.
 
 use std::fmt;
-use stickler_types::{Fault, Value};
+use stickler_types::{Fault, Value, words};
 
 /// The values that a program has by the documents.
 #[derive(Clone, PartialEq, Debug)]
@@ -46,43 +46,44 @@ impl fmt::Display for OpenPoint {
     }
 }
 
-/// A question that the documents leave open.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum OpenQuestion {
-    /// The result of a conversion function for a value.
-    Conversion,
-    /// Whether a type converts implicitly to another, and with which result.
-    ImplicitConversion,
-    /// A real divided by zero.
-    RealDivisionByZero,
-    /// An operation that gives or takes NaN.
-    NotANumber,
-    /// The least integer divided by -1: two's complement gives it back, some processors stop.
-    LeastByMinusOne,
-    /// A shift or rotation by the width of the type or more.
-    ShiftCount,
-    /// A shift or rotation by a negative count.
-    NegativeShiftCount,
-    /// The lesser or greater of two zeros, or of a number and NaN.
-    ZerosOfTwoSigns,
-    /// MUX with a selector outside its inputs.
-    MuxSelector,
-    /// LIMIT with a lower limit above the upper one.
-    LimitsCrossed,
-    /// A duration or date outside the 64 bits of nanoseconds, or a time of day outside its day.
-    MomentRange,
-    /// The value of the variable of a FOR loop after the loop.
-    LoopVariable,
-    /// A FOR loop whose body changes its variable or its limit.
-    LoopChanged,
-    /// A text longer than the shortest default length of the known systems.
-    TextLength,
-    /// One variable passed to two VAR_IN_OUT of a call.
-    AliasedInOut,
-    /// An output assigned to a place that the call itself moves.
-    OutputPlace,
-    /// The initial value of a DATE or DT without an initializer.
-    InitialDate,
+words! {
+    /// A question that the documents leave open.
+    OpenQuestion {
+        /// The result of a conversion function for a value.
+        Conversion = "what a conversion gives",
+        /// Whether a type converts implicitly to another, and with which result.
+        ImplicitConversion = "whether and how a type converts implicitly",
+        /// A real divided by zero.
+        RealDivisionByZero = "a real divided by zero",
+        /// An operation that gives or takes NaN.
+        NotANumber = "an operation that takes or gives NaN",
+        /// The least integer divided by -1: two's complement gives it back, some processors stop.
+        LeastByMinusOne = "the least integer divided by -1",
+        /// A shift or rotation by the width of the type or more.
+        ShiftCount = "a shift by the width or more",
+        /// A shift or rotation by a negative count.
+        NegativeShiftCount = "a shift by a negative count",
+        /// The lesser or greater of two zeros, or of a number and NaN.
+        ZerosOfTwoSigns = "the lesser of two zeros, or of a number and NaN",
+        /// MUX with a selector outside its inputs.
+        MuxSelector = "a selector of MUX outside its inputs",
+        /// LIMIT with a lower limit above the upper one.
+        LimitsCrossed = "LIMIT with crossed limits",
+        /// A duration or date outside the 64 bits of nanoseconds, or a time of day outside its day.
+        MomentRange = "a moment or duration outside its range",
+        /// The value of the variable of a FOR loop after the loop.
+        LoopVariable = "the variable of a FOR loop after the loop",
+        /// A FOR loop whose body changes its variable or its limit.
+        LoopChanged = "a FOR loop that changes its own variable or limit",
+        /// A text longer than the shortest default length of the known systems.
+        TextLength = "a text longer than some default length",
+        /// One variable passed to two VAR_IN_OUT of a call.
+        AliasedInOut = "one variable passed to two VAR_IN_OUT",
+        /// An output assigned to a place that the call itself moves.
+        OutputPlace = "an output to a place that the call moves",
+        /// The initial value of a DATE or DT without an initializer.
+        InitialDate = "the initial value of a date",
+    }
 }
 
 impl OpenQuestion {
@@ -117,30 +118,6 @@ impl OpenQuestion {
             OpenQuestion::TextLength => "iec-61131-3: Table 10",
             OpenQuestion::AliasedInOut | OpenQuestion::OutputPlace => "iec-61131-3: 6.6.1",
             OpenQuestion::InitialDate => "iec-61131-3: Table 10",
-        }
-    }
-
-    /// Returns the question as a fragment of a sentence.
-    #[must_use]
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            OpenQuestion::Conversion => "what a conversion gives",
-            OpenQuestion::ImplicitConversion => "whether and how a type converts implicitly",
-            OpenQuestion::RealDivisionByZero => "a real divided by zero",
-            OpenQuestion::NotANumber => "an operation that takes or gives NaN",
-            OpenQuestion::LeastByMinusOne => "the least integer divided by -1",
-            OpenQuestion::ShiftCount => "a shift by the width or more",
-            OpenQuestion::NegativeShiftCount => "a shift by a negative count",
-            OpenQuestion::ZerosOfTwoSigns => "the lesser of two zeros, or of a number and NaN",
-            OpenQuestion::MuxSelector => "a selector of MUX outside its inputs",
-            OpenQuestion::LimitsCrossed => "LIMIT with crossed limits",
-            OpenQuestion::MomentRange => "a moment or duration outside its range",
-            OpenQuestion::LoopVariable => "the variable of a FOR loop after the loop",
-            OpenQuestion::LoopChanged => "a FOR loop that changes its own variable or limit",
-            OpenQuestion::TextLength => "a text longer than some default length",
-            OpenQuestion::AliasedInOut => "one variable passed to two VAR_IN_OUT",
-            OpenQuestion::OutputPlace => "an output to a place that the call moves",
-            OpenQuestion::InitialDate => "the initial value of a date",
         }
     }
 }

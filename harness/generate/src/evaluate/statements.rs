@@ -4,8 +4,7 @@ use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
-    AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, StatementKind,
-    Type, VariableId,
+    AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Fault};
 
@@ -48,13 +47,13 @@ impl<'p> ModelEvaluator<'p> {
 
     fn statement(&mut self, unit: Activation<'p>, statement: &'p Statement) -> Result<Flow, EvaluationError> {
         self.step()?;
-        self.deeper(|evaluator| evaluator.of_kind(unit, &statement.kind))
+        self.deeper(|evaluator| evaluator.of_kind(unit, statement))
     }
 
-    fn of_kind(&mut self, unit: Activation<'p>, kind: &'p StatementKind) -> Result<Flow, EvaluationError> {
+    fn of_kind(&mut self, unit: Activation<'p>, kind: &'p Statement) -> Result<Flow, EvaluationError> {
         match kind {
-            StatementKind::Assign(target, value) => self.assignment(unit, target, value),
-            StatementKind::If(branches, otherwise) => {
+            Statement::Assign(target, value) => self.assignment(unit, target, value),
+            Statement::If(branches, otherwise) => {
                 for (condition, body) in branches {
                     if self.condition(unit, condition)? {
                         return self.statements(unit, body);
@@ -62,7 +61,7 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 self.statements(unit, otherwise.as_deref().unwrap_or_default())
             }
-            StatementKind::Case(selector, branches, otherwise) => {
+            Statement::Case(selector, branches, otherwise) => {
                 let selector = self.selector(unit, selector)?;
                 for branch in branches {
                     if self.is_chosen(unit, branch, selector)? {
@@ -71,7 +70,7 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 self.statements(unit, otherwise.as_deref().unwrap_or_default())
             }
-            StatementKind::For {
+            Statement::For {
                 variable,
                 from,
                 to,
@@ -87,7 +86,7 @@ impl<'p> ModelEvaluator<'p> {
                     body,
                 },
             ),
-            StatementKind::While(condition, body) => {
+            Statement::While(condition, body) => {
                 while self.condition(unit, condition)? {
                     match self.turn(unit, body)? {
                         Flow::Next => {}
@@ -97,7 +96,7 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 Ok(Flow::Next)
             }
-            StatementKind::Repeat(body, until) => loop {
+            Statement::Repeat(body, until) => loop {
                 match self.turn(unit, body)? {
                     Flow::Next => {}
                     Flow::Exit => break Ok(Flow::Next),
@@ -107,7 +106,7 @@ impl<'p> ModelEvaluator<'p> {
                     break Ok(Flow::Next);
                 }
             },
-            StatementKind::Invoke {
+            Statement::Invoke {
                 instance,
                 inputs,
                 outputs,
@@ -115,9 +114,9 @@ impl<'p> ModelEvaluator<'p> {
                 self.invoke(unit, *instance, inputs, outputs)?;
                 Ok(Flow::Next)
             }
-            StatementKind::Exit => Ok(Flow::Exit),
-            StatementKind::Return => Ok(Flow::Return),
-            StatementKind::Raw(_) => Err(EvaluationError::Raw),
+            Statement::Exit => Ok(Flow::Exit),
+            Statement::Return => Ok(Flow::Return),
+            Statement::Raw(_) => Err(EvaluationError::Raw),
         }
     }
 

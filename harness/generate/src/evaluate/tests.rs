@@ -65,10 +65,10 @@ fn each_program_has_the_values_that_documents_give() {
 }
 
 /// Returns a program with the variable `a`, an INT, and this statement.
-fn with(statement: StatementKind) -> Program {
+fn with(statement: Statement) -> Program {
     let text = "PROGRAM main\nVAR\n    a : INT;\nEND_VAR\n    ;\nEND_PROGRAM\n";
     let mut program = read(text, DialectName::IRONPLC_ED3).unwrap();
-    program.main.body.push(Statement { kind: statement });
+    program.main.body.push(statement);
     program
 }
 
@@ -77,16 +77,13 @@ fn place(variable: usize, ty: ElementaryType) -> Place {
 }
 
 /// Returns `a := …`.
-fn set(value: ExpressionKind) -> StatementKind {
+fn set(value: ExpressionKind) -> Statement {
     let target = AssignmentTarget::Place(place(0, Int));
-    StatementKind::Assign(target, Expression::elementary(Int, value))
+    Statement::Assign(target, Expression::elementary(Int, value))
 }
 
 fn one() -> Expression {
-    Expression::elementary(
-        Int,
-        ExpressionKind::Literal(Value::plain(Int, 1), LiteralForm::Typed),
-    )
+    Expression::literal(Int, Value::plain(Int, 1), LiteralForm::Typed)
 }
 
 #[test]
@@ -112,7 +109,7 @@ fn an_implicit_conversion_that_no_document_grants_is_open() {
     let mut program = read(text, DialectName::IRONPLC_ED3).unwrap();
     let millisecond = ExpressionKind::Literal(Value::parse("TIME#1ms").unwrap(), LiteralForm::Typed);
     let time = Expression::elementary(ElementaryType::Time, millisecond);
-    let StatementKind::Assign(_, value) = &mut program.main.body[0].kind else {
+    let Statement::Assign(_, value) = &mut program.main.body[0] else {
         unreachable!()
     };
     value.kind = ExpressionKind::Widen(Box::new(time));
@@ -123,7 +120,7 @@ fn an_implicit_conversion_that_no_document_grants_is_open() {
 #[test]
 fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
     let call = |function| ExpressionKind::Call(function, Vec::new());
-    let assigned = |target| StatementKind::Assign(target, one());
+    let assigned = |target| Statement::Assign(target, one());
     let field = Place {
         path: vec![PlaceSelector::Field(0)],
         ..place(0, Int)
@@ -136,7 +133,7 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
         assigned(AssignmentTarget::Bit(place(0, Int), 16)),
         assigned(AssignmentTarget::Result),
         assigned(AssignmentTarget::Place(field)),
-        StatementKind::Invoke {
+        Statement::Invoke {
             instance: VariableId(0),
             inputs: Vec::new(),
             outputs: Vec::new(),
@@ -156,9 +153,10 @@ fn a_model_that_contradicts_itself_is_refused_and_never_a_panic() {
         name: "f".to_owned(),
         result: Type::Elementary(Int),
         variables: Vec::new(),
-        body: vec![Statement {
-            kind: StatementKind::Assign(AssignmentTarget::Result, Expression::elementary(Int, call(0))),
-        }],
+        body: vec![Statement::Assign(
+            AssignmentTarget::Result,
+            Expression::elementary(Int, call(0)),
+        )],
     });
     assert!(matches!(
         evaluate(&recursive, 1),

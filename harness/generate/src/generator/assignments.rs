@@ -6,19 +6,19 @@ use super::operations::has_bits;
 use super::scope::contains_text;
 use super::type_context::TypeContext;
 use crate::model::{
-    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, StatementKind, Type, VariableId,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Statement, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Family};
 
 impl ProgramBuilder<'_, '_> {
     /// Generates an assignment to any writable place.
-    pub fn assignment(&mut self) -> Option<StatementKind> {
+    pub fn assignment(&mut self) -> Option<Statement> {
         let place = self.target(|_| true)?;
         let ty = place.ty.clone();
         if self.random.chance(1, 3)
             && let Some(value) = self.accumulated(&place)
         {
-            return Some(StatementKind::Assign(AssignmentTarget::Place(place), value));
+            return Some(Statement::Assign(AssignmentTarget::Place(place), value));
         }
         let mut value = self.assigned(&ty, place.variable.0)?;
         // An assignment of a variable to itself shows nothing.
@@ -26,7 +26,7 @@ impl ProgramBuilder<'_, '_> {
             value = self.assigned(&ty, place.variable.0)?;
         }
         self.pou.hold(place.variable, &value);
-        Some(StatementKind::Assign(AssignmentTarget::Place(place), value))
+        Some(Statement::Assign(AssignmentTarget::Place(place), value))
     }
 
     /// Generates the value of a place combined with another value, so that earlier assignments are not lost.
@@ -41,7 +41,7 @@ impl ProgramBuilder<'_, '_> {
             Family::Boolean | Family::BitString if self.has(Construct::Logic) => BinaryOperator::Xor,
             _ => return None,
         };
-        let held = Expression::elementary(ty, ExpressionKind::Read(place.clone()));
+        let held = Expression::read(place.clone());
         let added = self.value(ty, TypeContext::Operand, self.deepest - 1);
         Some(Expression::binary(operator, held, added, ty))
     }
@@ -66,10 +66,10 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates an assignment to a bit.
-    pub fn assigned_bit(&mut self) -> Option<StatementKind> {
+    pub fn assigned_bit(&mut self) -> Option<Statement> {
         let place = self.target(has_bits)?;
         let bit = self.bit_number(&place.ty);
         let value = self.value(ElementaryType::Bool, TypeContext::Assigned, self.deepest);
-        Some(StatementKind::Assign(AssignmentTarget::Bit(place, bit), value))
+        Some(Statement::Assign(AssignmentTarget::Bit(place, bit), value))
     }
 }

@@ -107,10 +107,7 @@ impl ProgramBuilder<'_, '_> {
             } else {
                 number.to_bits()
             };
-            Expression::elementary(
-                from,
-                ExpressionKind::Literal(Value::plain(from, raw), LiteralForm::Typed),
-            )
+            Expression::literal(from, Value::plain(from, raw), LiteralForm::Typed)
         };
         let arguments = vec![limit(low), operand, limit(high)];
         Some(Expression::elementary(
@@ -136,10 +133,7 @@ impl ProgramBuilder<'_, '_> {
                 .basis
                 .is_some()
             {
-                return Some(Expression::elementary(
-                    offer.from,
-                    ExpressionKind::Literal(value, LiteralForm::Typed),
-                ));
+                return Some(Expression::literal(offer.from, value, LiteralForm::Typed));
             }
         }
         None

@@ -22,7 +22,7 @@ use super::places::{assign, integer, whole};
 use super::scope::PathStep;
 use crate::model::{
     ArrayType, BinaryOperator, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Place,
-    PlaceSelector, StandardFunction, Statement, StatementKind, Type, VariableId, subscripts,
+    PlaceSelector, StandardFunction, Statement, Type, VariableId, subscripts,
 };
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -41,7 +41,7 @@ impl ProgramBuilder<'_, '_> {
         for place in places {
             match (place.ty.clone(), reals) {
                 (Type::Elementary(ty), Some(reals)) if ty.is_real() => {
-                    body.extend(self.mixed_real(reals, read(place, ty), ty));
+                    body.extend(self.mixed_real(reals, Expression::read(place), ty));
                 }
                 (Type::Elementary(ty), _) => body.extend(self.mixed(checksum, place, ty)),
                 (ty, _) => body.extend(self.mixed_enumeration(checksum, place, &ty)),
@@ -72,7 +72,7 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates the statements that add a value other than a real to the checksum.
     fn mixed(&mut self, checksum: VariableId, place: Place, ty: ElementaryType) -> Vec<Statement> {
-        if let Some(number) = self.as_lint(read(place.clone(), ty), ty) {
+        if let Some(number) = self.as_lint(Expression::read(place.clone()), ty) {
             return vec![mix(checksum, number)];
         }
         let is_element = place
@@ -81,7 +81,8 @@ impl ProgramBuilder<'_, '_> {
             .any(|selector| matches!(selector, PlaceSelector::Index(_)));
         let mut statements = Vec::new();
         if ty.is_text() {
-            let length = ExpressionKind::Standard(StandardFunction::Len, vec![read(place.clone(), ty)]);
+            let length =
+                ExpressionKind::Standard(StandardFunction::Len, vec![Expression::read(place.clone())]);
             let length = Expression::elementary(ElementaryType::Int, length);
             statements.extend(
                 self.as_lint(length, ElementaryType::Int)
@@ -93,16 +94,14 @@ impl ProgramBuilder<'_, '_> {
             }
         }
         let literal = self.telling_value(ty);
-        let literal = Expression::elementary(
+        let literal = Expression::literal(
             ty,
-            ExpressionKind::Literal(
-                literal,
-                if ty.is_text() {
-                    LiteralForm::Untyped
-                } else {
-                    LiteralForm::Typed
-                },
-            ),
+            literal,
+            if ty.is_text() {
+                LiteralForm::Untyped
+            } else {
+                LiteralForm::Typed
+            },
         );
         let ordered = !matches!(ty.family(), Family::Text | Family::Character | Family::Boolean);
         let operator = if ordered {
@@ -111,14 +110,15 @@ impl ProgramBuilder<'_, '_> {
             BinaryOperator::Equal
         };
         let condition = if ty == ElementaryType::Bool {
-            read(place, ty)
+            Expression::read(place)
         } else {
-            Expression::binary(operator, read(place, ty), literal, ElementaryType::Bool)
+            Expression::binary(operator, Expression::read(place), literal, ElementaryType::Bool)
         };
         let otherwise = vec![mix(checksum, number(2))];
-        statements.push(Statement {
-            kind: StatementKind::If(vec![(condition, vec![mix(checksum, number(1))])], Some(otherwise)),
-        });
+        statements.push(Statement::If(
+            vec![(condition, vec![mix(checksum, number(1))])],
+            Some(otherwise),
+        ));
         statements
     }
 
@@ -156,13 +156,7 @@ impl ProgramBuilder<'_, '_> {
             })],
             body: vec![mix(checksum, number(value as i64))],
         });
-        let selector = Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Read(place),
-        };
-        Some(Statement {
-            kind: StatementKind::Case(selector, branches.collect(), None),
-        })
+        Some(Statement::Case(Expression::read(place), branches.collect(), None))
     }
 
     /// Generates `sum := sum * 0.5 + value;`.
@@ -222,10 +216,6 @@ fn every_element(limits: &[(i64, i64)]) -> Vec<PlaceSelector> {
     selectors
         .map(|numbers| PlaceSelector::Index(numbers.iter().map(subscript).collect()))
         .collect()
-}
-
-fn read(place: Place, ty: ElementaryType) -> Expression {
-    Expression::elementary(ty, ExpressionKind::Read(place))
 }
 
 fn number(number: i64) -> Expression {

@@ -249,7 +249,7 @@ impl ProgramBuilder<'_, '_> {
         if self.has(Construct::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
             let from = self.random.pick(sources).copied().unwrap_or(ty);
             let value = literals::value(from, &mut self.random);
-            let literal = Expression::elementary(from, ExpressionKind::Literal(value, LiteralForm::Typed));
+            let literal = Expression::literal(from, value, LiteralForm::Typed);
             return Expression::elementary(ty, ExpressionKind::Widen(Box::new(literal)));
         }
         self.initial_literal(ty)

@@ -168,7 +168,7 @@ impl ProgramBuilder<'_, '_> {
     pub fn literal(&mut self, ty: ElementaryType, context: TypeContext) -> Expression {
         let value = literals::value(ty, &mut self.random);
         let form = self.form(ty, context);
-        Expression::elementary(ty, ExpressionKind::Literal(value, form))
+        Expression::literal(ty, value, form)
     }
 
     /// Chooses whether a literal has the prefix of its type in a context.

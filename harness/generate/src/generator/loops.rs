@@ -5,8 +5,7 @@ use super::places::{assign, integer, whole};
 use super::scope::{PathStep, VisiblePlace};
 use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, StatementKind,
-    Type, VariableId,
+    BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, Type, VariableId,
 };
 use stickler_types::ElementaryType;
 
@@ -61,14 +60,12 @@ impl ProgramBuilder<'_, '_> {
         let body = self.looped(depth, turns);
         self.pou.locked.truncate(locked);
         self.pou.loops.pop();
-        made.push(Statement {
-            kind: StatementKind::For {
-                variable,
-                from: bounds.from,
-                to: bounds.to,
-                by: bounds.by,
-                body,
-            },
+        made.push(Statement::For {
+            variable,
+            from: bounds.from,
+            to: bounds.to,
+            by: bounds.by,
+            body,
         });
         made.push(self.reset(variable, ty));
         self.pou.idle.push((variable, ty));
@@ -185,9 +182,7 @@ impl ProgramBuilder<'_, '_> {
         let mut body = vec![counted(counter)];
         body.extend(self.looped(depth, turns as u32));
         made.push(self.reset(counter, ty));
-        made.push(Statement {
-            kind: StatementKind::While(condition, body),
-        });
+        made.push(Statement::While(condition, body));
         self.pou.idle.push((counter, ty));
     }
 
@@ -207,9 +202,7 @@ impl ProgramBuilder<'_, '_> {
         );
         let condition = Expression::binary(BinaryOperator::Or, condition, enough, ElementaryType::Bool);
         made.push(self.reset(counter, ty));
-        made.push(Statement {
-            kind: StatementKind::Repeat(body, condition),
-        });
+        made.push(Statement::Repeat(body, condition));
         self.pou.idle.push((counter, ty));
     }
 

@@ -37,7 +37,7 @@ impl ProgramBuilder<'_, '_> {
         let tiny = literals::tiny(ty);
         let raw = tiny[self.random.below(tiny.len())];
         let form = self.form(ty, TypeContext::Operand);
-        Expression::elementary(ty, ExpressionKind::Literal(Value::plain(ty, raw), form))
+        Expression::literal(ty, Value::plain(ty, raw), form)
     }
 
     /// Generates a sum of durations, which grow by literals only, so that none leaves the range of every system.
@@ -80,13 +80,13 @@ impl ProgramBuilder<'_, '_> {
         if self.random.chance(1, 3)
             && let Some(operand) = self.read(&Type::Elementary(ty), true)
         {
-            let one = Expression::elementary(ty, ExpressionKind::Literal(one(ty), LiteralForm::Typed));
+            let one = Expression::literal(ty, one(ty), LiteralForm::Typed);
             return Expression::elementary(ty, ExpressionKind::Standard(Function::Max, vec![operand, one]));
         }
         let value = literals::value(ty, &mut self.random);
         let value = if divides(&value) { value } else { one(ty) };
         let form = self.form(ty, TypeContext::Operand);
-        Expression::elementary(ty, ExpressionKind::Literal(value, form))
+        Expression::literal(ty, value, form)
     }
 
     /// Generates a minus before a value that contains a variable.
@@ -146,7 +146,7 @@ impl ProgramBuilder<'_, '_> {
         match held {
             Some(held) => {
                 let form = self.form(ty, TypeContext::Operand);
-                Expression::elementary(ty, ExpressionKind::Literal(held.value, form))
+                Expression::literal(ty, held.value, form)
             }
             None => self.value(ty, TypeContext::Operand, depth),
         }
@@ -174,11 +174,7 @@ impl ProgramBuilder<'_, '_> {
         let is_enumeration = |seen: &VisiblePlace| program.enumerated_values(&seen.ty).is_some();
         let seen = self.random.pick_where(&self.pou.places, is_enumeration)?.clone();
         let operator = [Operator::Equal, Operator::NotEqual][self.random.below(2)];
-        let place = self.place(&seen, false);
-        let left = Expression {
-            ty: seen.ty.clone(),
-            kind: ExpressionKind::Read(place),
-        };
+        let left = Expression::read(self.place(&seen, false));
         let right = self.enumerated(&seen.ty);
         Some(Expression::binary(operator, left, right, ElementaryType::Bool))
     }

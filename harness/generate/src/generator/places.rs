@@ -4,7 +4,7 @@ use super::builder::ProgramBuilder;
 use super::scope::{PathStep, VisiblePlace, contains_text};
 use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, StandardFunction,
-    Statement, StatementKind, Type, VariableId,
+    Statement, Type, VariableId,
 };
 use stickler_types::{ElementaryType, Value};
 
@@ -18,11 +18,7 @@ impl ProgramBuilder<'_, '_> {
             seen.ty == *ty && !(varying && seen.constant) && !(is_bound && seen.variable >= bound)
         };
         let chosen = self.choose(suits)?;
-        let place = self.place(&chosen, false);
-        Some(Expression {
-            ty: ty.clone(),
-            kind: ExpressionKind::Read(place),
-        })
+        Some(Expression::read(self.place(&chosen, false)))
     }
 
     /// Picks a place that satisfies a predicate.
@@ -125,22 +121,17 @@ impl ProgramBuilder<'_, '_> {
 
 /// Creates a read of a whole variable of an elementary type.
 pub(super) fn whole(variable: VariableId, ty: ElementaryType) -> Expression {
-    Expression::elementary(
-        ty,
-        ExpressionKind::Read(Place::whole(variable, Type::Elementary(ty))),
-    )
+    Expression::read(Place::whole(variable, Type::Elementary(ty)))
 }
 
 /// Creates an assignment to a whole variable of an elementary type.
 pub(super) fn assign(variable: VariableId, ty: ElementaryType, value: Expression) -> Statement {
     let place = Place::whole(variable, Type::Elementary(ty));
-    Statement {
-        kind: StatementKind::Assign(AssignmentTarget::Place(place), value),
-    }
+    Statement::Assign(AssignmentTarget::Place(place), value)
 }
 
 /// Creates a literal of an integer type or a bit string.
 pub(super) fn integer(ty: ElementaryType, number: i64, form: LiteralForm) -> Expression {
     let value = Value::plain(ty, ty.wrap(i128::from(number)));
-    Expression::elementary(ty, ExpressionKind::Literal(value, form))
+    Expression::literal(ty, value, form)
 }

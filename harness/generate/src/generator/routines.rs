@@ -3,9 +3,7 @@
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
 use super::scope::{PouRole, contains_text};
-use crate::model::{
-    AssignmentTarget, Function, FunctionBlock, Statement, StatementKind, Type, VariableSection,
-};
+use crate::model::{AssignmentTarget, Function, FunctionBlock, Statement, Type, VariableSection};
 use stickler_types::ElementaryType;
 
 /// The maximum number of statements of a function or function block, besides those that end it.
@@ -53,9 +51,7 @@ impl ProgramBuilder<'_, '_> {
         self.begin_statement();
         let value = self.assigned(ty, self.pou.variables.len())?;
         self.spend(1);
-        Some(Statement {
-            kind: StatementKind::Assign(AssignmentTarget::Result, value),
-        })
+        Some(Statement::Assign(AssignmentTarget::Result, value))
     }
 
     /// Generates the function blocks, each of which may have instances of earlier ones.

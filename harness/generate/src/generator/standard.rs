@@ -59,8 +59,7 @@ impl ProgramBuilder<'_, '_> {
         if is_above(&limits[0], &limits[1]) {
             limits.swap(0, 1);
         }
-        let [low, high] = limits
-            .map(|limit| Expression::elementary(ty, ExpressionKind::Literal(limit, LiteralForm::Typed)));
+        let [low, high] = limits.map(|limit| Expression::literal(ty, limit, LiteralForm::Typed));
         let inner = self.value(ty, TypeContext::Exact, depth);
         Expression::elementary(
             ty,
@@ -74,10 +73,7 @@ impl ProgramBuilder<'_, '_> {
         let operand = match (ty.family(), ty.integer_range()) {
             (Family::Signed, Some((least, greatest))) => {
                 let limit = |number: i128| {
-                    Expression::elementary(
-                        ty,
-                        ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
-                    )
+                    Expression::literal(ty, Value::plain(ty, ty.wrap(number)), LiteralForm::Typed)
                 };
                 let arguments = vec![limit(least + 1), operand, limit(greatest)];
                 Expression::elementary(ty, ExpressionKind::Standard(Function::Limit, arguments))

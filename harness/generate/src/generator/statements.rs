@@ -6,8 +6,8 @@ use super::places::integer;
 use super::scope::PouRole;
 use super::type_context::TypeContext;
 use crate::model::{
-    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Statement, StatementKind, Type,
-    VariableId, VariableSection,
+    Argument, CaseBranch, CaseLabel, Expression, ExpressionKind, LiteralForm, Statement, Type, VariableId,
+    VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -75,7 +75,7 @@ impl ProgramBuilder<'_, '_> {
             StatementForm::Leave => Some(self.leave()),
         };
         if let Some(kind) = kind.or_else(|| self.assignment()) {
-            made.push(Statement { kind });
+            made.push(kind);
         } else {
             self.assign_reserved(made);
         }
@@ -121,7 +121,7 @@ impl ProgramBuilder<'_, '_> {
         choices[self.random.weighted(&weights)].0
     }
 
-    fn branches(&mut self, depth: usize) -> StatementKind {
+    fn branches(&mut self, depth: usize) -> Statement {
         let mut branches = Vec::new();
         for _ in 0..=self.random.weighted(&[5, 2, 1]) {
             self.begin_statement();
@@ -129,11 +129,11 @@ impl ProgramBuilder<'_, '_> {
             branches.push((condition, self.nested(depth + 1)));
         }
         let otherwise = self.random.chance(1, 2).then(|| self.nested(depth + 1));
-        StatementKind::If(branches, otherwise)
+        Statement::If(branches, otherwise)
     }
 
     /// Generates CASE of an enumeration or an integer.
-    fn case(&mut self, depth: usize) -> Option<StatementKind> {
+    fn case(&mut self, depth: usize) -> Option<Statement> {
         let selector = self.enumeration_selector();
         let (selector, labels) = match selector {
             Some((selector, count)) => {
@@ -148,7 +148,7 @@ impl ProgramBuilder<'_, '_> {
         });
         let branches = branches.collect();
         let otherwise = self.random.chance(1, 2).then(|| self.nested(depth + 1));
-        Some(StatementKind::Case(selector, branches, otherwise))
+        Some(Statement::Case(selector, branches, otherwise))
     }
 
     fn enumeration_selector(&mut self) -> Option<(Expression, usize)> {
@@ -226,7 +226,7 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates a call of a function block.
-    fn invocation(&mut self) -> Option<StatementKind> {
+    fn invocation(&mut self) -> Option<Statement> {
         let instances: Vec<(VariableId, usize)> = self
             .pou
             .variables
@@ -265,11 +265,8 @@ impl ProgramBuilder<'_, '_> {
                     let ty = self.program.unaliased(&ty).clone();
                     let place = self.writable_part(&ty, &given)?;
                     given.push(place.variable);
-                    let kind = ExpressionKind::Read(place);
-                    inputs.push(Argument {
-                        parameter,
-                        value: Expression { ty, kind },
-                    });
+                    let value = Expression::read(place);
+                    inputs.push(Argument { parameter, value });
                 }
                 VariableSection::Output if self.random.chance(1, 2) => {
                     if let Some(place) = self.writable_part(&ty, &given) {
@@ -281,7 +278,7 @@ impl ProgramBuilder<'_, '_> {
             }
         }
         self.spend(self.block_costs[block]);
-        Some(StatementKind::Invoke {
+        Some(Statement::Invoke {
             instance,
             inputs,
             outputs,
@@ -289,15 +286,15 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates a conditional EXIT or RETURN.
-    fn leave(&mut self) -> StatementKind {
+    fn leave(&mut self) -> Statement {
         let may_exit = self.pou.loops_around > 0 && self.has(Construct::Exit);
         let may_return = self.pou.kind != PouRole::Main && self.has(Construct::Return);
         let kind = if may_exit && !(may_return && self.random.chance(1, 4)) {
-            StatementKind::Exit
+            Statement::Exit
         } else {
-            StatementKind::Return
+            Statement::Return
         };
         let condition = self.condition();
-        StatementKind::If(vec![(condition, vec![Statement { kind }])], None)
+        Statement::If(vec![(condition, vec![kind])], None)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Type, VariableId};
 use stickler_exact::Signature;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{ElementaryType, Value, words};
 
 /// An expression with its type.
 #[derive(Clone, PartialEq, Debug)]
@@ -20,6 +20,21 @@ impl Expression {
         Expression {
             ty: Type::Elementary(ty),
             kind,
+        }
+    }
+
+    /// Creates a literal of an elementary type.
+    #[must_use]
+    pub const fn literal(ty: ElementaryType, value: Value, form: LiteralForm) -> Expression {
+        Expression::elementary(ty, ExpressionKind::Literal(value, form))
+    }
+
+    /// Creates the value of a variable, or of a part of one.
+    #[must_use]
+    pub fn read(place: Place) -> Expression {
+        Expression {
+            ty: place.ty.clone(),
+            kind: ExpressionKind::Read(place),
         }
     }
 
@@ -127,58 +142,41 @@ pub enum UnaryOperator {
     Not,
 }
 
-/// Infix operators.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum BinaryOperator {
-    /// `+`
-    Add,
-    /// `-`
-    Subtract,
-    /// `*`
-    Multiply,
-    /// `/`
-    Divide,
-    /// `MOD`
-    Modulo,
-    /// `AND`
-    And,
-    /// `OR`
-    Or,
-    /// `XOR`
-    Xor,
-    /// `=`
-    Equal,
-    /// `<>`
-    NotEqual,
-    /// `<`
-    Less,
-    /// `<=`
-    LessOrEqual,
-    /// `>`
-    Greater,
-    /// `>=`
-    GreaterOrEqual,
+words! {
+    /// Infix operators.
+    BinaryOperator {
+        /// `+`
+        Add = "+",
+        /// `-`
+        Subtract = "-",
+        /// `*`
+        Multiply = "*",
+        /// `/`
+        Divide = "/",
+        /// `MOD`
+        Modulo = "MOD",
+        /// `AND`
+        And = "AND",
+        /// `OR`
+        Or = "OR",
+        /// `XOR`
+        Xor = "XOR",
+        /// `=`
+        Equal = "=",
+        /// `<>`
+        NotEqual = "<>",
+        /// `<`
+        Less = "<",
+        /// `<=`
+        LessOrEqual = "<=",
+        /// `>`
+        Greater = ">",
+        /// `>=`
+        GreaterOrEqual = ">=",
+    }
 }
 
 impl BinaryOperator {
-    /// All operators.
-    pub const ALL: [BinaryOperator; 14] = [
-        BinaryOperator::Add,
-        BinaryOperator::Subtract,
-        BinaryOperator::Multiply,
-        BinaryOperator::Divide,
-        BinaryOperator::Modulo,
-        BinaryOperator::And,
-        BinaryOperator::Or,
-        BinaryOperator::Xor,
-        BinaryOperator::Equal,
-        BinaryOperator::NotEqual,
-        BinaryOperator::Less,
-        BinaryOperator::LessOrEqual,
-        BinaryOperator::Greater,
-        BinaryOperator::GreaterOrEqual,
-    ];
-
     /// Returns whether the operator compares its operands.
     #[must_use]
     pub const fn is_comparison(self) -> bool {
@@ -190,49 +188,32 @@ impl BinaryOperator {
     }
 }
 
-/// Standard functions other than conversions.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum StandardFunction {
-    /// `ABS(IN)`
-    Abs,
-    /// `SEL(G, IN0, IN1)`
-    Sel,
-    /// `MUX(K, IN0, …)`
-    Mux,
-    /// `MIN(IN1, IN2)`
-    Min,
-    /// `MAX(IN1, IN2)`
-    Max,
-    /// `LIMIT(MN, IN, MX)`
-    Limit,
-    /// `SHL(IN, N)`
-    Shl,
-    /// `SHR(IN, N)`
-    Shr,
-    /// `ROL(IN, N)`
-    Rol,
-    /// `ROR(IN, N)`
-    Ror,
-    /// `LEN(IN)`
-    Len,
-    /// `CONCAT(IN1, IN2)`
-    Concat,
-}
-
-impl StandardFunction {
-    /// All functions.
-    pub const ALL: [StandardFunction; 12] = [
-        StandardFunction::Abs,
-        StandardFunction::Sel,
-        StandardFunction::Mux,
-        StandardFunction::Min,
-        StandardFunction::Max,
-        StandardFunction::Limit,
-        StandardFunction::Shl,
-        StandardFunction::Shr,
-        StandardFunction::Rol,
-        StandardFunction::Ror,
-        StandardFunction::Len,
-        StandardFunction::Concat,
-    ];
+words! {
+    /// Standard functions other than conversions.
+    StandardFunction {
+        /// `ABS(IN)`
+        Abs = "ABS",
+        /// `SEL(G, IN0, IN1)`
+        Sel = "SEL",
+        /// `MUX(K, IN0, …)`
+        Mux = "MUX",
+        /// `MIN(IN1, IN2)`
+        Min = "MIN",
+        /// `MAX(IN1, IN2)`
+        Max = "MAX",
+        /// `LIMIT(MN, IN, MX)`
+        Limit = "LIMIT",
+        /// `SHL(IN, N)`
+        Shl = "SHL",
+        /// `SHR(IN, N)`
+        Shr = "SHR",
+        /// `ROL(IN, N)`
+        Rol = "ROL",
+        /// `ROR(IN, N)`
+        Ror = "ROR",
+        /// `LEN(IN)`
+        Len = "LEN",
+        /// `CONCAT(IN1, IN2)`
+        Concat = "CONCAT",
+    }
 }

@@ -4,14 +4,7 @@ use super::{Argument, Expression, Place, VariableId};
 
 /// A statement.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Statement {
-    /// The form of the statement, with its parts.
-    pub kind: StatementKind,
-}
-
-/// The forms of a statement.
-#[derive(Clone, PartialEq, Debug)]
-pub enum StatementKind {
+pub enum Statement {
     /// `target := value;`, both of one type.
     Assign(AssignmentTarget, Expression),
     /// IF with its ELSIF branches and its ELSE branch.
@@ -59,8 +52,8 @@ impl Statement {
     #[must_use]
     pub const fn is_loop(&self) -> bool {
         matches!(
-            self.kind,
-            StatementKind::For { .. } | StatementKind::While(..) | StatementKind::Repeat(..)
+            self,
+            Statement::For { .. } | Statement::While(..) | Statement::Repeat(..)
         )
     }
 }

@@ -6,8 +6,8 @@
 
 use super::{
     Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind,
-    InitialValue, Place, PlaceSelector, Program, Statement, StatementKind, Type, TypeDeclaration, Unit,
-    Variable, VariableId,
+    InitialValue, Place, PlaceSelector, Program, Statement, Type, TypeDeclaration, Unit, Variable,
+    VariableId,
 };
 
 /// Defines a visitor trait and its traversal; `$mutability` is `mut` or nothing, `$list` the type of a list of statements.
@@ -154,15 +154,15 @@ macro_rules! define_visitor {
             visitor: &mut (impl $visitor + ?Sized),
             statement: &$($mutability)? Statement,
         ) {
-            match &$($mutability)? statement.kind {
-                StatementKind::Assign(target, value) => {
+            match statement {
+                Statement::Assign(target, value) => {
                     match target {
                         AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => visitor.place(place),
                         AssignmentTarget::Result => {}
                     }
                     visitor.expression(value);
                 }
-                StatementKind::If(branches, otherwise) => {
+                Statement::If(branches, otherwise) => {
                     for (condition, body) in branches {
                         visitor.expression(condition);
                         visitor.statements(body);
@@ -171,7 +171,7 @@ macro_rules! define_visitor {
                         visitor.statements(body);
                     }
                 }
-                StatementKind::Case(selector, branches, otherwise) => {
+                Statement::Case(selector, branches, otherwise) => {
                     visitor.expression(selector);
                     for branch in branches {
                         walk_branch(visitor, branch);
@@ -180,7 +180,7 @@ macro_rules! define_visitor {
                         visitor.statements(body);
                     }
                 }
-                StatementKind::For { from, to, by, body, .. } => {
+                Statement::For { from, to, by, body, .. } => {
                     visitor.expression(from);
                     visitor.expression(to);
                     if let Some(by) = by {
@@ -188,11 +188,11 @@ macro_rules! define_visitor {
                     }
                     visitor.statements(body);
                 }
-                StatementKind::While(condition, body) | StatementKind::Repeat(body, condition) => {
+                Statement::While(condition, body) | Statement::Repeat(body, condition) => {
                     visitor.expression(condition);
                     visitor.statements(body);
                 }
-                StatementKind::Invoke { instance, inputs, outputs } => {
+                Statement::Invoke { instance, inputs, outputs } => {
                     for input in inputs {
                         visitor.input(*instance, input);
                     }
@@ -200,7 +200,7 @@ macro_rules! define_visitor {
                         visitor.place(place);
                     }
                 }
-                StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+                Statement::Exit | Statement::Return | Statement::Raw(_) => {}
             }
         }
 
@@ -274,23 +274,23 @@ macro_rules! define_visitor {
 
         /// Returns the lists of statements directly inside a statement, in the order of the text.
         pub fn bodies(statement: &$($mutability)? Statement) -> Vec<&$($mutability)? Vec<Statement>> {
-            match &$($mutability)? statement.kind {
-                StatementKind::If(branches, otherwise) => {
+            match statement {
+                Statement::If(branches, otherwise) => {
                     let bodies = branches.into_iter().map(|(_, body)| body);
                     bodies.chain(otherwise).collect()
                 }
-                StatementKind::Case(_, branches, otherwise) => {
+                Statement::Case(_, branches, otherwise) => {
                     let bodies = branches.into_iter().map(|branch| &$($mutability)? branch.body);
                     bodies.chain(otherwise).collect()
                 }
-                StatementKind::For { body, .. }
-                | StatementKind::While(_, body)
-                | StatementKind::Repeat(body, _) => vec![body],
-                StatementKind::Assign(..)
-                | StatementKind::Invoke { .. }
-                | StatementKind::Exit
-                | StatementKind::Return
-                | StatementKind::Raw(_) => Vec::new(),
+                Statement::For { body, .. }
+                | Statement::While(_, body)
+                | Statement::Repeat(body, _) => vec![body],
+                Statement::Assign(..)
+                | Statement::Invoke { .. }
+                | Statement::Exit
+                | Statement::Return
+                | Statement::Raw(_) => Vec::new(),
             }
         }
     };

@@ -253,12 +253,8 @@ mod tests {
     #[test]
     fn a_second_diagnostic_is_told() {
         let (sound, mut planted) = planted(UNKNOWN);
-        let again = crate::model::StatementKind::Raw("missing := 1;".to_owned());
-        planted
-            .program
-            .main
-            .body
-            .push(crate::model::Statement { kind: again });
+        let again = crate::model::Statement::Raw("missing := 1;".to_owned());
+        planted.program.main.body.push(again);
         assert_eq!(symptom(&sound, &planted).as_deref(), Some("more:P4007:P4007"));
     }
 

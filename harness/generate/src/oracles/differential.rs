@@ -6,7 +6,7 @@ use super::{InputOutcome, OracleFailure};
 use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
-use crate::reduce::OutcomeSymptom;
+use crate::reduce::deviation;
 use crate::writer::{Style, write};
 use arbitrary::Unstructured;
 use std::cell::RefCell;
@@ -96,7 +96,7 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
 /// Judges an engine by a program.
 ///
 /// # Errors
-/// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`OutcomeSymptom`].
+/// The difference between the outcome of the engine and that of the evaluator; the symptom is that of [`deviation`].
 pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOutcome, OracleFailure> {
     let Ok(evaluation) = evaluate(program, 1) else {
         return Ok(InputOutcome::Skipped("the program has no values"));
@@ -114,39 +114,9 @@ pub fn judge_on(session: &mut dyn Session, program: &Program) -> Result<InputOut
     if let Outcome::Unsupported { .. } = given {
         return Ok(InputOutcome::Skipped("the engine does not support the program"));
     }
-    let expected = Outcome::executed(evaluation.values);
-    match OutcomeSymptom::first(&expected, &given) {
+    match deviation(&evaluation.values, &given) {
         None => Ok(InputOutcome::Checked),
-        Some(symptom) => {
-            let message = format!(
-                "by the documents {}, but the engine {}",
-                describe(&expected, &given),
-                describe(&given, &expected)
-            );
-            Err(OracleFailure::new(symptom.to_string(), message).of_program(text))
-        }
-    }
-}
-
-/// Describes an outcome; of its values only those that differ from the other outcome.
-fn describe(outcome: &Outcome, other: &Outcome) -> String {
-    match (outcome, other) {
-        (Outcome::Executed { values, .. }, Outcome::Executed { values: others, .. }) => {
-            let differing = values.iter().filter(|value| !others.contains(value));
-            let named: Vec<String> = differing
-                .map(|(name, value)| format!("{name} = {value}"))
-                .collect();
-            format!("gives {}", named.join(", "))
-        }
-        (Outcome::Executed { .. }, _) => "it runs to its end".to_owned(),
-        (Outcome::Rejected { diagnostics }, _) => {
-            let messages: Vec<&str> = diagnostics
-                .iter()
-                .map(|diagnostic| &diagnostic.message[..])
-                .collect();
-            format!("rejects it: {}", messages.join("; "))
-        }
-        (outcome, _) => format!("answers {outcome:?}"),
+        Some((symptom, message)) => Err(OracleFailure::new(symptom.to_string(), message).of_program(text)),
     }
 }
 

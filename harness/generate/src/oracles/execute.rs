@@ -109,7 +109,7 @@ fn judge_variant(
 ) -> Result<(), OracleFailure> {
     let judged = values_of(program, varied).and_then(|given| compare(&evaluation.values, &given));
     judged.map_err(|failure| {
-        let name = variant.name();
+        let name = variant.as_str();
         OracleFailure::new(
             format!("variant {name}:{}", failure.symptom),
             format!(
@@ -220,7 +220,7 @@ mod tests {
         let program = crate::variants::tests::everything();
         let text = write(&program, &Style::default()).text;
         let evaluation = evaluate(&program, 1).unwrap();
-        for variant in Variant::ALL {
+        for variant in Variant::ALL.iter().copied() {
             for seed in 0..20 {
                 let choices = choice_bytes(&[seed]);
                 if let Some(varied) = variant.text(&program, &mut Unstructured::new(&choices)) {

@@ -3,8 +3,8 @@
 use super::scope::{elementary, places};
 use super::walk::{self, ExpressionSite};
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind, Type,
-    UnaryOperator, Unit, Variable, VariableSection,
+    BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type, UnaryOperator,
+    Unit, Variable, VariableSection,
 };
 use arbitrary::Unstructured;
 use stickler_exact::signatures;
@@ -90,7 +90,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
     pub fn insert(
         &mut self,
         eligible: impl Fn(Unit, bool) -> bool,
-        make: impl FnOnce(&mut Self, Unit) -> Option<StatementKind>,
+        make: impl FnOnce(&mut Self, Unit) -> Option<Statement>,
     ) -> Option<()> {
         let mut found = Vec::new();
         let mut number = 0;
@@ -103,23 +103,20 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         let (number, unit, length) = self.choose(found)?;
         let at = self.input.int_in_range(0..=length).unwrap_or(0);
         let kind = make(self, unit)?;
-        self.change_list(number, |list| list.insert(at.min(list.len()), Statement { kind }));
+        self.change_list(number, |list| list.insert(at.min(list.len()), kind));
         Some(())
     }
 
     /// Inserts a statement of raw text into any list.
     pub fn insert_text(&mut self, make: impl FnOnce(&mut Self, Unit) -> Option<String>) -> Option<()> {
-        self.insert(
-            |_, _| true,
-            |fault, unit| make(fault, unit).map(StatementKind::Raw),
-        )
+        self.insert(|_, _| true, |fault, unit| make(fault, unit).map(Statement::Raw))
     }
 
     /// Changes a statement that satisfies a predicate.
     pub fn change_statement(
         &mut self,
-        eligible: impl Fn(Unit, &StatementKind) -> bool,
-        change: impl FnOnce(&mut Self, Unit, &mut StatementKind) -> Option<()>,
+        eligible: impl Fn(Unit, &Statement) -> bool,
+        change: impl FnOnce(&mut Self, Unit, &mut Statement) -> Option<()>,
     ) -> Option<()> {
         let mut found = Vec::new();
         let mut number = 0;
@@ -127,8 +124,8 @@ impl<'p, 'd> FaultSite<'p, 'd> {
             let statements = list.iter().enumerate();
             found.extend(
                 statements
-                    .filter(|(_, statement)| eligible(unit, &statement.kind))
-                    .map(|(at, statement)| (number, at, unit, statement.kind.clone())),
+                    .filter(|(_, statement)| eligible(unit, statement))
+                    .map(|(at, statement)| (number, at, unit, statement.clone())),
             );
             number += 1;
         });
@@ -136,7 +133,7 @@ impl<'p, 'd> FaultSite<'p, 'd> {
         change(self, unit, &mut kind)?;
         self.change_list(number, |list| {
             if let Some(statement) = list.get_mut(at) {
-                statement.kind = kind;
+                *statement = kind;
             }
         });
         Some(())
@@ -295,7 +292,7 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
         Family::Text => {
             let form = LiteralForm::Untyped;
             let value = Value::text(ty, vec![u16::from(b'a'), u16::from(b'b')]);
-            return Expression::elementary(ty, ExpressionKind::Literal(value, form));
+            return Expression::literal(ty, value, form);
         }
         Family::Real if ty == ElementaryType::Real => u64::from(1.5f32.to_bits()),
         Family::Real => 1.5f64.to_bits(),
@@ -304,8 +301,5 @@ pub(super) fn literal(ty: ElementaryType) -> Expression {
         Family::Date | Family::DateAndTime => 0,
         Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => 1,
     };
-    Expression::elementary(
-        ty,
-        ExpressionKind::Literal(Value::plain(ty, raw), LiteralForm::Typed),
-    )
+    Expression::literal(ty, Value::plain(ty, raw), LiteralForm::Typed)
 }

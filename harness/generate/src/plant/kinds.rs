@@ -1,10 +1,11 @@
-//! The kinds of errors: one function a kind, and the table of them all.
+//! The kinds of errors: the table of them all, and a function for each that no edit of the table describes.
 
 mod bits;
 mod blocks;
 mod calls;
 mod constants;
 mod declarations;
+mod edit;
 mod literals;
 mod misfits;
 mod names;

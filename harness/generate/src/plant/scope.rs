@@ -4,7 +4,7 @@ use crate::dialect::has_type;
 use crate::model::visit::bodies;
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program,
-    StandardFunction, StatementKind, Type, Unit, VariableId, VariableSection,
+    StandardFunction, Statement, Type, Unit, VariableId, VariableSection,
 };
 use stickler_types::{DialectName, ElementaryType, Value};
 
@@ -155,10 +155,7 @@ fn parts(program: &Program, place: Place, writable: bool, found: &mut Vec<NamedP
 pub(super) fn integer(value: i64) -> Expression {
     // Any integer type would do; this one holds every subscript.
     let ty = ElementaryType::Lint;
-    Expression {
-        ty: Type::Elementary(ty),
-        kind: ExpressionKind::Literal(Value::plain(ty, value.cast_unsigned()), LiteralForm::Untyped),
-    }
+    Expression::literal(ty, Value::plain(ty, value.cast_unsigned()), LiteralForm::Untyped)
 }
 
 /// Returns the control variables of the FOR statements of a unit.
@@ -166,7 +163,7 @@ fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
     let mut found = Vec::new();
     let mut waiting: Vec<_> = unit.body(program).iter().collect();
     while let Some(statement) = waiting.pop() {
-        if let StatementKind::For { variable, .. } = &statement.kind {
+        if let Statement::For { variable, .. } = statement {
             found.push(*variable);
         }
         waiting.extend(bodies(statement).into_iter().flatten());

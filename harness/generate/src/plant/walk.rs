@@ -4,13 +4,14 @@ use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
     Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
-    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, StatementKind, Type,
-    UnaryOperator, Unit, Variable, VariableId, VariableSection,
+    InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit,
+    Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
 /// The context in which an expression stands.
-#[derive(Clone, Copy, PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub(super) enum ExpressionContext {
     /// The right side of an assignment to a variable, a part of one, or a bit.
     Assigned,
@@ -29,6 +30,7 @@ pub(super) enum ExpressionContext {
     /// The argument of any other conversion function.
     Overloaded,
     /// The argument of a standard function, and its index.
+    #[serde(skip)]
     Standard(StandardFunction, usize),
     /// The condition of IF.
     If,
@@ -43,6 +45,7 @@ pub(super) enum ExpressionContext {
     /// A label of CASE.
     Label,
     /// A subscript, with the limits of its dimension.
+    #[serde(skip)]
     Subscript(i64, i64),
     /// The first or last value of FOR.
     Bound,
@@ -50,9 +53,20 @@ pub(super) enum ExpressionContext {
     Step,
     /// An operand of a binary operator, and the type that the text of the other operand determines; `None` if that takes its
     /// type from its context.
+    #[serde(skip)]
     Operand(BinaryOperator, Option<ElementaryType>),
     /// The operand of a unary operator.
+    #[serde(skip)]
     UnaryOperand(UnaryOperator),
+}
+
+impl ExpressionContext {
+    /// Returns whether the expression is the whole value of a variable or a parameter, or of the result of a function, that takes it
+    /// in a statement.
+    pub const fn has_target(self) -> bool {
+        use ExpressionContext as C;
+        matches!(self, C::Assigned | C::Result | C::Argument | C::Input)
+    }
 }
 
 /// The place of an expression in the program.
@@ -157,17 +171,13 @@ impl<'p> SiteWalker<'p> {
         visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
     ) {
         for statement in statements {
-            self.statement(&mut statement.kind, visit);
+            self.statement(statement, visit);
         }
     }
 
-    fn statement(
-        self,
-        statement: &mut StatementKind,
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn statement(self, statement: &mut Statement, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
         match statement {
-            StatementKind::Assign(target, value) => {
+            Statement::Assign(target, value) => {
                 let context = match target {
                     AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => {
                         self.place(place, visit);
@@ -177,7 +187,7 @@ impl<'p> SiteWalker<'p> {
                 };
                 self.expression(value, context, visit);
             }
-            StatementKind::If(branches, otherwise) => {
+            Statement::If(branches, otherwise) => {
                 for (number, (condition, body)) in branches.iter_mut().enumerate() {
                     let context = if number == 0 {
                         ExpressionContext::If
@@ -189,7 +199,7 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
-            StatementKind::Case(selector, branches, otherwise) => {
+            Statement::Case(selector, branches, otherwise) => {
                 self.expression(selector, ExpressionContext::Selector, visit);
                 for branch in branches {
                     for label in &mut branch.labels {
@@ -199,7 +209,7 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
-            StatementKind::For {
+            Statement::For {
                 from, to, by, body, ..
             } => {
                 self.expression(from, ExpressionContext::Bound, visit);
@@ -209,15 +219,15 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(body, visit);
             }
-            StatementKind::While(condition, body) => {
+            Statement::While(condition, body) => {
                 self.expression(condition, ExpressionContext::While, visit);
                 self.statements(body, visit);
             }
-            StatementKind::Repeat(body, condition) => {
+            Statement::Repeat(body, condition) => {
                 self.statements(body, visit);
                 self.expression(condition, ExpressionContext::Until, visit);
             }
-            StatementKind::Invoke {
+            Statement::Invoke {
                 instance,
                 inputs,
                 outputs,
@@ -229,7 +239,7 @@ impl<'p> SiteWalker<'p> {
                     self.place(place, visit);
                 }
             }
-            StatementKind::Exit | StatementKind::Return | StatementKind::Raw(_) => {}
+            Statement::Exit | Statement::Return | Statement::Raw(_) => {}
         }
     }
 

@@ -7,7 +7,6 @@ use crate::model::{
     Argument, BinaryOperator, Expression, ExpressionKind, Place, PlaceSelector, StandardFunction, Type,
     UnaryOperator, VariableId, VariableSection,
 };
-use crate::writer::{function_name, operator_text};
 use stickler_exact::{Signature, signatures};
 use stickler_syntax::tree::{self, ExpressionId, Name};
 use stickler_types::{ElementaryType, Family};
@@ -106,10 +105,7 @@ impl Reader<'_> {
 
     fn read(&self, id: ExpressionId) -> Option<Expression> {
         let place = self.place(id)?;
-        Some(Expression {
-            ty: place.ty.clone(),
-            kind: ExpressionKind::Read(place),
-        })
+        Some(Expression::read(place))
     }
 
     /// Reads a bit of a place.
@@ -206,8 +202,7 @@ impl Reader<'_> {
         left: ExpressionId,
         right: ExpressionId,
     ) -> Option<Expression> {
-        let operator =
-            { BinaryOperator::ALL.into_iter() }.find(|known| operator_text(*known) == operator.symbol())?;
+        let operator = BinaryOperator::from_word(operator.symbol())?;
         let (left, right) = match (self.own(left), self.own(right)) {
             (Some(one), Some(two)) => match (self.widens(&one.ty, &two.ty), self.widens(&two.ty, &one.ty)) {
                 _ if one.ty == two.ty => (one, two),
@@ -240,10 +235,7 @@ impl Reader<'_> {
             _ => None,
         });
         let arguments: Vec<ExpressionId> = positional.collect::<Option<_>>()?;
-        match StandardFunction::ALL
-            .into_iter()
-            .find(|known| name.is(function_name(*known)))
-        {
+        match StandardFunction::from_word(&name.text.to_ascii_uppercase()) {
             Some(function) => self.standard(function, &arguments),
             None => match arguments[..] {
                 [operand] => self.converted(name, operand, None),

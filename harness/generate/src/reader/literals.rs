@@ -2,7 +2,7 @@
 
 use super::Reader;
 use crate::generator::TypeContext;
-use crate::model::{Expression, ExpressionKind, LiteralForm};
+use crate::model::{Expression, LiteralForm};
 use stickler_syntax::tree::{self, ExpressionId, Literal, LiteralKind, UnaryOperator};
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -24,7 +24,7 @@ impl Reader<'_> {
             return None;
         }
         let value = Value::parse(&format!("{ty}#{sign}{}", literal.text())).ok()?;
-        Some(literal_expression(ty, value, LiteralForm::Untyped))
+        Some(Expression::literal(ty, value, LiteralForm::Untyped))
     }
 
     /// Reads a whole number without a prefix.
@@ -68,9 +68,5 @@ pub(super) fn typed(literal: &Literal<'_>) -> Option<Expression> {
         Some(_) => LiteralForm::Typed,
         None => LiteralForm::Untyped,
     };
-    Some(literal_expression(ty, value, form))
-}
-
-const fn literal_expression(ty: ElementaryType, value: Value, form: LiteralForm) -> Expression {
-    Expression::elementary(ty, ExpressionKind::Literal(value, form))
+    Some(Expression::literal(ty, value, form))
 }

@@ -3,8 +3,8 @@
 use super::Reader;
 use crate::generator::TypeContext;
 use crate::model::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Statement, StatementKind,
-    Type, VariableId, VariableSection,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Statement, Type,
+    VariableId, VariableSection,
 };
 use stickler_syntax::tree::{self, ExpressionId};
 
@@ -14,25 +14,21 @@ impl Reader<'_> {
         let full = statements
             .iter()
             .filter(|statement| !matches!(statement.kind, tree::StatementKind::Empty));
-        full.map(|statement| {
-            let kind = self.statement(&statement.kind)?;
-            Some(Statement { kind })
-        })
-        .collect()
+        full.map(|statement| self.statement(&statement.kind)).collect()
     }
 
-    fn statement(&self, statement: &tree::StatementKind) -> Option<StatementKind> {
+    fn statement(&self, statement: &tree::StatementKind) -> Option<Statement> {
         Some(match statement {
             tree::StatementKind::Assignment { target, value } => {
                 let (target, ty) = self.target(*target)?;
-                StatementKind::Assign(target, self.value(*value, &ty, TypeContext::Assigned)?)
+                Statement::Assign(target, self.value(*value, &ty, TypeContext::Assigned)?)
             }
             tree::StatementKind::Call(call) => self.invocation(*call)?,
             tree::StatementKind::If { branches, otherwise } => {
                 let branches = branches
                     .iter()
                     .map(|(condition, body)| Some((self.condition(*condition)?, self.statements(body)?)));
-                StatementKind::If(
+                Statement::If(
                     branches.collect::<Option<_>>()?,
                     self.otherwise(otherwise.as_deref())?,
                 )
@@ -45,7 +41,7 @@ impl Reader<'_> {
                 let selector = self.own(*selector)?;
                 let branches = branches.iter().map(|branch| self.branch(branch, &selector.ty));
                 let branches = branches.collect::<Option<_>>()?;
-                StatementKind::Case(selector, branches, self.otherwise(otherwise.as_deref())?)
+                Statement::Case(selector, branches, self.otherwise(otherwise.as_deref())?)
             }
             tree::StatementKind::For {
                 control,
@@ -56,7 +52,7 @@ impl Reader<'_> {
             } => {
                 let control = self.place(*control).filter(|place| place.path.is_empty())?;
                 let value = |id| self.value(id, &control.ty, TypeContext::Assigned);
-                StatementKind::For {
+                Statement::For {
                     variable: control.variable,
                     from: value(*from)?,
                     to: value(*to)?,
@@ -68,13 +64,13 @@ impl Reader<'_> {
                 }
             }
             tree::StatementKind::While { condition, body } => {
-                StatementKind::While(self.condition(*condition)?, self.statements(body)?)
+                Statement::While(self.condition(*condition)?, self.statements(body)?)
             }
             tree::StatementKind::Repeat { body, until } => {
-                StatementKind::Repeat(self.statements(body)?, self.condition(*until)?)
+                Statement::Repeat(self.statements(body)?, self.condition(*until)?)
             }
-            tree::StatementKind::Exit => StatementKind::Exit,
-            tree::StatementKind::Return => StatementKind::Return,
+            tree::StatementKind::Exit => Statement::Exit,
+            tree::StatementKind::Return => Statement::Return,
             tree::StatementKind::Continue | tree::StatementKind::Empty => return None,
         })
     }
@@ -116,7 +112,7 @@ impl Reader<'_> {
     }
 
     /// Reads a call of an instance of a function block.
-    fn invocation(&self, call: ExpressionId) -> Option<StatementKind> {
+    fn invocation(&self, call: ExpressionId) -> Option<Statement> {
         let tree::ExpressionKind::Call { callee, arguments } = &self.unit.expression(call)?.kind else {
             return None;
         };
@@ -158,7 +154,7 @@ impl Reader<'_> {
                 _ => return None,
             }
         }
-        Some(StatementKind::Invoke {
+        Some(Statement::Invoke {
             instance: instance.variable,
             inputs,
             outputs,

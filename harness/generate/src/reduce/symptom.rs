@@ -4,7 +4,7 @@
 use std::fmt;
 use std::str::FromStr;
 use stickler_engines::{Diagnostic, Outcome};
-use stickler_types::{Code, Fault};
+use stickler_types::{Code, Fault, Value};
 
 /// A way in which an engine deviates from the expected outcome.
 ///
@@ -72,18 +72,6 @@ impl OutcomeSymptom {
         vec![symptom]
     }
 
-    /// Returns the first of [`OutcomeSymptom::all`].
-    #[must_use]
-    pub fn first(expected: &Outcome, got: &Outcome) -> Option<OutcomeSymptom> {
-        OutcomeSymptom::all(expected, got).into_iter().next()
-    }
-
-    /// Returns the symptom of a rejected valid program, by the first of its diagnostics.
-    #[must_use]
-    pub fn rejected(diagnostics: &[Diagnostic]) -> OutcomeSymptom {
-        OutcomeSymptom::Rejected(diagnostics.first().map(code_or_message).unwrap_or_default())
-    }
-
     /// Returns whether `wanted`, as named by a person, means this symptom: it is the same, or the code in front of the
     /// reason, as `rejected:P0002` is of `rejected:P0002 expected a type`.
     #[must_use]
@@ -104,6 +92,68 @@ impl OutcomeSymptom {
     pub fn shows(&self, expected: &Outcome, got: &Outcome) -> bool {
         OutcomeSymptom::all(expected, got).contains(self)
     }
+}
+
+/// Returns how the outcome of an engine deviates from the values that a program must give, with a message for a person; `None` for
+/// an engine that gives them, or that says that it cannot.
+#[must_use]
+pub fn deviation(expected: &[(String, Value)], got: &Outcome) -> Option<(OutcomeSymptom, String)> {
+    Some(match got {
+        Outcome::Unsupported { .. } | Outcome::NotImplemented { .. } | Outcome::Accepted { .. } => {
+            return None;
+        }
+        Outcome::Executed { values, .. } => return differing_value(expected, values),
+        Outcome::Rejected { diagnostics } => {
+            let message = match diagnostics.first() {
+                Some(first) => format!("expected to be accepted, rejected: {}", diagnostic_line(first)),
+                None => "expected to be accepted, rejected without a reason".to_owned(),
+            };
+            let name = diagnostics.first().map(code_or_message).unwrap_or_default();
+            (OutcomeSymptom::Rejected(name), message)
+        }
+        Outcome::Faulted { fault, line, .. } => {
+            let line = line.map(|line| format!(" on line {line}")).unwrap_or_default();
+            let message = format!("expected to run to its end, got the fault {fault}{line}");
+            (OutcomeSymptom::Fault(*fault), message)
+        }
+        Outcome::Rendered { .. } => (
+            OutcomeSymptom::Error,
+            "answered `rendered` where it was to run".to_owned(),
+        ),
+        Outcome::Crashed { reason } => (OutcomeSymptom::Crash, format!("died: {reason}")),
+        Outcome::Unusable { .. } => (OutcomeSymptom::Crash, got.to_string()),
+        Outcome::TimedOut { .. } => (OutcomeSymptom::Hang, got.to_string()),
+        Outcome::Error { message } => (OutcomeSymptom::Error, message.clone()),
+    })
+}
+
+/// Writes a diagnostic in one line.
+#[must_use]
+pub fn diagnostic_line(diagnostic: &Diagnostic) -> String {
+    let code = diagnostic.code.as_deref().unwrap_or("error");
+    let line = diagnostic.line.map(|line| format!(" on line {line}"));
+    format!("{code}{}: {}", line.unwrap_or_default(), diagnostic.message)
+}
+
+/// Returns the first value that differs. A checksum, which the generator computes from everything else, comes last: it differs because
+/// something else does, which tells more.
+fn differing_value(
+    expected: &[(String, Value)],
+    got: &[(String, Value)],
+) -> Option<(OutcomeSymptom, String)> {
+    let find = |name: &str| {
+        got.iter()
+            .find(|(other, _)| other == name)
+            .map(|(_, value)| value)
+    };
+    let differing = expected.iter().filter(|(name, value)| find(name) != Some(value));
+    let (name, value) = differing.min_by_key(|(name, _)| name.starts_with("checksum"))?;
+    let ty = value.type_name().to_owned();
+    let expected = format!("{name}: expected {value}");
+    Some(match find(name) {
+        Some(other) => (OutcomeSymptom::Value(ty), format!("{expected}, got {other}")),
+        None => (OutcomeSymptom::Missing(ty), format!("{expected}, got no value")),
+    })
 }
 
 /// Returns the names of the diagnostics of a rejection, each once; one empty name if there is no diagnostic.
@@ -168,10 +218,7 @@ fn normalize_message(message: &str) -> String {
 }
 
 /// Returns the symptoms of wrong and missing values, one for each type.
-fn values(
-    expected: &[(String, stickler_types::Value)],
-    got: &[(String, stickler_types::Value)],
-) -> Vec<OutcomeSymptom> {
+fn values(expected: &[(String, Value)], got: &[(String, Value)]) -> Vec<OutcomeSymptom> {
     let mut symptoms = Vec::new();
     for (name, value) in expected {
         let symptom = match got.iter().find(|(other, _)| other == name) {

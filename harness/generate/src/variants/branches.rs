@@ -2,7 +2,7 @@
 
 use super::loops::not;
 use super::walk::{bodies, lists};
-use crate::model::{Program, StatementKind};
+use crate::model::{Program, Statement};
 use crate::random::Random;
 use std::mem;
 
@@ -13,7 +13,7 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
     for body in bodies(program) {
         lists(body.statements, &mut |list| {
             for statement in list {
-                let StatementKind::If(branches, otherwise) = &mut statement.kind else {
+                let Statement::If(branches, otherwise) = statement else {
                     continue;
                 };
                 if let [(condition, then)] = &mut branches[..]

@@ -2,8 +2,8 @@
 
 use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
 use crate::model::{
-    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
-    Type, Variable, VariableId, VariableSection,
+    AssignmentTarget, Expression, LiteralForm, Place, Program, Statement, Type, Variable, VariableId,
+    VariableSection,
 };
 use crate::random::Random;
 use std::collections::HashSet;
@@ -33,7 +33,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             }
             *list = longer;
         });
-        body.statements.push(statement(StatementKind::Return));
+        body.statements.push(Statement::Return);
         // Statements after the last RETURN are never reached.
         if let Some(first) = body
             .statements
@@ -56,7 +56,7 @@ fn settled_variables(
     let mut counting = HashSet::new();
     lists(statements, &mut |list| {
         for statement in list {
-            if let StatementKind::For { variable, .. } = &statement.kind {
+            if let Statement::For { variable, .. } = statement {
                 counting.insert(*variable);
             }
         }
@@ -83,39 +83,27 @@ fn dead(
     let is_simple = !has_loose_exit(&copy);
     match random.below(5) {
         0 => random.pick(settled).map(|&(id, ty)| onto_itself(id, ty)),
-        1 if is_simple => Some(statement(StatementKind::While(truth(false), copy))),
-        2 => Some(statement(StatementKind::If(
+        1 if is_simple => Some(Statement::While(truth(false), copy)),
+        2 => Some(Statement::If(
             vec![(truth(true), Vec::new()), (truth(true), copy)],
             None,
-        ))),
-        3 => Some(statement(StatementKind::If(
-            vec![(truth(true), Vec::new())],
-            Some(copy),
-        ))),
-        _ => Some(statement(StatementKind::If(vec![(truth(false), copy)], None))),
+        )),
+        3 => Some(Statement::If(vec![(truth(true), Vec::new())], Some(copy))),
+        _ => Some(Statement::If(vec![(truth(false), copy)], None)),
     }
 }
 
 /// Creates `a := a;`.
 fn onto_itself(id: VariableId, ty: ElementaryType) -> Statement {
     let place = Place::whole(id, Type::Elementary(ty));
-    let value = Expression {
-        ty: Type::Elementary(ty),
-        kind: ExpressionKind::Read(place.clone()),
-    };
-    statement(StatementKind::Assign(AssignmentTarget::Place(place), value))
+    let value = Expression::read(place.clone());
+    Statement::Assign(AssignmentTarget::Place(place), value)
 }
 
 fn truth(value: bool) -> Expression {
-    Expression {
-        ty: Type::Elementary(ElementaryType::Bool),
-        kind: ExpressionKind::Literal(
-            Value::plain(ElementaryType::Bool, u64::from(value)),
-            LiteralForm::Untyped,
-        ),
-    }
-}
-
-const fn statement(kind: StatementKind) -> Statement {
-    Statement { kind }
+    Expression::literal(
+        ElementaryType::Bool,
+        Value::plain(ElementaryType::Bool, u64::from(value)),
+        LiteralForm::Untyped,
+    )
 }

@@ -3,8 +3,8 @@
 use super::walk::{bodies, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
 use crate::model::{
-    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, StatementKind,
-    Type, UnaryOperator, Variable, VariableId,
+    AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type,
+    UnaryOperator, Variable, VariableId,
 };
 use crate::random::Random;
 use stickler_types::{ElementaryType, Value};
@@ -43,8 +43,8 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
 /// Returns the statements that replace a loop: all its iterations, or the first one followed by the loop; `None` if the
 /// statement cannot be unrolled, because EXIT in a copy of the body would leave another loop, or none.
 fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<Statement>> {
-    match &statement.kind {
-        StatementKind::For {
+    match statement {
+        Statement::For {
             variable,
             from,
             to,
@@ -61,20 +61,14 @@ fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<St
             }
             Some(statements)
         }
-        StatementKind::While(condition, body) if !has_loose_exit(body) => {
+        Statement::While(condition, body) if !has_loose_exit(body) => {
             let mut inside = body.clone();
             inside.push(statement.clone());
-            Some(vec![of_kind(StatementKind::If(
-                vec![(condition.clone(), inside)],
-                None,
-            ))])
+            Some(vec![Statement::If(vec![(condition.clone(), inside)], None)])
         }
-        StatementKind::Repeat(body, until) if !has_loose_exit(body) => {
+        Statement::Repeat(body, until) if !has_loose_exit(body) => {
             let mut statements = body.clone();
-            statements.push(of_kind(StatementKind::If(
-                vec![(not(until), vec![statement.clone()])],
-                None,
-            )));
+            statements.push(Statement::If(vec![(not(until), vec![statement.clone()])], None));
             Some(statements)
         }
         _ => None,
@@ -105,14 +99,11 @@ fn literal(expression: &Expression) -> Option<i128> {
 
 /// Creates `variable := value;`.
 fn assigned(variable: VariableId, ty: ElementaryType, value: i128) -> Statement {
-    let literal = Expression {
-        ty: Type::Elementary(ty),
-        kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(value)), LiteralForm::Typed),
-    };
-    of_kind(StatementKind::Assign(
+    let literal = Expression::literal(ty, Value::plain(ty, ty.wrap(value)), LiteralForm::Typed);
+    Statement::Assign(
         AssignmentTarget::Place(Place::whole(variable, Type::Elementary(ty))),
         literal,
-    ))
+    )
 }
 
 /// Creates `NOT condition`.
@@ -121,10 +112,6 @@ pub(super) fn not(condition: &Expression) -> Expression {
         ty: condition.ty.clone(),
         kind: ExpressionKind::Unary(UnaryOperator::Not, Box::new(condition.clone())),
     }
-}
-
-fn of_kind(kind: StatementKind) -> Statement {
-    Statement { kind }
 }
 
 /// Counts statements, including those inside them.

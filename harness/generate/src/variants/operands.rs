@@ -3,8 +3,8 @@
 use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
 use crate::model::visit_mut::operands;
 use crate::model::{
-    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Program, Statement, StatementKind,
-    VariableId, VariableSection,
+    AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Program, Statement, VariableId,
+    VariableSection,
 };
 use crate::random::Random;
 use std::mem;
@@ -56,7 +56,7 @@ pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize
         lists(&mut statements, &mut |list| {
             let mut split = Vec::with_capacity(list.len());
             for mut statement in list.drain(..) {
-                if let StatementKind::Assign(_, value) = &mut statement.kind {
+                if let Statement::Assign(_, value) = &mut statement {
                     for operand in operands(value) {
                         if is_worth_a_variable(operand) && !random.chance(1, 3) {
                             split.push(separate(operand, &mut body, &mut names));
@@ -84,12 +84,7 @@ const fn is_worth_a_variable(operand: &Expression) -> bool {
 fn separate(operand: &mut Expression, body: &mut Body<'_>, names: &mut FreeNames) -> Statement {
     let ty = operand.ty.clone();
     let id: VariableId = body.add(variable(names.next("part"), ty.clone(), VariableSection::Local));
-    let read = Expression {
-        ty: ty.clone(),
-        kind: ExpressionKind::Read(Place::whole(id, ty.clone())),
-    };
+    let read = Expression::read(Place::whole(id, ty.clone()));
     let value = mem::replace(operand, read);
-    Statement {
-        kind: StatementKind::Assign(AssignmentTarget::Place(Place::whole(id, ty)), value),
-    }
+    Statement::Assign(AssignmentTarget::Place(Place::whole(id, ty)), value)
 }

@@ -1,94 +1,53 @@
 //! The variants by name.
 
-use super::{branches, capitals, dead_code, literals, loops, operands, spelling};
+use super::{branches, capitals, dead_code, literals, loops, operands};
 use crate::dialect::has_partial_access;
 use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write};
 use arbitrary::Unstructured;
 use stickler_reference::render;
+use stickler_types::words;
 
-/// A way to write a program differently without changing its meaning.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Variant {
-    /// Keywords in lower or mixed case.
-    Keywords,
-    /// Every letter outside texts and comments in a random case; names are case-insensitive too.
-    Capitals,
-    /// Comments in the place of blanks.
-    Comments,
-    /// Lines that end with a carriage return and a line feed.
-    LineEnds,
-    /// Literals in other notations: bases, underscores, exponents, `T#1m30s`, characters by their codes.
-    Notation,
-    /// `.%Xn` for `.n`.
-    Bits,
-    /// A conversion function for each implicit conversion.
-    ExplicitConversions,
-    /// Named arguments for positional ones.
-    NamedArguments,
-    /// Literals moved to variables and named constants.
-    ConstantsHoisted,
-    /// `INT#5` for `5`.
-    TypedLiterals,
-    /// Exchanged operands of commutative operators and of comparisons.
-    OperandsSwapped,
-    /// Operands in variables of their own, assigned just before.
-    Temporaries,
-    /// FOR loops unrolled; the first iteration of WHILE and REPEAT peeled off.
-    LoopUnrolled,
-    /// Statements that are never reached, assignments of a variable to itself, variables that are never read.
-    DeadCode,
-    /// `IF NOT c THEN b ELSE a` for `IF c THEN a ELSE b`.
-    BranchesSwapped,
-    /// The output of the renderer of the reference.
-    Rendered,
+words! {
+    /// A way to write a program differently without changing its meaning.
+    Variant {
+        /// Keywords in lower or mixed case.
+        Keywords = "keywords",
+        /// Every letter outside texts and comments in a random case; names are case-insensitive too.
+        Capitals = "capitals",
+        /// Comments in the place of blanks.
+        Comments = "comments",
+        /// Lines that end with a carriage return and a line feed.
+        LineEnds = "line-ends",
+        /// Literals in other notations: bases, underscores, exponents, `T#1m30s`, characters by their codes.
+        Notation = "notation",
+        /// `.%Xn` for `.n`.
+        Bits = "bits",
+        /// A conversion function for each implicit conversion.
+        ExplicitConversions = "explicit-conversions",
+        /// Named arguments for positional ones.
+        NamedArguments = "named-arguments",
+        /// Literals moved to variables and named constants.
+        ConstantsHoisted = "constants-hoisted",
+        /// `INT#5` for `5`.
+        TypedLiterals = "typed-literals",
+        /// Exchanged operands of commutative operators and of comparisons.
+        OperandsSwapped = "operands-swapped",
+        /// Operands in variables of their own, assigned just before.
+        Temporaries = "temporaries",
+        /// FOR loops unrolled; the first iteration of WHILE and REPEAT peeled off.
+        LoopUnrolled = "loop-unrolled",
+        /// Statements that are never reached, assignments of a variable to itself, variables that are never read.
+        DeadCode = "dead-code",
+        /// `IF NOT c THEN b ELSE a` for `IF c THEN a ELSE b`.
+        BranchesSwapped = "branches-swapped",
+        /// The output of the renderer of the reference.
+        Rendered = "rendered",
+    }
 }
 
 impl Variant {
-    /// Every variant, in the order of the declaration.
-    pub const ALL: [Variant; 16] = [
-        Variant::Keywords,
-        Variant::Capitals,
-        Variant::Comments,
-        Variant::LineEnds,
-        Variant::Notation,
-        Variant::Bits,
-        Variant::ExplicitConversions,
-        Variant::NamedArguments,
-        Variant::ConstantsHoisted,
-        Variant::TypedLiterals,
-        Variant::OperandsSwapped,
-        Variant::Temporaries,
-        Variant::LoopUnrolled,
-        Variant::DeadCode,
-        Variant::BranchesSwapped,
-        Variant::Rendered,
-    ];
-
-    /// Returns the name in symptoms and reports.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Variant::Keywords => "keywords",
-            Variant::Capitals => "capitals",
-            Variant::Comments => "comments",
-            Variant::LineEnds => "line-ends",
-            Variant::Notation => "notation",
-            Variant::Bits => "bits",
-            Variant::ExplicitConversions => "explicit-conversions",
-            Variant::NamedArguments => "named-arguments",
-            Variant::ConstantsHoisted => "constants-hoisted",
-            Variant::TypedLiterals => "typed-literals",
-            Variant::OperandsSwapped => "operands-swapped",
-            Variant::Temporaries => "temporaries",
-            Variant::LoopUnrolled => "loop-unrolled",
-            Variant::DeadCode => "dead-code",
-            Variant::BranchesSwapped => "branches-swapped",
-            Variant::Rendered => "rendered",
-        }
-    }
-
     /// Returns the text of this variant of a program; `None` if the program has nothing that could be varied.
     ///
     /// The input chooses what is varied. Variables that a variant adds come after those of the program, and every path of
@@ -96,74 +55,37 @@ impl Variant {
     #[must_use]
     pub fn text(self, program: &Program, input: &mut Unstructured<'_>) -> Option<String> {
         let mut random = Random::new(input);
+        let mut style = Style::default();
         match self {
             Variant::Keywords => {
-                let keywords = [Keywords::Lower, Keywords::Mixed];
-                let keywords = *random.pick(&keywords)?;
-                spelling::other(
-                    program,
-                    Style {
-                        keywords,
-                        seed: random.bits(),
-                        ..Style::default()
-                    },
-                )
+                style.keywords = *random.pick(&[Keywords::Lower, Keywords::Mixed])?;
+                style.seed = random.bits();
             }
-            Variant::Capitals => capitals::random_case(program, &mut random),
             Variant::Comments => {
-                let style = Style {
-                    comments: true,
-                    seed: random.bits(),
-                    ..Style::default()
-                };
-                spelling::other(program, style)
+                style.comments = true;
+                style.seed = random.bits();
             }
-            Variant::LineEnds => spelling::other(
-                program,
-                Style {
-                    line_ends: LineEnds::CrLf,
-                    ..Style::default()
-                },
-            ),
-            Variant::Notation => spelling::other(
-                program,
-                Style {
-                    notation: Notation::Varied,
-                    seed: random.bits(),
-                    ..Style::default()
-                },
-            ),
-            Variant::Bits if has_partial_access(program.dialect) => spelling::other(
-                program,
-                Style {
-                    bits: Bits::Percent,
-                    ..Style::default()
-                },
-            ),
-            Variant::Bits => None,
-            Variant::ExplicitConversions => spelling::other(
-                program,
-                Style {
-                    widening: WideningForm::Explicit,
-                    ..Style::default()
-                },
-            ),
-            Variant::NamedArguments => spelling::other(
-                program,
-                Style {
-                    arguments: ArgumentForm::Named,
-                    ..Style::default()
-                },
-            ),
-            Variant::ConstantsHoisted => changed(program, &mut random, literals::hoist),
-            Variant::TypedLiterals => changed(program, &mut random, literals::type_all),
-            Variant::OperandsSwapped => changed(program, &mut random, operands::swap),
-            Variant::Temporaries => changed(program, &mut random, operands::split),
-            Variant::LoopUnrolled => changed(program, &mut random, loops::unroll),
-            Variant::DeadCode => changed(program, &mut random, dead_code::insert),
-            Variant::BranchesSwapped => changed(program, &mut random, branches::swap),
-            Variant::Rendered => Some(rendered(program, &mut random)),
+            Variant::LineEnds => style.line_ends = LineEnds::CrLf,
+            Variant::Notation => {
+                style.notation = Notation::Varied;
+                style.seed = random.bits();
+            }
+            Variant::Bits if has_partial_access(program.dialect) => style.bits = Bits::Percent,
+            Variant::Bits => return None,
+            Variant::ExplicitConversions => style.widening = WideningForm::Explicit,
+            Variant::NamedArguments => style.arguments = ArgumentForm::Named,
+            Variant::Capitals => return capitals::random_case(program, &mut random),
+            Variant::ConstantsHoisted => return changed(program, &mut random, literals::hoist),
+            Variant::TypedLiterals => return changed(program, &mut random, literals::type_all),
+            Variant::OperandsSwapped => return changed(program, &mut random, operands::swap),
+            Variant::Temporaries => return changed(program, &mut random, operands::split),
+            Variant::LoopUnrolled => return changed(program, &mut random, loops::unroll),
+            Variant::DeadCode => return changed(program, &mut random, dead_code::insert),
+            Variant::BranchesSwapped => return changed(program, &mut random, branches::swap),
+            Variant::Rendered => return Some(rendered(program, &mut random)),
         }
+        let text = write(program, &style).text;
+        (text != write(program, &Style::default()).text).then_some(text)
     }
 }
 

@@ -2,8 +2,7 @@
 
 use crate::model::visit_mut::{self, VisitorMut, walk_expression, walk_statements};
 use crate::model::{
-    DeclaredKind, Expression, Program, Statement, StatementKind, Type, Unit, Variable, VariableId,
-    VariableSection, visit,
+    DeclaredKind, Expression, Program, Statement, Type, Unit, Variable, VariableId, VariableSection, visit,
 };
 use std::collections::HashSet;
 
@@ -121,7 +120,6 @@ pub(super) fn lists(statements: &mut Vec<Statement>, visit: &mut dyn FnMut(&mut 
 pub(super) fn has_loose_exit(statements: &[Statement]) -> bool {
     statements.iter().any(|statement| {
         let mut inner = visit::bodies(statement).into_iter();
-        matches!(statement.kind, StatementKind::Exit)
-            || !statement.is_loop() && inner.any(|body| has_loose_exit(body))
+        matches!(statement, Statement::Exit) || !statement.is_loop() && inner.any(|body| has_loose_exit(body))
     })
 }

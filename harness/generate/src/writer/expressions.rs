@@ -5,7 +5,7 @@ use super::source_writer::SourceWriter;
 use super::style::{ArgumentForm, Bits, WideningForm};
 use crate::model::{
     Argument, BinaryOperator, DeclaredKind, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector,
-    StandardFunction, Type, UnaryOperator, Variable,
+    Type, UnaryOperator, Variable,
 };
 use stickler_exact::signatures;
 
@@ -39,46 +39,6 @@ const fn operator_strength(operator: BinaryOperator) -> u8 {
     }
 }
 
-/// Returns the spelling of an infix operator, in upper case.
-pub(crate) const fn operator_text(operator: BinaryOperator) -> &'static str {
-    use BinaryOperator as B;
-    match operator {
-        B::Add => "+",
-        B::Subtract => "-",
-        B::Multiply => "*",
-        B::Divide => "/",
-        B::Modulo => "MOD",
-        B::And => "AND",
-        B::Or => "OR",
-        B::Xor => "XOR",
-        B::Equal => "=",
-        B::NotEqual => "<>",
-        B::Less => "<",
-        B::LessOrEqual => "<=",
-        B::Greater => ">",
-        B::GreaterOrEqual => ">=",
-    }
-}
-
-/// Returns the name of a standard function, in upper case.
-pub(crate) const fn function_name(function: StandardFunction) -> &'static str {
-    use StandardFunction as S;
-    match function {
-        S::Abs => "ABS",
-        S::Sel => "SEL",
-        S::Mux => "MUX",
-        S::Min => "MIN",
-        S::Max => "MAX",
-        S::Limit => "LIMIT",
-        S::Shl => "SHL",
-        S::Shr => "SHR",
-        S::Rol => "ROL",
-        S::Ror => "ROR",
-        S::Len => "LEN",
-        S::Concat => "CONCAT",
-    }
-}
-
 impl SourceWriter<'_> {
     /// Writes an expression in the POU that declares `variables`.
     pub fn expression(&mut self, expression: &Expression, variables: &[Variable]) {
@@ -95,7 +55,7 @@ impl SourceWriter<'_> {
             }
             ExpressionKind::Call(function, arguments) => self.function(*function, arguments, variables),
             ExpressionKind::Standard(function, arguments) => {
-                self.call(function_name(*function), arguments, variables);
+                self.call(function.as_str(), arguments, variables);
             }
             ExpressionKind::Raw(text) => self.raw(text),
         }
@@ -176,7 +136,7 @@ impl SourceWriter<'_> {
         // Comparisons of comparisons read badly, and some compilers have no rule for them.
         let left_needs = if (4..=5).contains(&own) { 6 } else { own };
         self.operand(left, left_needs, variables);
-        self.between_blanks(operator_text(operator));
+        self.between_blanks(operator.as_str());
         self.operand(right, (own + 1).max(left_needs), variables);
     }
 

@@ -2,8 +2,8 @@
 
 use super::source_writer::SourceWriter;
 use crate::model::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, StatementKind, Type,
-    Variable, VariableId,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, Type, Variable,
+    VariableId,
 };
 
 /// The POU whose statements are written.
@@ -31,17 +31,17 @@ impl SourceWriter<'_> {
     }
 
     fn statement(&mut self, statement: &Statement, pou: PouText<'_>) {
-        match &statement.kind {
-            StatementKind::Assign(target, value) => {
+        match statement {
+            Statement::Assign(target, value) => {
                 self.target(target, pou);
                 self.between_blanks(":=");
                 self.expression(value, pou.variables);
             }
-            StatementKind::If(branches, otherwise) => self.branches(branches, otherwise.as_deref(), pou),
-            StatementKind::Case(selector, branches, otherwise) => {
+            Statement::If(branches, otherwise) => self.branches(branches, otherwise.as_deref(), pou),
+            Statement::Case(selector, branches, otherwise) => {
                 self.case(selector, branches, otherwise.as_deref(), pou);
             }
-            StatementKind::For {
+            Statement::For {
                 variable,
                 from,
                 to,
@@ -52,7 +52,7 @@ impl SourceWriter<'_> {
                 self.statements(body, pou);
                 self.closing("END_FOR");
             }
-            StatementKind::While(condition, body) => {
+            Statement::While(condition, body) => {
                 self.word("WHILE");
                 self.blank();
                 self.expression(condition, pou.variables);
@@ -61,7 +61,7 @@ impl SourceWriter<'_> {
                 self.statements(body, pou);
                 self.closing("END_WHILE");
             }
-            StatementKind::Repeat(body, condition) => {
+            Statement::Repeat(body, condition) => {
                 self.word("REPEAT");
                 self.statements(body, pou);
                 self.closing("UNTIL");
@@ -69,14 +69,14 @@ impl SourceWriter<'_> {
                 self.expression(condition, pou.variables);
                 self.closing("END_REPEAT");
             }
-            StatementKind::Invoke {
+            Statement::Invoke {
                 instance,
                 inputs,
                 outputs,
             } => self.invocation(*instance, inputs, outputs, pou),
-            StatementKind::Exit => self.word("EXIT"),
-            StatementKind::Return => self.word("RETURN"),
-            StatementKind::Raw(text) => return self.raw(text),
+            Statement::Exit => self.word("EXIT"),
+            Statement::Return => self.word("RETURN"),
+            Statement::Raw(text) => return self.raw(text),
         }
         self.put(";");
     }

@@ -4,9 +4,7 @@
 use arbitrary::Unstructured;
 use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
-use stickler_generate::model::{
-    AssignmentTarget, Expression, ExpressionKind, Program, Statement, StatementKind,
-};
+use stickler_generate::model::{AssignmentTarget, Expression, ExpressionKind, Program, Statement};
 use stickler_generate::writer::{
     ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write,
 };
@@ -23,53 +21,28 @@ fn made(dialect: DialectName, seed: u8) -> Program {
     program(&mut Unstructured::new(&bytes), &settings)
 }
 
+/// Returns the canonical style with a change.
+fn with(change: impl FnOnce(&mut Style)) -> Style {
+    let mut style = Style::default();
+    change(&mut style);
+    style
+}
+
 /// Each thing that a style can change, alone.
 fn styles(dialect: DialectName) -> Vec<Style> {
-    let canonical = Style::default();
-    let mut styles = vec![
-        Style {
-            keywords: Keywords::Lower,
-            ..canonical
-        },
-        Style {
-            keywords: Keywords::Mixed,
-            seed: 7,
-            ..canonical
-        },
-        Style {
-            comments: true,
-            seed: 3,
-            ..canonical
-        },
-        Style {
-            comments: true,
-            line_ends: LineEnds::CrLf,
-            seed: 4,
-            ..canonical
-        },
-        Style {
-            notation: Notation::Varied,
-            ..canonical
-        },
-        Style {
-            notation: Notation::Varied,
-            seed: 1,
-            ..canonical
-        },
-        Style {
-            widening: WideningForm::Explicit,
-            ..canonical
-        },
-        Style {
-            arguments: ArgumentForm::Named,
-            ..canonical
-        },
+    let changes: [fn(&mut Style); 8] = [
+        |style| style.keywords = Keywords::Lower,
+        |style| (style.keywords, style.seed) = (Keywords::Mixed, 7),
+        |style| (style.comments, style.seed) = (true, 3),
+        |style| (style.comments, style.line_ends, style.seed) = (true, LineEnds::CrLf, 4),
+        |style| style.notation = Notation::Varied,
+        |style| (style.notation, style.seed) = (Notation::Varied, 1),
+        |style| style.widening = WideningForm::Explicit,
+        |style| style.arguments = ArgumentForm::Named,
     ];
+    let mut styles = changes.map(with).to_vec();
     if matches!(dialect, DialectName::IRONPLC_ED3 | DialectName::IRONPLC_RUSTY) {
-        styles.push(Style {
-            bits: Bits::Percent,
-            ..canonical
-        });
+        styles.push(with(|style| style.bits = Bits::Percent));
     }
     styles
 }
@@ -110,67 +83,32 @@ fn every_style_is_accepted_and_means_the_same() {
 fn a_style_changes_the_text() {
     let program = made(DialectName::IRONPLC_RUSTY, 5);
     let canonical = write(&program, &Style::default()).text;
-    let lower = write(
-        &program,
-        &Style {
-            keywords: Keywords::Lower,
-            ..Style::default()
-        },
-    )
-    .text;
+    let written = |change: fn(&mut Style)| write(&program, &with(change)).text;
+    let lower = written(|style| style.keywords = Keywords::Lower);
     assert_ne!(canonical, lower);
     assert!(canonical.eq_ignore_ascii_case(&lower));
-    let ends = write(
-        &program,
-        &Style {
-            line_ends: LineEnds::CrLf,
-            ..Style::default()
-        },
-    )
-    .text;
+    let ends = written(|style| style.line_ends = LineEnds::CrLf);
     assert_eq!(ends.replace("\r\n", "\n"), canonical);
-    let comments = write(
-        &program,
-        &Style {
-            comments: true,
-            ..Style::default()
-        },
-    )
-    .text;
-    assert!(comments.contains("(*"));
+    assert!(written(|style| style.comments = true).contains("(*"));
 }
 
 #[test]
 fn the_lines_of_raw_text_are_remembered() {
     let mut program = made(DialectName::IRONPLC_ED3, 1);
-    let broken = Statement {
-        kind: StatementKind::Raw("rubbish\n    ;".to_owned()),
-    };
-    let target = program
-        .main
-        .body
-        .iter()
-        .find_map(|statement| match &statement.kind {
-            StatementKind::Assign(AssignmentTarget::Place(place), _) => Some(place.clone()),
-            _ => None,
-        });
+    let broken = Statement::Raw("rubbish\n    ;".to_owned());
+    let target = program.main.body.iter().find_map(|statement| match statement {
+        Statement::Assign(AssignmentTarget::Place(place), _) => Some(place.clone()),
+        _ => None,
+    });
     let target = target.expect("every program assigns something");
     let value = Expression {
         ty: target.ty.clone(),
         kind: ExpressionKind::Raw("nonsense".to_owned()),
     };
-    let assigned = Statement {
-        kind: StatementKind::Assign(AssignmentTarget::Place(target), value),
-    };
+    let assigned = Statement::Assign(AssignmentTarget::Place(target), value);
     program.main.body.extend([broken, assigned]);
-    for style in [
-        Style::default(),
-        Style {
-            comments: true,
-            line_ends: LineEnds::CrLf,
-            ..Style::default()
-        },
-    ] {
+    let other = with(|style| (style.comments, style.line_ends) = (true, LineEnds::CrLf));
+    for style in [Style::default(), other] {
         let written = write(&program, &style);
         let line_of = |part: &str| {
             written

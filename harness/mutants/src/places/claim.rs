@@ -1,7 +1,7 @@
 //! The claims that saboteurs break, and the ways in which they break them.
 
 use std::fmt;
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, words};
 
 /// A claim of the documents about values that change their type, or about bits.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -18,116 +18,122 @@ pub enum ConversionClaim {
     Bit(BitClaim, Direction, PartForm),
 }
 
-/// The kinds of pairs of types between which values convert.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum PairKind {
-    /// A signed integer to one that holds all its values.
-    SignedToWider,
-    /// An unsigned integer to one that holds all its values.
-    UnsignedToWider,
-    /// An integer to one that does not hold all its values.
-    IntegerToNarrower,
-    /// An integer to REAL or LREAL.
-    IntegerToReal,
-    /// An integer to a bit string.
-    IntegerToBitString,
-    /// REAL to LREAL.
-    RealToLreal,
-    /// LREAL to REAL.
-    LrealToReal,
-    /// A real number to an integer.
-    RealToInteger,
-    /// A real number to a bit string.
-    RealToBitString,
-    /// A bit string to a wider one.
-    BitStringToWider,
-    /// A bit string to a narrower one.
-    BitStringToNarrower,
-    /// A bit string to an integer that holds all its values.
-    BitStringToWiderInteger,
-    /// A bit string to an integer that does not hold all its values.
-    BitStringToNarrowerInteger,
-    /// A bit string to a real number.
-    BitStringToReal,
-    /// BOOL to a number or a bit string.
-    BoolToNumber,
-    /// A number or a bit string to BOOL.
-    NumberToBool,
-    /// A duration, a date or a time of day to another type.
-    FromTime,
-    /// Another type to a duration, a date or a time of day.
-    ToTime,
-    /// A text or a character to another type.
-    FromText,
-    /// Another type to a text or a character.
-    ToText,
+words! {
+    /// The kinds of pairs of types between which values convert.
+    PairKind {
+        /// A signed integer to one that holds all its values.
+        SignedToWider = "signed-to-wider",
+        /// An unsigned integer to one that holds all its values.
+        UnsignedToWider = "unsigned-to-wider",
+        /// An integer to one that does not hold all its values.
+        IntegerToNarrower = "integer-to-narrower",
+        /// An integer to REAL or LREAL.
+        IntegerToReal = "integer-to-real",
+        /// An integer to a bit string.
+        IntegerToBitString = "integer-to-bit-string",
+        /// REAL to LREAL.
+        RealToLreal = "real-to-lreal",
+        /// LREAL to REAL.
+        LrealToReal = "lreal-to-real",
+        /// A real number to an integer.
+        RealToInteger = "real-to-integer",
+        /// A real number to a bit string.
+        RealToBitString = "real-to-bit-string",
+        /// A bit string to a wider one.
+        BitStringToWider = "bit-string-to-wider",
+        /// A bit string to a narrower one.
+        BitStringToNarrower = "bit-string-to-narrower",
+        /// A bit string to an integer that holds all its values.
+        BitStringToWiderInteger = "bit-string-to-wider-integer",
+        /// A bit string to an integer that does not hold all its values.
+        BitStringToNarrowerInteger = "bit-string-to-narrower-integer",
+        /// A bit string to a real number.
+        BitStringToReal = "bit-string-to-real",
+        /// BOOL to a number or a bit string.
+        BoolToNumber = "bool-to-number",
+        /// A number or a bit string to BOOL.
+        NumberToBool = "number-to-bool",
+        /// A duration, a date or a time of day to another type.
+        FromTime = "from-time",
+        /// Another type to a duration, a date or a time of day.
+        ToTime = "to-time",
+        /// A text or a character to another type.
+        FromText = "from-text",
+        /// Another type to a text or a character.
+        ToText = "to-text",
+    }
 }
 
-/// The kinds of literals without a type, and of types that they meet.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum LiteralPair {
-    /// An integer where an integer is expected.
-    IntegerAsInteger,
-    /// An integer where a real number is expected.
-    IntegerAsReal,
-    /// An integer where a bit string is expected.
-    IntegerAsBitString,
-    /// An integer where a type of another family is expected.
-    IntegerAsOther,
-    /// A real number where a real number is expected.
-    RealAsReal,
-    /// A real number where a type of another family is expected.
-    RealAsOther,
-    /// A text where a text is expected.
-    TextAsText,
-    /// A text where a type of another family is expected.
-    TextAsOther,
+words! {
+    /// The kinds of literals without a type, and of types that they meet.
+    LiteralPair {
+        /// An integer where an integer is expected.
+        IntegerAsInteger = "integer-as-integer",
+        /// An integer where a real number is expected.
+        IntegerAsReal = "integer-as-real",
+        /// An integer where a bit string is expected.
+        IntegerAsBitString = "integer-as-bit-string",
+        /// An integer where a type of another family is expected.
+        IntegerAsOther = "integer-as-other",
+        /// A real number where a real number is expected.
+        RealAsReal = "real-as-real",
+        /// A real number where a type of another family is expected.
+        RealAsOther = "real-as-other",
+        /// A text where a text is expected.
+        TextAsText = "text-as-text",
+        /// A text where a type of another family is expected.
+        TextAsOther = "text-as-other",
+    }
 }
 
-/// The claims about bits.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum BitClaim {
-    /// The bit of that number is read or written.
-    Selected,
-    /// A bit that the type does not have is rejected.
-    Outside,
-    /// A bit of a type that has none is rejected.
-    NoBits,
-    /// A form that the dialect does not have is rejected.
-    NoSuchForm,
-    /// A rendered selection names the bit of the program.
-    Rendered,
+words! {
+    /// The claims about bits.
+    BitClaim {
+        /// The bit of that number is read or written.
+        Selected = "bit",
+        /// A bit that the type does not have is rejected.
+        Outside = "bit-outside",
+        /// A bit of a type that has none is rejected.
+        NoBits = "no-bits",
+        /// A form that the dialect does not have is rejected.
+        NoSuchForm = "no-such-form",
+        /// A rendered selection names the bit of the program.
+        Rendered = "rendered-bit",
+    }
 }
 
-/// Whether a bit is read or written.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Direction {
-    /// The bit is read.
-    Read,
-    /// The bit is written.
-    Written,
+words! {
+    /// Whether a bit is read or written.
+    Direction {
+        /// The bit is read.
+        Read = "read",
+        /// The bit is written.
+        Written = "written",
+    }
 }
 
-/// The forms of partial access.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum PartForm {
-    /// `.n`.
-    Short,
-    /// `.%Xn`.
-    PartialAccess,
-    /// `.%Bn`, `.%Wn`, `.%Dn` and `.%Ln`.
-    Wider,
+words! {
+    /// The forms of partial access.
+    PartForm {
+        /// `.n`.
+        Short = "short",
+        /// `.%Xn`.
+        PartialAccess = "partial-access",
+        /// `.%Bn`, `.%Wn`, `.%Dn` and `.%Ln`.
+        Wider = "wider",
+    }
 }
 
-/// The way in which a claim is broken.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum ClaimBreach {
-    /// A program that must be accepted is rejected.
-    Refused,
-    /// A program that must be rejected is accepted.
-    Admitted,
-    /// The value, the bit or the text is another.
-    Wrong,
+words! {
+    /// The way in which a claim is broken.
+    ClaimBreach {
+        /// A program that must be accepted is rejected.
+        Refused = "refused",
+        /// A program that must be rejected is accepted.
+        Admitted = "admitted",
+        /// The value, the bit or the text is another.
+        Wrong = "wrong",
+    }
 }
 
 /// A claim and the way in which it is broken.
@@ -140,30 +146,6 @@ pub struct Rule {
 }
 
 impl PairKind {
-    /// All kinds.
-    pub const ALL: [PairKind; 20] = [
-        PairKind::SignedToWider,
-        PairKind::UnsignedToWider,
-        PairKind::IntegerToNarrower,
-        PairKind::IntegerToReal,
-        PairKind::IntegerToBitString,
-        PairKind::RealToLreal,
-        PairKind::LrealToReal,
-        PairKind::RealToInteger,
-        PairKind::RealToBitString,
-        PairKind::BitStringToWider,
-        PairKind::BitStringToNarrower,
-        PairKind::BitStringToWiderInteger,
-        PairKind::BitStringToNarrowerInteger,
-        PairKind::BitStringToReal,
-        PairKind::BoolToNumber,
-        PairKind::NumberToBool,
-        PairKind::FromTime,
-        PairKind::ToTime,
-        PairKind::FromText,
-        PairKind::ToText,
-    ];
-
     /// Returns the kind of a pair of types; `None` for a type and itself.
     #[must_use]
     pub fn of(from: ElementaryType, to: ElementaryType) -> Option<PairKind> {
@@ -195,58 +177,6 @@ impl PairKind {
             (_, _) => PairKind::FromTime,
         })
     }
-
-    const fn name(self) -> &'static str {
-        match self {
-            PairKind::SignedToWider => "signed-to-wider",
-            PairKind::UnsignedToWider => "unsigned-to-wider",
-            PairKind::IntegerToNarrower => "integer-to-narrower",
-            PairKind::IntegerToReal => "integer-to-real",
-            PairKind::IntegerToBitString => "integer-to-bit-string",
-            PairKind::RealToLreal => "real-to-lreal",
-            PairKind::LrealToReal => "lreal-to-real",
-            PairKind::RealToInteger => "real-to-integer",
-            PairKind::RealToBitString => "real-to-bit-string",
-            PairKind::BitStringToWider => "bit-string-to-wider",
-            PairKind::BitStringToNarrower => "bit-string-to-narrower",
-            PairKind::BitStringToWiderInteger => "bit-string-to-wider-integer",
-            PairKind::BitStringToNarrowerInteger => "bit-string-to-narrower-integer",
-            PairKind::BitStringToReal => "bit-string-to-real",
-            PairKind::BoolToNumber => "bool-to-number",
-            PairKind::NumberToBool => "number-to-bool",
-            PairKind::FromTime => "from-time",
-            PairKind::ToTime => "to-time",
-            PairKind::FromText => "from-text",
-            PairKind::ToText => "to-text",
-        }
-    }
-}
-
-impl LiteralPair {
-    /// All kinds.
-    pub const ALL: [LiteralPair; 8] = [
-        LiteralPair::IntegerAsInteger,
-        LiteralPair::IntegerAsReal,
-        LiteralPair::IntegerAsBitString,
-        LiteralPair::IntegerAsOther,
-        LiteralPair::RealAsReal,
-        LiteralPair::RealAsOther,
-        LiteralPair::TextAsText,
-        LiteralPair::TextAsOther,
-    ];
-
-    const fn name(self) -> &'static str {
-        match self {
-            LiteralPair::IntegerAsInteger => "integer-as-integer",
-            LiteralPair::IntegerAsReal => "integer-as-real",
-            LiteralPair::IntegerAsBitString => "integer-as-bit-string",
-            LiteralPair::IntegerAsOther => "integer-as-other",
-            LiteralPair::RealAsReal => "real-as-real",
-            LiteralPair::RealAsOther => "real-as-other",
-            LiteralPair::TextAsText => "text-as-text",
-            LiteralPair::TextAsOther => "text-as-other",
-        }
-    }
 }
 
 impl Rule {
@@ -260,7 +190,7 @@ impl Rule {
     #[must_use]
     pub fn all() -> Vec<Rule> {
         let pairs = |claim: fn(PairKind) -> ConversionClaim, faults: &'static [ClaimBreach]| {
-            let rules = PairKind::ALL.into_iter().flat_map(move |kind| {
+            let rules = PairKind::ALL.iter().flat_map(move |&kind| {
                 let claim = claim(kind);
                 faults.iter().map(move |&fault| Rule { claim, fault })
             });
@@ -270,7 +200,7 @@ impl Rule {
             ConversionClaim::Implicit,
             &[ClaimBreach::Refused, ClaimBreach::Wrong, ClaimBreach::Admitted],
         );
-        rules.extend(LiteralPair::ALL.into_iter().flat_map(|pair| {
+        rules.extend(LiteralPair::ALL.iter().flat_map(|&pair| {
             let claim = ConversionClaim::Literal(pair);
             [ClaimBreach::Refused, ClaimBreach::Admitted].map(|fault| Rule { claim, fault })
         }));
@@ -329,36 +259,15 @@ fn bit_rules() -> Vec<Rule> {
 
 impl fmt::Display for Rule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let fault = match self.fault {
-            ClaimBreach::Refused => "refused",
-            ClaimBreach::Admitted => "admitted",
-            ClaimBreach::Wrong => "wrong",
-        };
         match self.claim {
-            ConversionClaim::Implicit(kind) => write!(f, "implicit.{}", kind.name()),
-            ConversionClaim::Operand(kind) => write!(f, "operand.{}", kind.name()),
-            ConversionClaim::Literal(pair) => write!(f, "literal.{}", pair.name()),
-            ConversionClaim::Function(kind) => write!(f, "function.{}", kind.name()),
+            ConversionClaim::Implicit(kind) => write!(f, "implicit.{}", kind.as_str()),
+            ConversionClaim::Operand(kind) => write!(f, "operand.{}", kind.as_str()),
+            ConversionClaim::Literal(pair) => write!(f, "literal.{}", pair.as_str()),
+            ConversionClaim::Function(kind) => write!(f, "function.{}", kind.as_str()),
             ConversionClaim::Bit(claim, direction, form) => {
-                let claim = match claim {
-                    BitClaim::Selected => "bit",
-                    BitClaim::Outside => "bit-outside",
-                    BitClaim::NoBits => "no-bits",
-                    BitClaim::NoSuchForm => "no-such-form",
-                    BitClaim::Rendered => "rendered-bit",
-                };
-                let direction = match direction {
-                    Direction::Read => "read",
-                    Direction::Written => "written",
-                };
-                let form = match form {
-                    PartForm::Short => "short",
-                    PartForm::PartialAccess => "partial-access",
-                    PartForm::Wider => "wider",
-                };
-                write!(f, "{claim}.{direction}-{form}")
+                write!(f, "{}.{}-{}", claim.as_str(), direction.as_str(), form.as_str())
             }
         }?;
-        write!(f, ".{fault}")
+        write!(f, ".{}", self.fault.as_str())
     }
 }

@@ -2,12 +2,13 @@
 
 use super::forms::Forms;
 use super::names::{SourceNames, Variables};
-use stickler_syntax::source::{LineIndex, Span};
+use rustc_hash::FxHashMap;
+use stickler_syntax::source::LineIndex;
 use stickler_syntax::tree::{
-    Argument, BinaryOperator, CaseLabel, Declaration, ExpressionId, ExpressionKind, Initializer,
-    InitializerKind, Pou, PouKind, SourceUnit, Statement, StatementKind, TypeSpecification,
-    TypeSpecificationKind, VariableGroup, VariableKind,
+    BinaryOperator, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou, PouKind,
+    SourceUnit, Statement, StatementKind, TypeDeclaration, VariableBlock, VariableGroup, VariableKind,
 };
+use stickler_syntax::visitor::{Context, Place, Visitor, bodies, walk};
 
 /// The places of an expression, by their names in `places.toml`; a place that is not among those has a name of its own, or none.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -34,357 +35,294 @@ impl PlaceOfExpression {
     }
 }
 
-/// The places of all expressions of a program.
+/// The places of all expressions of a program; `None` for those that hold no value of the program.
 #[derive(Debug)]
-pub struct Standings(Vec<PlaceOfExpression>);
+pub struct Standings(Vec<Option<PlaceOfExpression>>);
 
 impl Standings {
     /// Finds the places of all expressions.
     pub fn new(unit: &SourceUnit<'_>, lines: &LineIndex) -> Standings {
         let names = SourceNames::new(unit);
-        let mut walk = Walk {
+        let mut finder = PlaceFinder {
             forms: Forms {
                 unit,
                 names: &names,
                 variables: Variables::default(),
             },
             lines,
-            found: vec![PlaceOfExpression::default(); unit.expressions.len()],
-            around: Vec::new(),
-            body: None,
-            waiting: Vec::new(),
+            found: vec![None; unit.expressions.len()],
+            initial: FxHashMap::default(),
+            statements: FxHashMap::default(),
         };
-        for declaration in &unit.declarations {
-            walk.declaration(declaration);
-        }
-        Standings(walk.found)
+        walk(unit, &mut finder);
+        Standings(finder.found)
     }
 
     /// Returns the places of an expression.
     pub fn of(&self, id: ExpressionId) -> PlaceOfExpression {
-        self.0.get(id.0 as usize).copied().unwrap_or_default()
+        self.0.get(id.0 as usize).copied().flatten().unwrap_or_default()
     }
 }
 
-struct Walk<'w, 'u> {
+struct PlaceFinder<'w, 'u> {
     forms: Forms<'w, 'u>,
     lines: &'w LineIndex,
-    found: Vec<PlaceOfExpression>,
-    /// The statements around, the innermost last.
-    around: Vec<&'static str>,
-    /// The body around.
-    body: Option<&'static str>,
-    /// Expressions whose parts have not been visited yet.
-    waiting: Vec<(ExpressionId, PlaceOfExpression)>,
+    found: Vec<Option<PlaceOfExpression>>,
+    /// The places of initial values.
+    initial: FxHashMap<ExpressionId, &'static str>,
+    /// The places of statements, by where these begin.
+    statements: FxHashMap<u32, PlaceOfStatement>,
 }
 
-impl<'u> Walk<'_, 'u> {
-    fn declaration(&mut self, declaration: &'u Declaration<'u>) {
-        match declaration {
-            Declaration::Pou(pou) => self.pou(pou),
-            Declaration::Types(types) => {
-                for declared in types {
-                    self.specification(&declared.specification);
-                    if let Some(initializer) = &declared.initializer {
-                        self.initializer(initializer, "type-initial-value", false);
-                    }
-                }
-            }
-            Declaration::Globals(block) => self.groups(&block.groups, "initial-value"),
-            Declaration::Configuration(configuration) => {
-                for block in &configuration.globals {
-                    self.groups(&block.groups, "initial-value");
-                }
-            }
-        }
-    }
+/// What stands around a statement.
+#[derive(Clone, Default)]
+struct PlaceOfStatement {
+    /// The statements around, the innermost last.
+    around: Vec<&'static str>,
+    /// Whether RETURN follows.
+    returns: bool,
+}
 
-    fn pou(&mut self, pou: &'u Pou<'u>) {
+impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
+    fn pou(&mut self, pou: &'u Pou<'u>, _: &Context<'u, 'u>) {
         self.forms.variables = Variables::new(pou);
-        let body = match pou.kind {
-            PouKind::Program => "program",
-            PouKind::Function => "function",
-            PouKind::FunctionBlock => "function-block",
-        };
-        self.body = Some(body);
-        for block in &pou.blocks {
-            let input = block.kind == VariableKind::Input && pou.kind == PouKind::FunctionBlock;
-            let target = if input {
-                "input-initial-value"
-            } else {
-                "initial-value"
-            };
-            self.groups(&block.groups, target);
-        }
-        self.statements(&pou.body);
-        self.forms.variables = Variables::default();
-        self.body = None;
     }
 
-    fn groups(&mut self, groups: &'u [VariableGroup<'u>], target: &'static str) {
-        for group in groups {
-            self.specification(&group.specification);
-            if let Some(initializer) = &group.initializer {
-                self.initializer(
-                    initializer,
-                    target,
-                    self.forms.names.is_block(&group.specification),
-                );
+    fn type_declaration(&mut self, declared: &'u TypeDeclaration<'u>, _: &Context<'u, 'u>) {
+        self.forms.variables = Variables::default();
+        self.initial(declared.initializer.as_ref(), "type-initial-value");
+    }
+
+    fn section(&mut self, _: &'u VariableBlock<'u>, at: &Context<'u, 'u>) {
+        if at.pou.is_none() {
+            self.forms.variables = Variables::default();
+        }
+    }
+
+    fn variables(&mut self, group: &'u VariableGroup<'u>, at: &Context<'u, 'u>) {
+        let is_block = at.pou.is_some_and(|pou| pou.kind == PouKind::FunctionBlock);
+        let target = match at.section {
+            None => "type-initial-value",
+            Some(section) if is_block && section.kind == VariableKind::Input => "input-initial-value",
+            Some(_) => "initial-value",
+        };
+        self.initial(group.initializer.as_ref(), target);
+        if let Some(Initializer {
+            kind: InitializerKind::Structure(fields),
+            ..
+        }) = &group.initializer
+            && self.forms.names.is_block(&group.specification)
+        {
+            for (_, value) in fields {
+                self.initial(Some(value), "instance-initial-value");
             }
         }
     }
 
-    fn specification(&mut self, specification: &'u TypeSpecification<'u>) {
-        match &specification.kind {
-            TypeSpecificationKind::Structure(groups) => self.groups(groups, "type-initial-value"),
-            TypeSpecificationKind::Array { element, .. } => self.specification(element),
-            _ => {}
-        }
-    }
-
-    fn initializer(&mut self, initializer: &'u Initializer<'u>, target: &'static str, instance: bool) {
+    fn initializer(&mut self, initializer: &'u Initializer<'u>, _: &Context<'u, 'u>) {
         match &initializer.kind {
-            InitializerKind::Expression(id) => self.value(*id, target),
+            InitializerKind::Expression(_) => {}
             InitializerKind::Array(elements) => {
                 for element in elements {
                     let target = match element.repetition {
                         Some(_) => "array-repetition",
                         None => "array-initial-value",
                     };
-                    if let Some(value) = &element.value {
-                        self.initializer(value, target, false);
-                    }
+                    self.initial(element.value.as_ref(), target);
                 }
             }
             InitializerKind::Structure(fields) => {
-                let target = if instance {
-                    "instance-initial-value"
-                } else {
-                    "structure-initial-value"
-                };
                 for (_, value) in fields {
-                    self.initializer(value, target, false);
+                    self.initial(Some(value), "structure-initial-value");
                 }
             }
         }
     }
 
-    fn statements(&mut self, statements: &'u [Statement]) {
+    fn statements(&mut self, statements: &'u [Statement], at: &Context<'u, 'u>) {
+        let mut around = self.around(at).to_vec();
+        around.extend(at.statement.map(|outer| branch(outer, statements)));
+        let line = |statement: &Statement| self.lines.line(statement.span.start);
+        let mut before = None;
+        let mut found = Vec::new();
         for (index, statement) in statements.iter().enumerate() {
-            let before = index.checked_sub(1).and_then(|before| statements.get(before));
-            let on_its_line =
-                before.is_some_and(|before| self.line(before.span) == self.line(statement.span));
-            let returns = statements
-                .get(index + 1)
-                .is_some_and(|next| next.kind == StatementKind::Return);
-            let depth = self.around.len();
-            if on_its_line && depth == 0 {
-                self.around.push("second-on-a-line");
+            let mut around = around.clone();
+            if around.is_empty() && before.replace(line(statement)) == Some(line(statement)) {
+                around.push("second-on-a-line");
             }
-            self.statement(statement, returns);
-            self.around.truncate(depth);
+            let next = statements.get(index + 1);
+            let returns = next.is_some_and(|next| next.kind == StatementKind::Return);
+            found.push((statement.span.start, PlaceOfStatement { around, returns }));
         }
+        self.statements.extend(found);
     }
 
-    fn line(&self, span: Span) -> u32 {
-        self.lines.line(span.start)
-    }
-
-    fn inside(&mut self, around: &'static str, statements: &'u [Statement]) {
-        self.around.push(around);
-        self.statements(statements);
-        self.around.pop();
-    }
-
-    fn statement(&mut self, statement: &'u Statement, returns: bool) {
-        match &statement.kind {
-            StatementKind::Assignment { target, value } => self.assignment(*target, *value, returns),
-            StatementKind::Call(id) => self.value(*id, "call"),
-            StatementKind::If { branches, otherwise } => {
-                for (index, (condition, body)) in branches.iter().enumerate() {
-                    let (target, around) = match index {
-                        0 => ("if-condition", "if"),
-                        _ => ("elsif-condition", "elsif"),
-                    };
-                    self.value(*condition, target);
-                    self.inside(around, body);
-                }
-                self.inside("else", otherwise.as_deref().unwrap_or_default());
+    fn expression(
+        &mut self,
+        (id, _): (ExpressionId, &'u Expression<'u>),
+        place: Place,
+        around: Option<ExpressionId>,
+        at: &Context<'u, 'u>,
+    ) {
+        let place = match around {
+            Some(around) => {
+                self.found[around.0 as usize].and_then(|outer| self.part(place, (around, outer), at))
             }
-            StatementKind::Case {
-                selector,
-                branches,
-                otherwise,
-            } => {
-                self.value(*selector, "case-selector");
-                for branch in branches {
-                    for label in &branch.labels {
-                        match label {
-                            CaseLabel::Value(value) => self.value(*value, "case-label"),
-                            CaseLabel::Range(low, high) => {
-                                self.value(*low, "case-label");
-                                self.value(*high, "case-label");
-                            }
-                        }
-                    }
-                    self.inside("case", &branch.body);
-                }
-                self.inside("case", otherwise.as_deref().unwrap_or_default());
-            }
-            StatementKind::For {
-                from, to, by, body, ..
-            } => {
-                self.value(*from, "for-start");
-                self.value(*to, "for-end");
-                if let Some(by) = by {
-                    self.value(*by, "for-step");
-                }
-                self.inside("for", body);
-            }
-            StatementKind::While { condition, body } => {
-                self.value(*condition, "while-condition");
-                self.inside("while", body);
-            }
-            StatementKind::Repeat { body, until } => {
-                self.inside("repeat", body);
-                self.value(*until, "until-condition");
-            }
-            StatementKind::Exit | StatementKind::Continue | StatementKind::Return | StatementKind::Empty => {}
-        }
-    }
-
-    fn assignment(&mut self, target: ExpressionId, value: ExpressionId, returns: bool) {
-        let place = self.forms.target(target).map(|place| match (place, returns) {
-            ("result", true) => "result-and-return",
-            _ => place,
-        });
-        let written = PlaceOfExpression {
-            source: self.forms.source(value),
-            target: place,
-            written: true,
-            ..self.here()
+            None => self.whole(id, place, at),
         };
-        self.found[target.0 as usize] = written;
-        self.parts(target, written);
-        let arriving = PlaceOfExpression {
-            target: place,
-            ..self.here()
-        };
-        self.visit(value, arriving);
-    }
-
-    /// Returns the surrounding of what stands here, with no source and no target.
-    fn here(&self) -> PlaceOfExpression {
-        let surrounding = match self.around[..] {
-            [] => self.body,
-            [.., _, _, _] => Some("nested"),
-            [.., innermost] => Some(innermost),
-        };
-        PlaceOfExpression {
-            surrounding,
-            ..PlaceOfExpression::default()
-        }
-    }
-
-    fn value(&mut self, id: ExpressionId, target: &'static str) {
-        let standing = PlaceOfExpression {
-            target: Some(target),
-            ..self.here()
-        };
-        self.visit(id, standing);
-    }
-
-    /// Visits an expression and all of its parts. A chain of operators may be long, so this does not recurse.
-    fn visit(&mut self, id: ExpressionId, standing: PlaceOfExpression) {
-        self.waiting.push((id, standing));
-        while let Some((id, standing)) = self.waiting.pop() {
-            self.found[id.0 as usize] = PlaceOfExpression {
+        self.found[id.0 as usize] = place.map(|place| match place.written && place.call.is_none() {
+            // The source is that of the value.
+            true => place,
+            false => PlaceOfExpression {
                 source: self.forms.source(id),
                 base: self.forms.base(id),
-                ..standing
-            };
-            self.parts(id, standing);
+                ..place
+            },
+        });
+    }
+}
+
+impl<'u> PlaceFinder<'_, 'u> {
+    /// Notes the place of an initial value that has none yet.
+    fn initial(&mut self, initializer: Option<&Initializer<'_>>, target: &'static str) {
+        if let Some(InitializerKind::Expression(id)) = initializer.map(|one| &one.kind) {
+            self.initial.entry(*id).or_insert(target);
         }
     }
 
-    /// Visits the parts of an expression later.
-    fn parts(&mut self, id: ExpressionId, standing: PlaceOfExpression) {
-        let elsewhere = |target| PlaceOfExpression {
+    fn around(&self, at: &Context<'u, 'u>) -> &[&'static str] {
+        let statement = at.statement.and_then(|one| self.statements.get(&one.span.start));
+        statement.map_or(&[], |place| &place.around)
+    }
+
+    /// Returns the places of an expression that is no part of another.
+    fn whole(&self, id: ExpressionId, place: Place, at: &Context<'u, 'u>) -> Option<PlaceOfExpression> {
+        let surrounding = match self.around(at) {
+            [] => at.pou.map(|pou| match pou.kind {
+                PouKind::Program => "program",
+                PouKind::Function => "function",
+                PouKind::FunctionBlock => "function-block",
+            }),
+            [.., _, _, _] => Some("nested"),
+            [.., innermost] => Some(*innermost),
+        };
+        let here = PlaceOfExpression {
+            surrounding,
+            ..PlaceOfExpression::default()
+        };
+        let statement = at.statement.map(|statement| &statement.kind);
+        let target = match (place, statement) {
+            (Place::Target | Place::Value, Some(StatementKind::Assignment { target, value })) => {
+                let written = place == Place::Target;
+                return Some(PlaceOfExpression {
+                    source: self.forms.source(*value).filter(|_| written),
+                    target: self.assigned(*target, at),
+                    written,
+                    ..here
+                });
+            }
+            (Place::InitialValue, _) => self.initial.get(&id).copied()?,
+            (Place::Statement, _) => "call",
+            (Place::Condition, Some(StatementKind::While { .. })) => "while-condition",
+            (Place::Condition, Some(StatementKind::Repeat { .. })) => "until-condition",
+            (Place::Condition, Some(StatementKind::If { branches, .. })) => {
+                match branches.first().is_some_and(|(first, _)| *first == id) {
+                    true => "if-condition",
+                    false => "elsif-condition",
+                }
+            }
+            (Place::Selector, _) => "case-selector",
+            (Place::Label, _) => "case-label",
+            (Place::From, _) => "for-start",
+            (Place::To, _) => "for-end",
+            (Place::By, _) => "for-step",
+            _ => return None,
+        };
+        Some(PlaceOfExpression {
+            target: Some(target),
+            ..here
+        })
+    }
+
+    /// Returns the target that an assignment writes.
+    fn assigned(&self, target: ExpressionId, at: &Context<'u, 'u>) -> Option<&'static str> {
+        let statement = at.statement.and_then(|one| self.statements.get(&one.span.start));
+        let returns = statement.is_some_and(|place| place.returns);
+        self.forms.target(target).map(|place| match (place, returns) {
+            ("result", true) => "result-and-return",
+            _ => place,
+        })
+    }
+
+    /// Returns the places of a part of an expression that has the places `outer`.
+    fn part(
+        &self,
+        place: Place,
+        (around, outer): (ExpressionId, PlaceOfExpression),
+        at: &Context<'u, 'u>,
+    ) -> Option<PlaceOfExpression> {
+        let target = match (place, &at.unit.expression(around)?.kind) {
+            (Place::Operand, _) => return Some(outer),
+            (Place::Left, ExpressionKind::Binary { operator, .. }) => operands(*operator)[0],
+            (Place::Right, ExpressionKind::Binary { operator, .. }) => operands(*operator)[1],
+            (Place::Base, _) => "part",
+            (Place::Subscript, _) => "subscript",
+            (
+                Place::Argument | Place::NamedArgument | Place::OutputArgument,
+                ExpressionKind::Call { callee, .. },
+            ) => {
+                return Some(PlaceOfExpression {
+                    target: Some(self.argument(*callee, place, outer)),
+                    call: Some(around),
+                    written: place == Place::OutputArgument,
+                    ..outer
+                });
+            }
+            _ => return None,
+        };
+        Some(PlaceOfExpression {
             target: Some(target),
             call: None,
             written: false,
-            ..standing
-        };
-        match &self.forms.unit.expressions[id.0 as usize].kind {
-            ExpressionKind::Parenthesized(inner) | ExpressionKind::Unary { operand: inner, .. } => {
-                self.waiting.push((*inner, standing));
-            }
-            ExpressionKind::Binary {
-                operator,
-                left,
-                right,
-            } => {
-                let [left_place, right_place] = operands(*operator);
-                let operands = [(*right, elsewhere(right_place)), (*left, elsewhere(left_place))];
-                self.waiting.extend(operands);
-            }
-            ExpressionKind::Field { base, .. }
-            | ExpressionKind::Bit { base, .. }
-            | ExpressionKind::Part { base, .. } => {
-                self.waiting.push((*base, elsewhere("part")));
-            }
-            ExpressionKind::Index { base, subscripts } => {
-                self.waiting.push((*base, elsewhere("part")));
-                let subscripts = subscripts.iter().map(|&id| (id, elsewhere("subscript")));
-                self.waiting.extend(subscripts);
-            }
-            ExpressionKind::Call { callee, arguments } => {
-                let arguments = arguments
-                    .iter()
-                    .map(|argument| self.argument(id, *callee, argument, standing));
-                let arguments: Vec<_> = arguments.collect();
-                self.waiting.extend(arguments);
-            }
-            ExpressionKind::Literal(_)
-            | ExpressionKind::Name(_)
-            | ExpressionKind::EnumeratedValue(_)
-            | ExpressionKind::Error => {}
-        }
+            ..outer
+        })
     }
 
-    fn argument(
-        &self,
-        call: ExpressionId,
-        callee: ExpressionId,
-        argument: &Argument<'_>,
-        standing: PlaceOfExpression,
-    ) -> (ExpressionId, PlaceOfExpression) {
+    /// Returns the target that an argument of a call is.
+    fn argument(&self, callee: ExpressionId, place: Place, outer: PlaceOfExpression) -> &'static str {
         let name = match &self.forms.unit.expressions[callee.0 as usize].kind {
             ExpressionKind::Name(name) => name.text,
             _ => "",
         };
-        let called = self.forms.names.pou(name);
-        let function = called == Some(PouKind::Function);
-        let block = self.forms.is_instance(callee);
-        let within = standing
-            .target
-            .is_some_and(|target| target.starts_with("argument"));
-        let (id, target) = match argument {
-            Argument::Positional(id) if function => (*id, "argument-by-position"),
-            Argument::Named { value, .. } if function && within => (*value, "argument-in-an-argument"),
-            Argument::Named { value, .. } if function => (*value, "argument"),
-            Argument::Named { value: id, .. } | Argument::Positional(id) if block => (*id, "block-input"),
-            Argument::Output { target, .. } if function => (*target, "function-output"),
-            Argument::Output { target, .. } => (*target, "block-output"),
-            Argument::Named { value: id, .. } | Argument::Positional(id) => (*id, standard_argument(name)),
-        };
-        let standing = PlaceOfExpression {
-            target: Some(target),
-            call: Some(call),
-            written: matches!(argument, Argument::Output { .. }),
-            ..standing
-        };
-        (id, standing)
+        let is_function = self.forms.names.pou(name) == Some(PouKind::Function);
+        let within = outer.target.is_some_and(|target| target.starts_with("argument"));
+        match place {
+            Place::OutputArgument if is_function => "function-output",
+            Place::OutputArgument => "block-output",
+            Place::Argument if is_function => "argument-by-position",
+            _ if is_function && within => "argument-in-an-argument",
+            _ if is_function => "argument",
+            _ if self.forms.is_instance(callee) => "block-input",
+            _ => standard_argument(name),
+        }
+    }
+}
+
+/// Returns which part of a statement a list of statements is.
+fn branch(outer: &Statement, list: &[Statement]) -> &'static str {
+    match &outer.kind {
+        StatementKind::If { branches, .. } => {
+            let is_it = |body: &&[Statement]| std::ptr::eq(*body, list);
+            match bodies(outer).iter().position(is_it) {
+                Some(0) => "if",
+                Some(index) if index < branches.len() => "elsif",
+                _ => "else",
+            }
+        }
+        StatementKind::Case { .. } => "case",
+        StatementKind::For { .. } => "for",
+        StatementKind::While { .. } => "while",
+        _ => "repeat",
     }
 }
 

@@ -1,4 +1,4 @@
-//! Accesses to bits that do not exist, and forms of access that the dialect does not have.
+//! Accesses to bits that do not exist.
 //!
 //! Basis: ironplc-bit-access, which is why most kinds are for the dialects of IronPLC only; a kind with another basis names
 //! it.
@@ -6,10 +6,9 @@
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
-use crate::dialect::{has_bits, has_partial_access};
-use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, StatementKind, Type, Unit};
-use stickler_types::dialect::PartialAccess;
-use stickler_types::{Dialect, ElementaryType};
+use crate::dialect::has_bits;
+use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, Statement, Type};
+use stickler_types::ElementaryType;
 
 /// Returns the number of bits of a type that has bits.
 pub(super) fn bits(program: &Program, ty: &Type) -> Option<u32> {
@@ -97,58 +96,7 @@ fn written(
             let place = fault.place(unit, |place, writable| writable && eligible(place))?;
             let bit = fault.choose(numbers(bits(original, &place.ty).unwrap_or_default()))?;
             let value = literal(ElementaryType::Bool);
-            Some(StatementKind::Assign(AssignmentTarget::Bit(place, bit), value))
+            Some(Statement::Assign(AssignmentTarget::Bit(place, bit), value))
         },
     )
-}
-
-/// Plants a bit by `.%X`, where the dialect does not have the form.
-///
-/// Basis: bit-access/partial-access-disabled.toml.
-pub(super) fn percent_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if Dialect::of(fault.original.dialect).partial_access != PartialAccess::Disabled {
-        return None;
-    }
-    by_text(fault, ElementaryType::Word, &[".%X0", ".%X15", ".%X16", ".%x3"])
-}
-
-/// Plants a byte or word of a bit string, where the dialect has no partial access.
-///
-/// Basis: bit-access/wider-forms-disabled.toml.
-pub(super) fn wider_disabled(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if Dialect::of(fault.original.dialect).partial_access != PartialAccess::Disabled {
-        return None;
-    }
-    by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
-}
-
-/// Plants a byte or word of a bit string, where the dialect has partial access to bits only.
-///
-/// Basis: bit-access/wider-forms-unsupported.toml.
-pub(super) fn wider_unsupported(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if !has_partial_access(fault.original.dialect) {
-        return None;
-    }
-    by_text(fault, ElementaryType::Dword, &[".%B0", ".%W1", ".%B3"])
-}
-
-/// Plants a bit in matiec, whose grammar has none.
-///
-/// Basis: bit-access/matiec.toml.
-pub(super) fn in_matiec(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if Dialect::of(fault.original.dialect).bit_access {
-        return None;
-    }
-    by_text(fault, ElementaryType::Word, &[".0", ".15", ".%X0"])
-}
-
-/// Replaces an expression, in a place that takes any value, by a variable of a type followed by one of the texts.
-fn by_text(fault: &mut FaultSite<'_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
-    let (number, site, _) = fault.pick_expression(|site, expression: &Expression| {
-        site.unit != Unit::Types && stands_for_any_value(site, expression)
-    })?;
-    let name = fault.variable_text(site.unit, ty)?;
-    let text = fault.choose(texts.to_vec())?;
-    fault.replace(number, ExpressionKind::Raw(format!("{name}{text}")));
-    Some(())
 }

@@ -6,8 +6,8 @@ use super::super::walk::ExpressionContext;
 use super::constants;
 use super::misfits::never;
 use crate::model::{
-    Argument, BinaryOperator, ExpressionKind, FunctionBlock, InitialValue, Program, StatementKind, Type,
-    Unit, VariableId, VariableSection,
+    Argument, BinaryOperator, ExpressionKind, FunctionBlock, InitialValue, Program, Statement, Type, Unit,
+    VariableId, VariableSection,
 };
 use stickler_exact::implicit;
 use stickler_types::{ElementaryType, MatrixWord};
@@ -35,9 +35,9 @@ fn inner(block: &FunctionBlock) -> Vec<VariableId> {
 }
 
 /// Returns whether a statement calls an instance of a function block that has such inner variables.
-fn calls_one_with_inner(program: &Program, unit: Unit, kind: &StatementKind) -> bool {
+fn calls_one_with_inner(program: &Program, unit: Unit, kind: &Statement) -> bool {
     match kind {
-        StatementKind::Invoke { instance, .. } => {
+        Statement::Invoke { instance, .. } => {
             block_of(program, unit, *instance).is_some_and(|block| !inner(block).is_empty())
         }
         _ => false,
@@ -49,9 +49,9 @@ fn calls_one_with_inner(program: &Program, unit: Unit, kind: &StatementKind) -> 
 /// Basis: language/diagnostics-names.st.
 pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let has_inner = |unit, kind: &StatementKind| calls_one_with_inner(original, unit, kind);
+    let has_inner = |unit, kind: &Statement| calls_one_with_inner(original, unit, kind);
     fault.change_statement(has_inner, |fault, unit, kind| {
-        let StatementKind::Invoke { instance, inputs, .. } = kind else {
+        let Statement::Invoke { instance, inputs, .. } = kind else {
             return None;
         };
         let parameter = fault.choose(inner(block_of(original, unit, *instance)?))?;
@@ -68,9 +68,9 @@ pub(super) fn unknown_input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: language/diagnostics-names.st.
 pub(super) fn input_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let has_inputs =
-        |_, kind: &StatementKind| matches!(kind, StatementKind::Invoke { inputs, .. } if !inputs.is_empty());
+        |_, kind: &Statement| matches!(kind, Statement::Invoke { inputs, .. } if !inputs.is_empty());
     fault.change_statement(has_inputs, |fault, _, kind| {
-        let StatementKind::Invoke { inputs, .. } = kind else {
+        let Statement::Invoke { inputs, .. } = kind else {
             return None;
         };
         let again = fault.choose(inputs.clone())?;
@@ -84,9 +84,9 @@ pub(super) fn input_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 /// Basis: ironplc-problem-codes: P4004.
 pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
-    let has_inner = |unit, kind: &StatementKind| calls_one_with_inner(original, unit, kind);
+    let has_inner = |unit, kind: &Statement| calls_one_with_inner(original, unit, kind);
     fault.change_statement(has_inner, |fault, unit, kind| {
-        let StatementKind::Invoke {
+        let Statement::Invoke {
             instance, outputs, ..
         } = kind
         else {
@@ -107,9 +107,10 @@ pub(super) fn unknown_output(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 pub(super) fn output_taken(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
-    let takes = |_, kind: &StatementKind| matches!(kind, StatementKind::Invoke { outputs, .. } if !outputs.is_empty());
+    let takes =
+        |_, kind: &Statement| matches!(kind, Statement::Invoke { outputs, .. } if !outputs.is_empty());
     fault.change_statement(takes, |fault, unit, kind| {
-        let StatementKind::Invoke {
+        let Statement::Invoke {
             instance, outputs, ..
         } = kind
         else {

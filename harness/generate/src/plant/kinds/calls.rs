@@ -7,7 +7,7 @@ use super::misfits::converts;
 use super::operands::stands_for_any_value;
 use crate::model::{
     Argument, AssignmentTarget, Expression, ExpressionKind, Function, Program, StandardFunction, Statement,
-    StatementKind, Type, Unit, Variable, VariableId, VariableSection,
+    Type, Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -247,8 +247,8 @@ pub(super) fn recursive_function(fault: &mut FaultSite<'_, '_>) -> Option<()> {
         kind: ExpressionKind::Call(number, arguments.collect()),
     };
     let at = fault.input.int_in_range(0..=function.body.len()).unwrap_or(0);
-    let kind = StatementKind::Assign(AssignmentTarget::Result, value);
-    function.body.insert(at, Statement { kind });
+    let kind = Statement::Assign(AssignmentTarget::Result, value);
+    function.body.insert(at, kind);
     Some(())
 }
 

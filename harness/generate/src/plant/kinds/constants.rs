@@ -5,8 +5,8 @@ use super::super::scope::{elementary, places, types};
 use super::bits::bits;
 use crate::dialect::has_bits;
 use crate::model::{
-    ArrayType, AssignmentTarget, DeclaredKind, InitialValue, Place, PlaceSelector, Program, StatementKind,
-    Type, Unit, Variable, VariableId, VariableSection,
+    ArrayType, AssignmentTarget, DeclaredKind, InitialValue, Place, PlaceSelector, Program, Statement, Type,
+    Unit, Variable, VariableId, VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -59,7 +59,7 @@ pub(super) fn part_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
                 .flat_map(|named| targets(original, &named.place));
             let (target, ty) = fault.choose(targets.collect())?;
             fault.mark = Some(beginning(&target));
-            Some(StatementKind::Assign(target, literal(ty)))
+            Some(Statement::Assign(target, literal(ty)))
         },
     )
 }

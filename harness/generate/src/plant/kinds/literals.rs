@@ -13,14 +13,7 @@ use stickler_types::{Dialect, ElementaryType};
 pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     too_large(fault, |site, expression| {
-        let with_target = matches!(
-            site.context,
-            ExpressionContext::Assigned
-                | ExpressionContext::Result
-                | ExpressionContext::Argument
-                | ExpressionContext::Input
-                | ExpressionContext::Initial
-        );
+        let with_target = site.context.has_target() || site.context == ExpressionContext::Initial;
         elementary(original, &expression.ty).filter(|_| with_target)
     })
 }
@@ -78,11 +71,7 @@ pub(super) fn bits_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let (number, _, expression) = fault.pick_expression(|site, expression| {
         let taken = match site.context {
             ExpressionContext::Initial => true,
-            ExpressionContext::Assigned
-            | ExpressionContext::Result
-            | ExpressionContext::Argument
-            | ExpressionContext::Input => everywhere,
-            _ => false,
+            context => context.has_target() && everywhere,
         };
         taken && bits(expression).is_some()
     })?;
@@ -107,7 +96,7 @@ pub(super) fn typed_integer(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 }
 
 /// Picks a place for a value of an integer type without an implicit conversion.
-fn integer_site(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ElementaryType)> {
+pub(super) fn integer_site(fault: &mut FaultSite<'_, '_>) -> Option<(usize, ElementaryType)> {
     let original = fault.original;
     let integer = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_integer());
     let (number, _, expression) = fault.pick_expression(|site, expression| {
@@ -123,14 +112,7 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let real = |expression: &Expression| elementary(original, &expression.ty).filter(|ty| ty.is_real());
     let (number, _, expression) = fault.pick_expression(|site, expression| {
-        let with_target = matches!(
-            site.context,
-            ExpressionContext::Assigned
-                | ExpressionContext::Result
-                | ExpressionContext::Argument
-                | ExpressionContext::Input
-                | ExpressionContext::Initial
-        );
+        let with_target = site.context.has_target() || site.context == ExpressionContext::Initial;
         with_target && real(expression).is_some()
     })?;
     let ty = real(&expression)?;
@@ -145,68 +127,6 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     Some(())
 }
 
-/// Plants a day that the calendar does not have.
-///
-/// Basis: language/literals-outside.toml.
-pub(super) fn date(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    moment(fault, ElementaryType::Date, &["D#2023-02-29", "D#2024-13-01"]).or_else(|| {
-        moment(
-            fault,
-            ElementaryType::Dt,
-            &["DT#2024-02-30-00:00:00", "DT#2023-02-29-12:00:00"],
-        )
-    })
-}
-
-/// Plants a duration longer than the maximum.
-///
-/// Basis: language/literals-outside.toml.
-pub(super) fn duration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    moment(fault, ElementaryType::Time, &["T#9999999999999d"])
-}
-
-/// Puts one of the texts in a place for a value of a type.
-fn moment(fault: &mut FaultSite<'_, '_>, ty: ElementaryType, texts: &[&str]) -> Option<()> {
-    let original = fault.original;
-    let (number, ..) = fault.pick_expression(|site, expression| {
-        !matches!(site.context, ExpressionContext::InOut) && elementary(original, &expression.ty) == Some(ty)
-    })?;
-    let text = fault.choose(texts.to_vec())?;
-    fault.replace(number, ExpressionKind::Raw(text.to_owned()));
-    Some(())
-}
-
-/// Plants a constant division by zero.
-///
-/// Basis: language/diagnostics-constants.st.
-pub(super) fn division_by_zero(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(fault)?;
-    let texts = vec![
-        format!("({ty}#5 / {ty}#0)"),
-        format!("({ty}#5 MOD {ty}#0)"),
-        format!("({ty}#5 / ({ty}#1 - {ty}#1))"),
-    ];
-    let text = fault.choose(texts)?;
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
-}
-
-/// Plants a constant sum beyond its type.
-///
-/// Basis: language/diagnostics-constants.st.
-pub(super) fn overflow(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let (number, ty) = integer_site(fault)?;
-    let (low, high) = ty.integer_range()?;
-    let texts = vec![
-        format!("({ty}#{high} + {ty}#1)"),
-        format!("({ty}#{low} - {ty}#1)"),
-        format!("({ty}#{high} * {ty}#2)"),
-    ];
-    let text = fault.choose(texts)?;
-    fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
-}
-
 /// Plants a constant sum of untyped literals beyond the type of its target.
 ///
 /// Basis: language/diagnostics-constants.st.
@@ -214,13 +134,7 @@ pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let range = |expression: &Expression| elementary(original, &expression.ty).and_then(range_of_integer);
     let (number, _, expression) = fault.pick_expression(|site, expression| {
-        let with_target = matches!(
-            site.context,
-            ExpressionContext::Assigned
-                | ExpressionContext::Result
-                | ExpressionContext::Argument
-                | ExpressionContext::Input
-        );
+        let with_target = site.context.has_target();
         with_target && range(expression).is_some()
     })?;
     let (_, high) = range(&expression)?;
@@ -239,29 +153,5 @@ pub(super) fn subscript(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     };
     let value = fault.choose(vec![high.checked_add(1)?, low.checked_sub(1)?])?;
     fault.replace(number, ExpressionKind::Raw(value.to_string()));
-    Some(())
-}
-
-/// Plants a character that a STRING does not have.
-///
-/// Basis: ironplc-problem-codes: P4052.
-pub(super) fn character(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    text(fault, "'a€'")
-}
-
-/// Plants an escape that does not exist.
-///
-/// Basis: ironplc-problem-codes: P0012.
-pub(super) fn escape(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    text(fault, "'a$q'")
-}
-
-fn text(fault: &mut FaultSite<'_, '_>, text: &str) -> Option<()> {
-    let original = fault.original;
-    let (number, ..) = fault.pick_expression(|site, expression| {
-        site.context != ExpressionContext::InOut
-            && elementary(original, &expression.ty) == Some(ElementaryType::String)
-    })?;
-    fault.replace(number, ExpressionKind::Raw(text.to_owned()));
     Some(())
 }

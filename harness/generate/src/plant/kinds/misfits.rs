@@ -9,107 +9,9 @@ use crate::model::{Expression, ExpressionKind, Program, StandardFunction, Unit};
 use stickler_exact::{implicit, signatures};
 use stickler_types::{DialectName, ElementaryType, MatrixWord};
 
-/// Plants a value of a type that does not convert to the type of its target.
-pub(super) fn assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Assigned,
-        MISFIT_FORMS,
-    )
-}
-
-/// Plants a value of another type than that of the result of a function, in its body.
-pub(super) fn result(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Result,
-        MISFIT_FORMS,
-    )
-}
-
-/// Plants a bare call of another type as an assigned value.
-pub(super) fn call_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Assigned,
-        &[MisfitForm::Call],
-    )
-}
-
-/// Plants an initial value of another type, also of an element or a field.
-pub(super) fn initial(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Initial,
-        &[MisfitForm::Literal, MisfitForm::Foreign],
-    )
-}
-
-/// Plants an argument of another type in a call of a function.
-pub(super) fn argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Argument,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants an input of another type in a call of a function block.
-pub(super) fn input(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Input,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants an argument of another type in a call of a conversion function whose name states its operand type.
-pub(super) fn converted(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Converted,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants a condition of IF of another type than BOOL.
-pub(super) fn condition_of_if(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::If,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants a condition of ELSIF of another type than BOOL.
-pub(super) fn condition_of_elsif(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::ElsIf,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants a condition of WHILE of another type than BOOL.
-pub(super) fn condition_of_while(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::While,
-        ALL_MISFIT_FORMS,
-    )
-}
-
-/// Plants a condition of REPEAT of another type than BOOL.
-pub(super) fn condition_of_repeat(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    misfit(
-        fault,
-        |context| context == ExpressionContext::Until,
-        ALL_MISFIT_FORMS,
-    )
-}
-
 /// The form of a planted value.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub(super) enum MisfitForm {
     /// A variable, an element, a field or an output.
     Variable,
@@ -123,12 +25,7 @@ pub(super) enum MisfitForm {
     Foreign,
 }
 
-const MISFIT_FORMS: &[MisfitForm] = &[
-    MisfitForm::Variable,
-    MisfitForm::Literal,
-    MisfitForm::Operation,
-    MisfitForm::Foreign,
-];
+/// Every form.
 pub(super) const ALL_MISFIT_FORMS: &[MisfitForm] = &[
     MisfitForm::Variable,
     MisfitForm::Literal,
@@ -137,16 +34,16 @@ pub(super) const ALL_MISFIT_FORMS: &[MisfitForm] = &[
     MisfitForm::Call,
 ];
 
-/// Replaces an expression in one of some contexts by a value of a type that does not convert to the type of the expression.
-fn misfit(
+/// Replaces an expression in a context by a value of a type that does not convert to the type of the expression.
+pub(super) fn misfit(
     fault: &mut FaultSite<'_, '_>,
-    context: fn(ExpressionContext) -> bool,
+    context: ExpressionContext,
     shapes: &[MisfitForm],
 ) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
     let (number, site, expression) = fault.pick_expression(|site, expression| {
-        context(site.context) && elementary(original, &expression.ty).is_some()
+        site.context == context && elementary(original, &expression.ty).is_some()
     })?;
     let target = elementary(original, &expression.ty)?;
     let shape = fault.choose(shapes.to_vec())?;
@@ -163,13 +60,7 @@ fn misfit(
     fault.replace(number, kind);
     // A text literal is untyped, so that no single conversion function is the right one.
     let typed = shape != MisfitForm::Literal || !from.is_text();
-    let suggests = matches!(
-        site.context,
-        ExpressionContext::Assigned
-            | ExpressionContext::Result
-            | ExpressionContext::Argument
-            | ExpressionContext::Input
-    );
+    let suggests = site.context.has_target();
     fault.suggested = suggests && typed && converts(from, target, dialect);
     Some(())
 }
@@ -294,13 +185,7 @@ pub(super) fn of_call_alone(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let original = fault.original;
     let dialect = original.dialect;
     let alone = |site: ExpressionSite, call: &Expression| {
-        let wanted = matches!(
-            site.context,
-            ExpressionContext::Assigned
-                | ExpressionContext::Result
-                | ExpressionContext::Argument
-                | ExpressionContext::Input
-        );
+        let wanted = site.context.has_target();
         match &call.kind {
             ExpressionKind::Standard(function, arguments) if wanted => {
                 of_one_type(original, *function, arguments)

@@ -24,17 +24,6 @@ pub(super) fn variable_read(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     Some(())
 }
 
-/// Plants an assignment to an undeclared variable.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn variable_assigned(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    fault.insert_text(|fault, _| {
-        let values = ["1", "TRUE", "1.5", "INT#7 + INT#8", "NOT FALSE"];
-        let value = fault.choose(values.to_vec())?;
-        Some(format!("{PLANTED} := {value};"))
-    })
-}
-
 /// Plants a field that the structure does not have, or a variable that is no output of the function block.
 ///
 /// Basis: ironplc-problem-codes: P4007.
@@ -138,25 +127,6 @@ pub(super) fn other_enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let value = fault.choose(values.iter().collect())?;
     fault.replace(number, ExpressionKind::Raw(format!("{name}#{value}")));
     Some(())
-}
-
-/// Plants a literal whose prefix is no enumeration.
-///
-/// Basis: ironplc-problem-codes: P2004.
-pub(super) fn enumeration(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let (number, ..) = fault.pick_expression(stands_for_any_value)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{PLANTED}#Red")));
-    Some(())
-}
-
-/// Plants a type that is not declared.
-///
-/// Basis: language/diagnostics-names.st.
-pub(super) fn type_name(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let unit = fault.unit()?;
-    let types = ["NO_SUCH_TYPE", "ARRAY[1..2] OF NO_SUCH_TYPE"];
-    let ty = fault.choose(types.to_vec())?;
-    fault.declare_text(unit, &format!("{PLANTED}_type : {ty}"), VariableSection::Local)
 }
 
 /// Plants a variable that is declared twice.

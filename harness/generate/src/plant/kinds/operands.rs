@@ -126,12 +126,7 @@ pub(super) fn compared_aggregates(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let place = fault.place(site.unit, |place, _| {
         original.fields(&place.ty).is_some() || matches!(original.unaliased(&place.ty), Type::Array(_))
     })?;
-    let operand = || {
-        Box::new(Expression {
-            ty: place.ty.clone(),
-            kind: ExpressionKind::Read(place.clone()),
-        })
-    };
+    let operand = || Box::new(Expression::read(place.clone()));
     let kind = ExpressionKind::Binary(BinaryOperator::Equal, operand(), operand());
     fault.replace(number, kind);
     Some(())

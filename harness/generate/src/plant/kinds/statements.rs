@@ -1,43 +1,22 @@
-//! Misplaced statements, empty ranges of labels, and texts that are no statements.
+//! Empty ranges of labels.
 
 use super::super::fault_site::FaultSite;
-use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, StatementKind};
-use stickler_types::{Dialect, ElementaryType, Value};
-
-/// Plants EXIT outside a loop.
-///
-/// Basis: language/diagnostics-statements.st.
-pub(super) fn exit(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    outside_loops(fault, "EXIT;")
-}
-
-/// Plants CONTINUE outside a loop.
-///
-/// Basis: language/diagnostics-statements.st.
-pub(super) fn continue_(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    outside_loops(fault, "CONTINUE;")
-}
-
-fn outside_loops(fault: &mut FaultSite<'_, '_>, text: &str) -> Option<()> {
-    fault.insert(
-        |_, in_loop| !in_loop,
-        |_, _| Some(StatementKind::Raw(text.to_owned())),
-    )
-}
+use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, Statement};
+use stickler_types::{ElementaryType, Value};
 
 /// Plants a descending range of labels.
 ///
 /// Basis: language/diagnostics-statements.st.
 pub(super) fn descending_labels(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let has_integers = |_, kind: &StatementKind| match kind {
-        StatementKind::Case(_, branches, _) => branches
+    let has_integers = |_, kind: &Statement| match kind {
+        Statement::Case(_, branches, _) => branches
             .iter()
             .flat_map(|branch| &branch.labels)
             .any(|label| descending(label).is_some()),
         _ => false,
     };
     fault.change_statement(has_integers, |fault, _, kind| {
-        let StatementKind::Case(_, branches, _) = kind else {
+        let Statement::Case(_, branches, _) = kind else {
             return None;
         };
         let mut labels: Vec<_> = branches
@@ -87,69 +66,4 @@ fn value(expression: &Expression) -> Option<i128> {
         }
         _ => None,
     }
-}
-
-/// Plants an unclosed comment; no statement after it can be said to be wrong.
-///
-/// Basis: ironplc-problem-codes: P0001; the line: conformance-cases/README.md (marks).
-pub(super) fn open_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    fault.insert_text(|fault, _| {
-        let texts = [
-            "(* never closed",
-            "; (* never closed",
-            "; (* closed *) (* not closed *",
-        ];
-        fault.choose(texts.to_vec()).map(str::to_owned)
-    })
-}
-
-/// Plants a malformed statement that begins like a statement, and ends before the next one begins.
-///
-/// Basis: language/syntax-recovery.st.
-pub(super) fn no_statement(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    fault.insert_text(|fault, unit| {
-        let name = fault.variable_text(unit, ElementaryType::Int)?;
-        let texts = [
-            format!("{name} := ;"),
-            format!("{name} := ({name} + 1;"),
-            format!("{name} := {name} + ;"),
-            format!("{name} := {name} {name};"),
-            format!("{name} := 1 + * 2;"),
-            format!("{name} = 1;"),
-            format!("IF {name} > 1 {name} := 2; END_IF;"),
-            format!("WHILE {name} > 1 {name} := 2; END_WHILE;"),
-            format!("FOR {name} = 1 TO 2 DO ; END_FOR;"),
-            format!("REPEAT {name} := 2; UNTIL END_REPEAT;"),
-        ];
-        fault.choose(texts.to_vec())
-    })
-}
-
-/// Plants characters that are no part of the language.
-///
-/// Basis: ironplc-problem-codes: P0003.
-pub(super) fn no_token(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    fault.insert_text(|fault, unit| {
-        let name = fault.variable_text(unit, ElementaryType::Int)?;
-        let texts = [
-            format!("{name} := {name} ? 3;"),
-            format!("{name} := {name} ! 3;"),
-            format!("{name} := 1 \\ 2;"),
-            format!("{name} := {name} ~ 1;"),
-        ];
-        fault.choose(texts.to_vec())
-    })
-}
-
-/// Plants a comment to the end of the line, where the dialect does not have it.
-///
-/// Basis: language/comments.st.
-pub(super) fn line_comment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    if Dialect::of(fault.original.dialect).line_comments {
-        return None;
-    }
-    fault.insert_text(|fault, _| {
-        let texts = ["// over there", "; // it's 5 o'clock (* or 6", "; // a := ;"];
-        fault.choose(texts.to_vec()).map(str::to_owned)
-    })
 }

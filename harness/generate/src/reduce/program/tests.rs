@@ -5,7 +5,7 @@ use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
     AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue,
-    LiteralForm, Program, StandardFunction, Statement, StatementKind, Type, Variable, VariableSection,
+    LiteralForm, Program, StandardFunction, Statement, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
 use crate::reduce::{OutcomeSymptom, program};
@@ -16,24 +16,56 @@ use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
 use stickler_types::{ElementaryType, Value};
 
-/// The bug of an engine.
+/// The bug of an engine: it runs a program with some parts changed, or gives another outcome for a program with a statement.
 enum Bug {
-    /// The engine runs a changed program.
-    Runs(fn(&mut Program)),
-    /// The engine gives another outcome for a program with such a statement.
+    Program(fn(&mut Program)),
+    Statement(fn(&mut Statement)),
+    Expression(fn(&mut Expression)),
+    Variable(fn(&mut Variable)),
     Ends(fn(&Statement) -> bool, fn() -> Outcome),
 }
 
-/// Returns the outcome of an engine with a bug: the reference on a changed program.
+/// Changes the parts of a program as a bug does, inner ones first.
+struct Buggy<'b> {
+    bug: &'b Bug,
+    outcome: Option<Outcome>,
+}
+
+impl VisitorMut for Buggy<'_> {
+    fn statement(&mut self, statement: &mut Statement) {
+        walk_statement(self, statement);
+        match self.bug {
+            Bug::Statement(change) => change(statement),
+            Bug::Ends(shows, outcome) if shows(statement) => self.outcome = Some(outcome()),
+            _ => {}
+        }
+    }
+
+    fn expression(&mut self, expression: &mut Expression) {
+        walk_expression(self, expression);
+        if let Bug::Expression(change) = self.bug {
+            change(expression);
+        }
+    }
+
+    fn variable(&mut self, variable: &mut Variable) {
+        walk_variable(self, variable);
+        if let Bug::Variable(change) = self.bug {
+            change(variable);
+        }
+    }
+}
+
+/// Returns the outcome of an engine with a bug: of the reference on a changed program.
 fn outcome(bug: &Bug, given: &Program) -> Outcome {
     let mut run = given.clone();
-    match bug {
-        Bug::Runs(change) => change(&mut run),
-        Bug::Ends(shows, outcome) => {
-            if any_statement(&mut run, *shows) {
-                return outcome();
-            }
-        }
+    let mut buggy = Buggy { bug, outcome: None };
+    walk_program(&mut buggy, &mut run);
+    if let Bug::Program(change) = bug {
+        change(&mut run);
+    }
+    if let Some(outcome) = buggy.outcome {
+        return outcome;
     }
     let source = write(&run, &Style::default()).text;
     let observed = given.observed();
@@ -54,104 +86,49 @@ fn expected(program: &Program) -> Option<Outcome> {
     Some(Outcome::executed(evaluation.values))
 }
 
-fn any_statement(program: &mut Program, shows: fn(&Statement) -> bool) -> bool {
-    struct Any(fn(&Statement) -> bool, bool);
-    impl VisitorMut for Any {
-        fn statement(&mut self, statement: &mut Statement) {
-            self.1 |= (self.0)(statement);
-            walk_statement(self, statement);
-        }
-    }
-    let mut any = Any(shows, false);
-    walk_program(&mut any, program);
-    any.1
-}
-
-/// Changes every expression, inner ones first.
-fn expressions(program: &mut Program, change: fn(&mut Expression)) {
-    struct EachExpression(fn(&mut Expression));
-    impl VisitorMut for EachExpression {
-        fn expression(&mut self, expression: &mut Expression) {
-            walk_expression(self, expression);
-            (self.0)(expression);
-        }
-    }
-    walk_program(&mut EachExpression(change), program);
-}
-
-fn statements(program: &mut Program, change: fn(&mut Statement)) {
-    struct EachStatement(fn(&mut Statement));
-    impl VisitorMut for EachStatement {
-        fn statement(&mut self, statement: &mut Statement) {
-            walk_statement(self, statement);
-            (self.0)(statement);
-        }
-    }
-    walk_program(&mut EachStatement(change), program);
-}
-
-fn variables(program: &mut Program, change: fn(&mut Variable)) {
-    struct EachVariable(fn(&mut Variable));
-    impl VisitorMut for EachVariable {
-        fn variable(&mut self, variable: &mut Variable) {
-            walk_variable(self, variable);
-            (self.0)(variable);
-        }
-    }
-    walk_program(&mut EachVariable(change), program);
-}
-
 fn literal(ty: ElementaryType, number: i128) -> Expression {
-    Expression {
-        ty: Type::Elementary(ty),
-        kind: ExpressionKind::Literal(Value::plain(ty, ty.wrap(number)), LiteralForm::Typed),
-    }
+    Expression::literal(ty, Value::plain(ty, ty.wrap(number)), LiteralForm::Typed)
 }
 
 fn has_if(statements: &[Statement]) -> bool {
     statements
         .iter()
-        .any(|statement| matches!(statement.kind, StatementKind::If(..)))
+        .any(|statement| matches!(statement, Statement::If(..)))
 }
 
 /// The bugs with their names.
 const BUGS: [(&str, Bug); 16] = [
     (
         "a conversion to INT stops at the limits",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                if let ExpressionKind::Convert(signature, operand) = &mut expression.kind
-                    && signature.result == ElementaryType::Int
-                    && signature.operands[0].is_signed()
-                    && signature.operands[0].bits() > 16
-                {
-                    let ty = signature.operands[0];
-                    let inside = (**operand).clone();
-                    operand.kind = ExpressionKind::Standard(
-                        StandardFunction::Limit,
-                        vec![literal(ty, -32768), inside, literal(ty, 32767)],
-                    );
-                }
-            });
+        Bug::Expression(|expression| {
+            if let ExpressionKind::Convert(signature, operand) = &mut expression.kind
+                && signature.result == ElementaryType::Int
+                && signature.operands[0].is_signed()
+                && signature.operands[0].bits() > 16
+            {
+                let ty = signature.operands[0];
+                let inside = (**operand).clone();
+                operand.kind = ExpressionKind::Standard(
+                    StandardFunction::Limit,
+                    vec![literal(ty, -32768), inside, literal(ty, 32767)],
+                );
+            }
         }),
     ),
     (
         "MOD takes the sign of the divisor away",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                let signed = matches!(expression.ty, Type::Elementary(ty) if ty.is_signed());
-                if signed && let ExpressionKind::Binary(BinaryOperator::Modulo, ..) = &expression.kind {
-                    expression.kind =
-                        ExpressionKind::Standard(StandardFunction::Abs, vec![expression.clone()]);
-                }
-            });
+        Bug::Expression(|expression| {
+            let signed = matches!(expression.ty, Type::Elementary(ty) if ty.is_signed());
+            if signed && let ExpressionKind::Binary(BinaryOperator::Modulo, ..) = &expression.kind {
+                expression.kind = ExpressionKind::Standard(StandardFunction::Abs, vec![expression.clone()]);
+            }
         }),
     ),
     (
         "the compiler dies of IF within IF",
         Bug::Ends(
-            |statement| match &statement.kind {
-                StatementKind::If(branches, otherwise) => {
+            |statement| match statement {
+                Statement::If(branches, otherwise) => {
                     branches.iter().any(|(_, body)| has_if(body)) || otherwise.as_deref().is_some_and(has_if)
                 }
                 _ => false,
@@ -164,8 +141,8 @@ const BUGS: [(&str, Bug); 16] = [
     (
         "ranges in CASE are rejected",
         Bug::Ends(
-            |statement| match &statement.kind {
-                StatementKind::Case(_, branches, _) => branches
+            |statement| match statement {
+                Statement::Case(_, branches, _) => branches
                     .iter()
                     .flat_map(|branch| &branch.labels)
                     .any(|label| matches!(label, CaseLabel::Range(..))),
@@ -178,39 +155,35 @@ const BUGS: [(&str, Bug); 16] = [
     ),
     (
         "the last initial value of an array is lost",
-        Bug::Runs(|program| {
-            variables(program, |variable| {
-                if let Some(InitialValue::Array(values)) = &mut variable.initial {
-                    values.truncate(values.len().saturating_sub(1).max(1));
-                }
-            });
+        Bug::Variable(|variable| {
+            if let Some(InitialValue::Array(values)) = &mut variable.initial {
+                values.truncate(values.len().saturating_sub(1).max(1));
+            }
         }),
     ),
     (
         "REPEAT never ends",
         Bug::Ends(
-            |statement| matches!(statement.kind, StatementKind::Repeat(..)),
+            |statement| matches!(statement, Statement::Repeat(..)),
             || Outcome::TimedOut { after_ms: 1000 },
         ),
     ),
     (
         "FOR downwards never begins",
-        Bug::Runs(|program| {
-            statements(program, |statement| {
-                if let StatementKind::For {
-                    by: Some(by), body, ..
-                } = &mut statement.kind
-                    && let ExpressionKind::Literal(Value::Plain { ty, raw }, _) = &by.kind
-                    && ty.integer_value(*raw) < 0
-                {
-                    body.clear();
-                }
-            });
+        Bug::Statement(|statement| {
+            if let Statement::For {
+                by: Some(by), body, ..
+            } = statement
+                && let ExpressionKind::Literal(Value::Plain { ty, raw }, _) = &by.kind
+                && ty.integer_value(*raw) < 0
+            {
+                body.clear();
+            }
         }),
     ),
     (
         "initial values of inner variables are lost",
-        Bug::Runs(|program| {
+        Bug::Program(|program| {
             for variable in program.blocks.iter_mut().flat_map(|block| &mut block.variables) {
                 if variable.section != VariableSection::Constant {
                     variable.initial = None;
@@ -220,7 +193,7 @@ const BUGS: [(&str, Bug); 16] = [
     ),
     (
         "initial values of fields are lost",
-        Bug::Runs(|program| {
+        Bug::Program(|program| {
             for declaration in &mut program.types {
                 if let DeclaredKind::Structure(fields) = &mut declaration.kind {
                     fields.iter_mut().for_each(|(_, _, initial)| *initial = None);
@@ -230,80 +203,66 @@ const BUGS: [(&str, Bug); 16] = [
     ),
     (
         "the last two arguments of a function are swapped",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                if let ExpressionKind::Call(_, arguments) = &mut expression.kind
-                    && let [.., one, two] = arguments.as_mut_slice()
-                    && one.value.ty == two.value.ty
-                {
-                    std::mem::swap(&mut one.value, &mut two.value);
-                }
-            });
+        Bug::Expression(|expression| {
+            if let ExpressionKind::Call(_, arguments) = &mut expression.kind
+                && let [.., one, two] = arguments.as_mut_slice()
+                && one.value.ty == two.value.ty
+            {
+                std::mem::swap(&mut one.value, &mut two.value);
+            }
         }),
     ),
     (
         "a write to a bit goes to its neighbour",
-        Bug::Runs(|program| {
-            statements(program, |statement| {
-                if let StatementKind::Assign(AssignmentTarget::Bit(_, bit), _) = &mut statement.kind {
-                    *bit ^= 1;
-                }
-            });
+        Bug::Statement(|statement| {
+            if let Statement::Assign(AssignmentTarget::Bit(_, bit), _) = statement {
+                *bit ^= 1;
+            }
         }),
     ),
     (
         "ELSIF is not looked at",
-        Bug::Runs(|program| {
-            statements(program, |statement| {
-                if let StatementKind::If(branches, _) = &mut statement.kind {
-                    branches.truncate(1);
-                }
-            });
+        Bug::Statement(|statement| {
+            if let Statement::If(branches, _) = statement {
+                branches.truncate(1);
+            }
         }),
     ),
     (
         "a real is never less than another",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                if let ExpressionKind::Binary(BinaryOperator::Less, left, _) = &expression.kind
-                    && matches!(left.ty, Type::Elementary(ty) if ty.is_real())
-                {
-                    expression.kind =
-                        ExpressionKind::Literal(Value::plain(ElementaryType::Bool, 0), LiteralForm::Untyped);
-                }
-            });
+        Bug::Expression(|expression| {
+            if let ExpressionKind::Binary(BinaryOperator::Less, left, _) = &expression.kind
+                && matches!(left.ty, Type::Elementary(ty) if ty.is_real())
+            {
+                expression.kind =
+                    ExpressionKind::Literal(Value::plain(ElementaryType::Bool, 0), LiteralForm::Untyped);
+            }
         }),
     ),
     (
         "ROL forgets what it pushes out",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                if let ExpressionKind::Standard(function @ StandardFunction::Rol, _) = &mut expression.kind {
-                    *function = StandardFunction::Shl;
-                }
-            });
+        Bug::Expression(|expression| {
+            if let ExpressionKind::Standard(function @ StandardFunction::Rol, _) = &mut expression.kind {
+                *function = StandardFunction::Shl;
+            }
         }),
     ),
     (
         "CONCAT forgets its second text",
-        Bug::Runs(|program| {
-            expressions(program, |expression| {
-                if let ExpressionKind::Standard(StandardFunction::Concat, texts) = &expression.kind {
-                    *expression = texts[0].clone();
-                }
-            });
+        Bug::Expression(|expression| {
+            if let ExpressionKind::Standard(StandardFunction::Concat, texts) = &expression.kind {
+                *expression = texts[0].clone();
+            }
         }),
     ),
     (
         "EXIT leaves nothing",
-        Bug::Runs(|program| {
-            statements(program, |statement| {
-                if let StatementKind::If(branches, _) = &mut statement.kind {
-                    for (_, body) in branches {
-                        body.retain(|statement| !matches!(statement.kind, StatementKind::Exit));
-                    }
+        Bug::Statement(|statement| {
+            if let Statement::If(branches, _) = statement {
+                for (_, body) in branches {
+                    body.retain(|statement| !matches!(statement, Statement::Exit));
                 }
-            });
+            }
         }),
     ),
 ];
@@ -313,7 +272,9 @@ fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, OutcomeSymptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);
         let program = generate(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
-        let symptom = OutcomeSymptom::first(&expected(&program)?, &outcome(bug, &program))?;
+        let symptom = OutcomeSymptom::all(&expected(&program)?, &outcome(bug, &program))
+            .into_iter()
+            .next()?;
         Some((program, symptom))
     })
 }
