@@ -83,7 +83,7 @@ pub(crate) fn distance(program: &str) -> u64 {
 /// Returns the operands of a program alone: literals first, then variables, then calls of conversion functions. The most
 /// general place comes first: an assignment before an initial value.
 pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
-    let special = works(program.program.text)
+    let special = works(program.text)
         .into_iter()
         .filter(|work| work.role == Role::Literal);
     let special: HashSet<Span> = special.map(|work| work.span).collect();
@@ -122,8 +122,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
-        if found.iter().all(|other| other.program != one.program)
-            && one.program.trim() != program.program.text.trim()
+        if found.iter().all(|other| other.program != one.program) && one.program.trim() != program.text.trim()
         {
             found.push(one);
         }
@@ -136,7 +135,7 @@ pub(crate) fn binary(
     program: &ReadProgram<'_, '_>,
     id: ExpressionId,
 ) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
-    match program.program.unit.expression(id)?.kind {
+    match program.unit.expression(id)?.kind {
         ExpressionKind::Binary {
             operator,
             left,
@@ -248,7 +247,6 @@ pub(crate) const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : 
 /// Returns the plainest program of which a function block has an initial value, for a program of which one has.
 pub(crate) fn beginning_block(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let mut blocks = program
-        .program
         .unit
         .pous()
         .filter(|pou| pou.kind == PouKind::FunctionBlock);

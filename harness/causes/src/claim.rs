@@ -42,9 +42,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         return false;
     }
     let works = works(text);
-    let on_line = works
-        .iter()
-        .filter(|work| Some(program.program.line(work.span)) == line);
+    let on_line = works.iter().filter(|work| Some(program.line(work.span)) == line);
     let claimed = words_of(on_line, Role::Operation);
     let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
     let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
@@ -52,9 +50,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         return false;
     }
     let kept = operations(&smallest.program);
-    let line = line
-        .and_then(|line| program.program.line_text(line))
-        .unwrap_or_default();
+    let line = line.and_then(|line| program.line_text(line)).unwrap_or_default();
     claimed.is_subset(&kept)
         && has_signed_literal(line) <= has_signed_literal(&smallest.program)
         && (!(is_unusable || sign.rejects_valid()) || keeps_work(text, &smallest.program, &kept))

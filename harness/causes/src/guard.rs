@@ -170,9 +170,7 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
 /// Returns the names that are declared with an elementary type.
 fn elementary_names(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     let is_elementary = |one: &&DeclaredName<'_, '_>| {
-        let written = one
-            .group
-            .map(|group| group.specification.span.text(program.program.text));
+        let written = one.group.map(|group| group.specification.span.text(program.text));
         written.is_some_and(|written| elementary(written).is_some())
     };
     let found = program.names.iter().filter(is_elementary);
@@ -208,7 +206,7 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
         ("repetition of nothing", repeats_nothing(program, tokens)),
         (
             "expression as a statement",
-            has_expression_as_statement(program.program.text, tokens),
+            has_expression_as_statement(program.text, tokens),
         ),
         // Basis: iec-61131-3: Annex A (`Struct_Decl`).
         (
@@ -220,7 +218,7 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
         (
             "task without a priority",
             number(TokenKind::Task)
-                > crate::program::words(program.program.text)
+                > crate::program::words(program.text)
                     .iter()
                     .filter(|word| word.eq_ignore_ascii_case("PRIORITY"))
                     .count(),
@@ -278,7 +276,7 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
         }
         _ if is_global(program, name.text)
             && part.pou.is_some()
-            && !has_word(program.program.text, "VAR_EXTERNAL") =>
+            && !has_word(program.text, "VAR_EXTERNAL") =>
         {
             Some("global variable that is not external")
         }
@@ -309,7 +307,7 @@ fn is_assigned(program: &ReadProgram<'_, '_>, name: &Part<'_, '_>) -> bool {
 
 /// Returns whether a name is that of a variable of a section that is not `CONSTANT`.
 fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
-    let sections = program.program.unit.pous().flat_map(|pou| &pou.blocks);
+    let sections = program.unit.pous().flat_map(|pou| &pou.blocks);
     let mut variables = sections
         .filter(|section| !section.constant)
         .flat_map(|section| &section.groups);
@@ -355,7 +353,6 @@ fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
 /// Basis: iec-61131-3: Annex A (`Config_Decl`, `Single_Resource_Decl`).
 fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
     program
-        .program
         .unit
         .declarations
         .iter()

@@ -13,14 +13,14 @@ const MAX_TYPES: usize = 3;
 
 /// Returns a line of a program in code quotes, with the types of its variables where these stand elsewhere.
 pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
-    let line = program.program.line_text(number).unwrap_or_default();
+    let line = program.line_text(number).unwrap_or_default();
     // A reduced program may have its end on the line of a statement.
     let code = line.split_once(";END_").map_or(line, |(code, _)| code);
     let code = match code.trim().trim_end_matches(';').trim_end() {
         "" => code.trim(),
         code => code,
     };
-    let is_here = |one: &&DeclaredName<'_, '_>| program.program.line(one.name.span) == number;
+    let is_here = |one: &&DeclaredName<'_, '_>| program.line(one.name.span) == number;
     let own: Vec<&str> = program
         .names
         .iter()
@@ -49,7 +49,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
 /// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is
 /// no plain variable the type alone, and nothing of a structure.
 fn declared_as(program: &ReadProgram<'_, '_>, declared: &DeclaredName<'_, '_>) -> Option<String> {
-    let (text, group) = (program.program.text, declared.group?);
+    let (text, group) = (program.text, declared.group?);
     let value = match &group.specification.kind {
         TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error => return None,
         TypeSpecificationKind::Named(_) => group.initializer.as_ref(),
@@ -70,10 +70,10 @@ fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s
             start: section.span.end.saturating_sub(1),
             ..section.span
         };
-        (program.program.line(section.span) + 1..program.program.line(last)).contains(&number)
+        (program.line(section.span) + 1..program.line(last)).contains(&number)
     };
     let section = sections(program).find(is_inside)?;
-    let head = words(section.span.text(program.program.text)).first().copied()?;
+    let head = words(section.span.text(program.text)).first().copied()?;
     (!matches!(head, "VAR" | "VAR_INPUT")).then_some(head)
 }
 
@@ -94,14 +94,8 @@ fn sections<'t, 's>(program: &ReadProgram<'t, 's>) -> impl Iterator<Item = &'t V
 
 /// Returns the kind of unit that a line of a program stands in, unless that is a PROGRAM.
 pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'static str> {
-    let begins_before = |span: Span| program.program.line(span) <= number;
-    match program
-        .program
-        .unit
-        .pous()
-        .rfind(|pou| begins_before(pou.span))?
-        .kind
-    {
+    let begins_before = |span: Span| program.line(span) <= number;
+    match program.unit.pous().rfind(|pou| begins_before(pou.span))?.kind {
         PouKind::Program => None,
         PouKind::Function => Some("a FUNCTION"),
         PouKind::FunctionBlock => Some("a FUNCTION_BLOCK"),
@@ -110,12 +104,12 @@ pub(crate) fn unit_of(program: &ReadProgram<'_, '_>, number: u32) -> Option<&'st
 
 /// Returns the number of the line with a number that a message names; one of one digit stands in too many messages.
 pub(crate) fn line_with_number(program: &ReadProgram<'_, '_>, message: &str) -> Option<u32> {
-    let text = program.program.text;
+    let text = program.text;
     let all = tokens(text);
     let mut numbers = message.split(|character: char| !character.is_ascii_digit());
     numbers.find_map(|number| {
         let is_number = |token: &&Token| number.len() > 1 && token.is(number, text);
-        Some(program.program.line(all.iter().find(is_number)?.span))
+        Some(program.line(all.iter().find(is_number)?.span))
     })
 }
 
@@ -123,7 +117,7 @@ pub(crate) fn line_with_number(program: &ReadProgram<'_, '_>, message: &str) -> 
 /// message quotes, best with a part of it, or else the first of the statements with most to them, since calls of a body stand behind it.
 pub(crate) fn unimplemented(program: &ReadProgram<'_, '_>, got: &[Fact]) -> u32 {
     let statements = suspect::statements(program);
-    let text = |number: u32| program.program.line_text(number).unwrap_or_default();
+    let text = |number: u32| program.line_text(number).unwrap_or_default();
     let message = got.iter().find_map(|fact| match fact {
         Fact::NotImplemented { reason, .. } => Some(reason.as_str()),
         _ => None,
@@ -165,25 +159,25 @@ pub(crate) mod suspect {
             least @ (1 | 2) => least,
             most => most + 1,
         };
-        let lines = program.program.text.lines().zip(1..);
+        let lines = program.text.lines().zip(1..);
         let heaviest = lines.filter(|(line, _)| weight(line) > 0).max_by_key(weighed);
         heaviest.map_or_else(|| program.last_statement(), |(_, number)| number)
     }
 
     /// Returns whether a line says something: one with a semicolon alone does where there is no other statement.
     pub(crate) fn is_telling(program: &ReadProgram<'_, '_>, number: u32) -> bool {
-        let line = program.program.line_text(number).unwrap_or_default();
+        let line = program.line_text(number).unwrap_or_default();
         let is_told = !line.trim_matches([' ', '\t', ';']).is_empty();
         is_told || line.trim() == ";" && statements(program).is_empty()
     }
 
     /// Returns the lines of statements of a program that are no frame.
     pub(crate) fn statements(program: &ReadProgram<'_, '_>) -> Vec<u32> {
-        let line = |byte: u32| program.program.lines.line(byte);
+        let line = |byte: u32| program.lines.line(byte);
         let mut declared: Vec<(u32, u32)> = sections(program)
             .map(|section| (section.span.start, section.span.end))
             .collect();
-        for declaration in &program.program.unit.declarations {
+        for declaration in &program.unit.declarations {
             if let Declaration::Types(types) = declaration {
                 declared.extend(
                     types
@@ -197,7 +191,7 @@ pub(crate) mod suspect {
                 .iter()
                 .any(|(start, end)| (line(*start)..=line(end.saturating_sub(1))).contains(&number))
         };
-        let lines = program.program.text.lines().zip(1..);
+        let lines = program.text.lines().zip(1..);
         let statements = lines.filter(|(line, number)| weight(line) > 0 && !is_declared(*number));
         statements.map(|(_, number)| number).collect()
     }

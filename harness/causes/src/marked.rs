@@ -26,7 +26,7 @@ type Words = BTreeSet<String>;
 
 /// A small program with the line that matters.
 pub(crate) struct MarkedProgram<'t, 's> {
-    program: ReadProgram<'t, 's>,
+    program: &'t ReadProgram<'t, 's>,
     works: Vec<Work>,
     /// The number of the line at which the expected or the actual diagnostic stands.
     line: Option<u32>,
@@ -37,7 +37,7 @@ pub(crate) struct MarkedProgram<'t, 's> {
 }
 
 impl<'t, 's> MarkedProgram<'t, 's> {
-    pub(crate) fn new(program: ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
+    pub(crate) fn new(program: &'t ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
         let deviation = &normal.deviation;
         // A compiler that has lost the place says line 1, without a column or with the first.
         let line = |facts: &[Fact]| {
@@ -47,19 +47,19 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             placed.line.filter(|line| *line > 1 || has_column)
         };
         let reported = deviation.got.iter().find_map(Fact::diagnostic);
-        let by_number = || line_with_number(&program, reported.map_or("", |one| &one.message));
+        let by_number = || line_with_number(program, reported.map_or("", |one| &one.message));
         let line = line(&deviation.got)
             .or_else(|| line(&deviation.expected))
             .or_else(by_number);
         // Some compilers name the line behind the mistake, or one of a file of their own.
         let has_words = |number: &u32| {
-            let text = program.program.line_text(*number).unwrap_or_default();
+            let text = program.line_text(*number).unwrap_or_default();
             text.contains(|character: char| {
                 character.is_ascii_alphanumeric() || matches!(character, '\'' | '"')
             })
         };
         MarkedProgram {
-            works: works(program.program.text),
+            works: works(program.text),
             line: line.filter(has_words),
             is_unread: is_unread(&deviation.got),
             innocent: normal.innocent_literals(),
@@ -68,14 +68,13 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     fn is_on_line(&self, span: Span) -> bool {
-        self.line
-            .is_none_or(|line| self.program.program.line(span) == line)
+        self.line.is_none_or(|line| self.program.line(span) == line)
     }
 
     /// Returns the text of the line that matters; of the whole program where no line is known.
     fn text(&self) -> &'s str {
-        let line = self.line.and_then(|line| self.program.program.line_text(line));
-        line.unwrap_or(self.program.program.text)
+        let line = self.line.and_then(|line| self.program.line_text(line));
+        line.unwrap_or(self.program.text)
     }
 
     /// Returns the pieces of work on the line that matters.
@@ -128,7 +127,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
         let Some(line) = self.line else { return PLACES[2] };
-        let program = self.program.program;
+        let program = self.program;
         let covers = |start: u32, end: u32| {
             (program.lines.line(start)..=program.lines.line(end.saturating_sub(1))).contains(&line)
         };
@@ -191,13 +190,13 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns the features of a program of which something is not implemented: the kinds of the variables on its line, and whether
     /// that stands in a program or in another unit, which has its variables elsewhere; without such variables, the operations.
     pub(crate) fn of_missing(&self, got: &[Fact]) -> Words {
-        let line = unimplemented(&self.program, got);
-        let is_there = |span: Span| self.program.program.line(span) == line;
+        let line = unimplemented(self.program, got);
+        let is_there = |span: Span| self.program.line(span) == line;
         let operations = words_of(
             self.works.iter().filter(|work| is_there(work.span)),
             Role::Operation,
         );
-        let text = self.program.program.line_text(line).unwrap_or_default();
+        let text = self.program.line_text(line).unwrap_or_default();
         let declared = |word: &str| {
             self.program
                 .names
@@ -208,7 +207,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             .into_iter()
             .filter_map(|word| self.kind_of(declared(word)?));
         let mut features: Words = kinds.map(str::to_owned).collect();
-        let passes = passes_in_out(&self.program, is_there);
+        let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
         if features.is_empty() {
             return match operations.is_empty() {
@@ -216,7 +215,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
                 false => operations,
             };
         }
-        match unit_of(&self.program, line) {
+        match unit_of(self.program, line) {
             Some(_) => features.extend(["function or function block".to_owned()]),
             None => features.extend(operations.into_iter().filter(|one| one == "bit access")),
         }
@@ -247,7 +246,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns the kinds of the values of the program between which conversions are one piece of work.
     fn kinds(&self) -> BTreeSet<&'static str> {
-        let types = valued_types(self.program.program.text).into_iter();
+        let types = valued_types(self.program.text).into_iter();
         types.filter_map(kind).collect()
     }
 
@@ -353,7 +352,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     fn suspects(&self, is_here: impl Fn(&Work) -> bool) -> Words {
-        let is_innocent = |work: &Work| self.innocent.contains(work.span.text(self.program.program.text));
+        let is_innocent = |work: &Work| self.innocent.contains(work.span.text(self.program.text));
         let literals = self
             .works
             .iter()
@@ -382,7 +381,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             .any(|part| part.place == Place::InitialValue);
         let is_initial = is_initial && begins;
         let kinds = self.kinds();
-        let text = self.program.program.text;
+        let text = self.program.text;
         // A plain literal has the type of what begins with it.
         let has_typed_literal = || {
             words(text)

@@ -6,7 +6,7 @@
 
 use crate::alone::{BEGINNING_BLOCK, alone, beginning_block, distance};
 use crate::forms;
-use crate::program::{Program, ReadProgram, tokens};
+use crate::program::{ReadProgram, ask, tokens};
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
 use crate::reduction::Smallest;
 use crate::sign::{is_of_a_value, is_of_reading, is_unread};
@@ -71,15 +71,13 @@ impl Normal {
             .expected
             .iter()
             .find_map(|fact| fact.diagnostic()?.line);
-        let program = Program::new(&self.program);
         matches!(&self.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_a_value(code))
-            && line.is_some_and(|line| forms::is_other_operand(&program.read(), line))
+            && line.is_some_and(|line| ask(&self.program, |program| forms::is_other_operand(program, line)))
     }
 
     /// Returns the literals that the engine takes alone.
     pub(crate) fn innocent_literals(&self) -> BTreeSet<String> {
-        let program = Program::new(&self.program);
-        let operands = alone(&program.read()).into_iter().filter(|_| self.is_asked);
+        let operands = ask(&self.program, alone).into_iter().filter(|_| self.is_asked);
         operands.filter_map(|one| one.literal).collect()
     }
 }
@@ -95,7 +93,7 @@ impl Draft {
     /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
     /// one, in their order.
     fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
-        let found = find(&Program::new(&self.text).read());
+        let found = ask(&self.text, find);
         let mut chosen = found.into_iter().filter(|_| sites.here());
         if let (Some(one), None) = (chosen.next(), chosen.next()) {
             self.text = one;
@@ -104,7 +102,7 @@ impl Draft {
 
     /// Makes some of several changes together.
     fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
-        let found = find(&Program::new(&self.text).read());
+        let found = ask(&self.text, find);
         let mut chosen = Edits::new();
         chosen.extend(found.into_iter().filter(|_| sites.here()));
         self.text = chosen.apply(&self.text);
@@ -150,7 +148,7 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
 
 /// Returns programs with quite another type in the place of a value on the line of the mistake.
 fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
-    let errors = stickler_reference::errors(program.program.text, dialect);
+    let errors = stickler_reference::errors(program.text, dialect);
     let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
     forms::with_other_operand(program, line)
 }
@@ -228,7 +226,7 @@ pub(crate) fn normal_form(
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
     let plain = |passes| ReductionMethod {
         passes,
-        weight: |draft: &Draft| (0, plainness(&draft.text)),
+        weight: |draft: &Draft| (0, ask(&draft.text, plainness)),
         key,
     };
     match now {
@@ -314,8 +312,8 @@ impl NormalSearch<'_, '_> {
         let seen = self.asked.deviation(&case)?;
         let former = &self.normal;
         // A value that wraps is another defect than one that is within the range of its type.
-        let stays =
-            |seen: &Deviation| leaves_range(&former.program, &former.deviation) || !leaves_range(text, seen);
+        let leaves = |text: &str, seen: &Deviation| ask(text, |program| leaves_range(program, seen));
+        let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
         let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
         let is_same = same.is_some();
         if let Some(deviation) = same {
@@ -336,11 +334,8 @@ impl NormalSearch<'_, '_> {
             return Vec::new();
         }
         let all = all_variables(self.case, text);
-        let program = Program::new(text);
-        let keeps = text == BEGINNING_BLOCK
-            || forms::only_initial_values(&program.read())
-                .first()
-                .is_some_and(|initial| initial == text);
+        let initial = ask(text, forms::only_initial_values);
+        let keeps = text == BEGINNING_BLOCK || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
             one.name.eq_ignore_ascii_case("into")
@@ -356,18 +351,12 @@ impl NormalSearch<'_, '_> {
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
-        let program = self.normal.program.clone();
-        let program = Program::new(&program);
-        let program = program.read();
+        let (in_two_steps, turned_round) = ask(&self.normal.program, |program| {
+            (forms::in_two_steps(program), forms::turned_round(program))
+        });
         let forms = [
-            (
-                forms::in_two_steps(&program),
-                "operation in the type of its target",
-            ),
-            (
-                forms::turned_round(&program),
-                "comparison in the type of its first operand",
-            ),
+            (in_two_steps, "operation in the type of its target"),
+            (turned_round, "comparison in the type of its first operand"),
         ];
         for (form, way) in forms {
             let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));

@@ -1,6 +1,6 @@
 //! The lines of a small program that give a variable its value.
 
-use crate::program::{Part, Program, ReadProgram, tokens};
+use crate::program::{Part, ReadProgram, ask, tokens};
 use crate::question::Deviation;
 use stickler_run::Fact;
 use stickler_syntax::names::{UseKind, used};
@@ -17,7 +17,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// function by its body.
     pub(crate) fn computation(&self, path: &str) -> Option<u32> {
         let Some(mut last) = self.assignment(path) else {
-            return self.field_value(path).map(|span| self.program.line(span));
+            return self.field_value(path).map(|span| self.line(span));
         };
         for _ in 0..MAX_COPIES {
             let source = self.copied(&last).and_then(|source| self.assignment(source));
@@ -30,7 +30,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
                 _ => break,
             }
         }
-        last.statement.map(|statement| self.program.line(statement.span))
+        last.statement.map(|statement| self.line(statement.span))
     }
 
     /// Returns the last place that assigns a variable, a field or an element of it, counts with it, or gives it to an output or an in-out
@@ -78,7 +78,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
             };
             self.parts.iter().any(covers)
         };
-        let mut uses = used(&self.program.unit).into_iter();
+        let mut uses = used(&self.unit).into_iter();
         let found =
             uses.find(|one| one.kind == UseKind::Field && one.name.is(field) && !is_selected(one.name.span))?;
         Some(found.name.span)
@@ -92,7 +92,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
             .names
             .iter()
             .find(|one| one.name.is(name) && one.group.is_some());
-        declared.map_or_else(|| self.last_statement(), |one| self.program.line(one.name.span))
+        declared.map_or_else(|| self.last_statement(), |one| self.line(one.name.span))
     }
 
     /// Returns the variable that a statement copies to another of the same type, or the function whose result it copies and that
@@ -149,8 +149,8 @@ pub(crate) fn shows_initial_value(text: &str, deviation: &Deviation) -> bool {
     let Some(Fact::Value { name, .. }) = deviation.expected.iter().find(differs) else {
         return false;
     };
-    let program = Program::new(text);
-    let program = program.read();
-    let declaration = program.program.line_text(program.declaration(name));
-    program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
+    ask(text, |program| {
+        let declaration = program.line_text(program.declaration(name));
+        program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
+    })
 }

@@ -1,6 +1,7 @@
 //! A program of any dialect with its tree: what it declares, which type each of its expressions has, and to what values are given.
 
 use std::collections::{BTreeSet, HashMap};
+use std::ops::Deref;
 use std::sync::LazyLock;
 use stickler_syntax::names::{DeclaredKind, DeclaredName, declared};
 use stickler_syntax::source::{LineIndex, Span};
@@ -141,6 +142,11 @@ impl<'s> Program<'s> {
     }
 }
 
+/// Reads a program, and asks it something.
+pub(crate) fn ask<R>(text: &str, question: impl FnOnce(&ReadProgram<'_, '_>) -> R) -> R {
+    question(&Program::new(text).read())
+}
+
 /// An expression where it stands.
 #[derive(Clone, Copy)]
 pub(crate) struct Part<'t, 's> {
@@ -161,6 +167,14 @@ pub(crate) struct ReadProgram<'t, 's> {
     pub(crate) parts: Vec<Part<'t, 's>>,
     /// The types of what begins with an initial value, by the place of that.
     initial: HashMap<Span, &'t TypeSpecification<'s>>,
+}
+
+impl<'s> Deref for ReadProgram<'_, 's> {
+    type Target = Program<'s>;
+
+    fn deref(&self) -> &Program<'s> {
+        self.program
+    }
 }
 
 impl<'t, 's> ReadProgram<'t, 's> {

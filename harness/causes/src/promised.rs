@@ -75,9 +75,9 @@ pub(crate) fn specific<'f>(
     dialect: &Dialect,
     features: &'f Features,
 ) -> Option<&'f Feature> {
-    let text = program.program.text;
-    let of_line = program.program.line_text(line)?;
-    let number = |byte: u32| program.program.lines.line(byte);
+    let text = program.text;
+    let of_line = program.line_text(line)?;
+    let number = |byte: u32| program.lines.line(byte);
     let uses = feature_uses(text, dialect);
     let known = |used: &FeatureUse| features.get(&used.key);
     let used_there = uses

@@ -383,10 +383,10 @@ fn answer(question: &str, inputs: &[String]) -> String {
                 .map(|one| one.apply(&text))
                 .collect(),
         ),
-        "value_features" => joined(values::value_features(&text)),
-        "has_first_bit" => yes(values::has_first_bit(&text)),
-        "leaves_range" => yes(values::leaves_range(&text, &deviation())),
-        "number_pattern" => values::number_pattern(&text, &deviation())
+        "value_features" => joined(values::value_features(&program)),
+        "has_first_bit" => yes(values::has_first_bit(&program)),
+        "leaves_range" => yes(values::leaves_range(&program, &deviation())),
+        "number_pattern" => values::number_pattern(&program, &deviation())
             .unwrap_or_default()
             .to_owned(),
         _ => panic!("nobody asks `{question}`"),

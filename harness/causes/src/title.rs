@@ -106,7 +106,7 @@ impl Titled<'_, '_> {
             Symptom::Unusable(words) => format!("{} is accepted, but {}", self.line(None), clipped(words)),
             Symptom::Hang => {
                 let is_loop = |text: &str| ["FOR", "WHILE", "REPEAT"].iter().any(|word| has_word(text, word));
-                let mut lines = self.program.program.text.lines().zip(1..);
+                let mut lines = self.program.text.lines().zip(1..);
                 let found = lines.find(|(text, _)| is_loop(text)).map(|(_, number)| number);
                 format!("{}: no answer in time", self.line(found))
             }
@@ -223,8 +223,8 @@ fn warning(these: &[Fact], others: &[Fact]) -> Diagnostic {
 
 /// Returns the line of the condition that decides whether a line assigns a literal, where it does more than name a variable.
 pub(crate) fn condition(program: &ReadProgram<'_, '_>, line: u32) -> Option<u32> {
-    let text = program.program.text;
-    let all = tokens(program.program.line_text(line)?);
+    let text = program.text;
+    let all = tokens(program.line_text(line)?);
     let is_literal =
         matches!(&all[..], [_, sign, value, _] if sign.kind == TokenKind::Assign && value.kind.is_literal());
     let decides = |(line, _): &(&str, u32)| {

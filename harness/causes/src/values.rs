@@ -1,9 +1,7 @@
 //! The values of a small program: how plain its numbers are, and what a wrong value says beside them of how it came about.
 
 use crate::forms::{PLAIN, named_types};
-use crate::program::{
-    Part, Program, ReadProgram, converted, elementary, is_number, kind, type_of_word, valued_types,
-};
+use crate::program::{Part, ReadProgram, converted, elementary, is_number, kind, type_of_word, valued_types};
 use crate::question::{Deviation, wrong_values};
 use crate::work::operations;
 use std::collections::BTreeSet;
@@ -122,12 +120,10 @@ pub(crate) fn plainer_numbers(program: &ReadProgram<'_, '_>) -> Vec<Edits> {
 }
 
 /// Returns how far the types and the numbers of a program are from the plainest.
-pub(crate) fn plainness(text: &str) -> u128 {
-    let program = Program::new(text);
-    let program = program.read();
+pub(crate) fn plainness(program: &ReadProgram<'_, '_>) -> u128 {
     let rank = |name: &str| PLAIN.iter().position(|plain| *plain == name).unwrap_or_default() as u128;
-    let types: u128 = named_types(text).into_iter().map(rank).sum();
-    let numbers = plain_numbers(&program).map(|(_, number)| {
+    let types: u128 = named_types(program.text).into_iter().map(rank).sum();
+    let numbers = plain_numbers(program).map(|(_, number)| {
         let features = number.features().into_iter().filter(|is_there| *is_there).count();
         100 * features as u128
             + number.digits.len() as u128
@@ -137,57 +133,50 @@ pub(crate) fn plainness(text: &str) -> u128 {
 }
 
 /// Returns what is special about the numbers and the numeric types of a program that computes a wrong value.
-pub(crate) fn value_features(text: &str) -> BTreeSet<String> {
-    let program = Program::new(text);
-    let program = program.read();
+pub(crate) fn value_features(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     let names = ["negative number", "fraction", "large number"];
-    let numbers = plain_numbers(&program).flat_map(|(_, number)| names.into_iter().zip(number.features()));
+    let numbers = plain_numbers(program).flat_map(|(_, number)| names.into_iter().zip(number.features()));
     let numbers = numbers.filter(|(_, is_there)| *is_there).map(|(name, _)| name);
-    let special = named_types(text).into_iter();
+    let special = named_types(program.text).into_iter();
     let special = special.filter(|name| PLAIN.contains(name) && !matches!(*name, "INT" | "REAL"));
     numbers.chain(special).map(str::to_owned).collect()
 }
 
 /// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
 /// says nothing.
-pub(crate) fn number_pattern(text: &str, deviation: &Deviation) -> Option<&'static str> {
-    let program = Program::new(text);
-    let wrong = WrongNumber {
-        program: &program.read(),
-        deviation,
-    };
-    if wrong.counts_seconds() {
-        Some("seconds in the place of milliseconds")
-    } else if wrong.converts_out_of_range() {
-        Some("conversion of a real number outside the range of its target")
-    } else if wrong.counts_to_limit() {
-        Some("FOR loop to the last value of its type")
-    } else if wrong.keeps_range() {
-        Some("conversion to an integer that does not bring it into its range")
-    } else if wrong.rounds_to_lreal() {
-        Some("integer literal with the bits of an LREAL")
-    } else if wrong.keeps_lreal() {
-        Some("REAL literal with the bits of an LREAL")
-    } else {
-        None
-    }
+pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
+    let wrong = WrongNumber { program, deviation };
+    let patterns = [
+        (wrong.counts_seconds(), "seconds in the place of milliseconds"),
+        (
+            wrong.converts_out_of_range(),
+            "conversion of a real number outside the range of its target",
+        ),
+        (wrong.counts_to_limit(), "FOR loop to the last value of its type"),
+        (
+            wrong.keeps_range(),
+            "conversion to an integer that does not bring it into its range",
+        ),
+        (
+            wrong.rounds_to_lreal(),
+            "integer literal with the bits of an LREAL",
+        ),
+        (wrong.keeps_lreal(), "REAL literal with the bits of an LREAL"),
+    ];
+    patterns
+        .into_iter()
+        .find(|(shows, _)| *shows)
+        .map(|(_, pattern)| pattern)
 }
 
 /// Returns whether the first value that a program has wrong must be another number than each literal of the program, as where a
 /// conversion wraps. Where the program has no number, none left a range.
-pub(crate) fn leaves_range(text: &str, deviation: &Deviation) -> bool {
-    let program = Program::new(text);
-    WrongNumber {
-        program: &program.read(),
-        deviation,
-    }
-    .leaves_range()
+pub(crate) fn leaves_range(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> bool {
+    WrongNumber { program, deviation }.leaves_range()
 }
 
 /// Returns whether a program has a number with the first bit of an unsigned type, which is the sign of a signed type of the same size.
-pub(crate) fn has_first_bit(text: &str) -> bool {
-    let program = Program::new(text);
-    let program = program.read();
+pub(crate) fn has_first_bit(program: &ReadProgram<'_, '_>) -> bool {
     program.parts.iter().any(|part| {
         let literal = program.literal(part.id);
         let ty = program.type_of(part.id).or_else(|| program.target(part));
@@ -204,10 +193,6 @@ struct WrongNumber<'p, 't, 's> {
 }
 
 impl WrongNumber<'_, '_, '_> {
-    fn text(&self) -> &str {
-        self.program.program.text
-    }
-
     /// Returns the first wrong value: what it must be, and what it is.
     fn values(&self) -> Option<(&Value, &Value)> {
         let first = wrong_values(&self.deviation.expected, &self.deviation.got).next();
@@ -261,7 +246,7 @@ impl WrongNumber<'_, '_, '_> {
             "subscript or list",
             "condition",
         ];
-        let operations = operations(self.text()).into_iter();
+        let operations = operations(self.program.text).into_iter();
         operations.filter(|one| !beside.contains(&one.as_str())).count()
     }
 
@@ -277,7 +262,7 @@ impl WrongNumber<'_, '_, '_> {
 
     /// Returns whether the program does nothing but convert a real number to an integer by name, and the number is outside the range.
     fn converts_out_of_range(&self) -> bool {
-        let is_negative = self.text().contains('-');
+        let is_negative = self.program.text.contains('-');
         let leaves = |into: ElementaryType| {
             // Of an unsigned type the least number is 0, and a minus stands before a number.
             let is_outside = |number: f64| {
@@ -301,7 +286,9 @@ impl WrongNumber<'_, '_, '_> {
             let most = range.map(|(_, most)| most as f64);
             part.place == Place::Control && self.literals().any(|number| Some(number) == most)
         };
-        self.computed() == 0 && valued_types(self.text()).len() < 2 && self.program.parts.iter().any(counts)
+        self.computed() == 0
+            && valued_types(self.program.text).len() < 2
+            && self.program.parts.iter().any(counts)
     }
 
     /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
@@ -326,7 +313,7 @@ impl WrongNumber<'_, '_, '_> {
             _ => raw,
         };
         let error = raw.wrapping_sub(got).cast_signed().unsigned_abs();
-        operations(self.text()).is_empty()
+        operations(self.program.text).is_empty()
             && magnitude > 1 << f64::MANTISSA_DIGITS
             && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS)
     }
@@ -339,7 +326,7 @@ impl WrongNumber<'_, '_, '_> {
             .iter()
             .filter_map(|part| self.program.literal(part.id));
         let is_rounded = |(expected, got): (f64, f64)| f64::from(got as f32) == expected;
-        operations(self.text()).is_empty()
+        operations(self.program.text).is_empty()
             && literals
                 .any(|literal| type_of_word(literal) == Some(ElementaryType::Real) && literal.contains('#'))
             && self.numbers().is_some_and(is_rounded)
@@ -351,7 +338,7 @@ impl WrongNumber<'_, '_, '_> {
         let Some((expected, got)) = self.numbers() else {
             return false;
         };
-        let types = named_types(self.text()).into_iter().filter_map(elementary);
+        let types = named_types(self.program.text).into_iter().filter_map(elementary);
         let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
         let converts = kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
         // Below a second the number of seconds is 0, which other errors give too.
