@@ -71,10 +71,10 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
         let Some(body) = body(text, pou) else { continue };
         let here = |part: &&Part<'_, '_>| body.contains(&(part.expression.span.start as usize));
         let used = || program.parts.iter().filter(here);
-        let instances = used().filter_map(|part| match &part.expression.kind {
-            ExpressionKind::Name(name) if program.is_instance(name.text) => Some(format!("{}();", name.text)),
-            _ => None,
-        });
+        let names = used()
+            .filter_map(Part::name)
+            .filter(|name| program.is_instance(name));
+        let instances = names.map(|name| format!("{name}();"));
         let paths = used().filter(|part| {
             let around = part
                 .around
@@ -110,16 +110,18 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns a program in which an output of a call is given to a variable of its own in the place of a bit.
 pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
-    let is_bit = |part: &&Part<'_, '_>| {
-        part.place == Place::OutputArgument && matches!(part.expression.kind, ExpressionKind::Bit { .. })
-    };
+    let is_bit = |part: &&Part<'_, '_>| matches!(part.expression.kind, ExpressionKind::Bit { .. });
     let change = |part: &Part<'_, '_>| {
         let end = end_of_variables(text, part.pou?)?;
         let mut edits = Edits::replacing(part.expression.span, "received");
         edits.replace(end..end, "    received : BOOL;\n");
         Some(without_unused(&edits.apply(text)))
     };
-    program.parts.iter().filter(is_bit).filter_map(change).collect()
+    program
+        .at(Place::OutputArgument)
+        .filter(is_bit)
+        .filter_map(change)
+        .collect()
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without
@@ -146,10 +148,7 @@ pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String>
 /// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
 fn without_unused(text: &str) -> String {
     let lines = ask(text, |program| {
-        let is_used = |name: &str| {
-            let is_it = |part: &Part<'_, '_>| matches!(&part.expression.kind, ExpressionKind::Name(used) if used.is(name));
-            program.parts.iter().any(is_it)
-        };
+        let is_used = |name: &str| program.parts.iter().any(|part| part.is(name));
         let local = program
             .names
             .iter()
@@ -212,8 +211,8 @@ pub(crate) fn with_first_parts(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// the type of the target; `None` where it has no statement that does both.
 pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
     let text = program.text;
-    program.parts.iter().find_map(|part| {
-        let statement = part.statement.filter(|_| part.place == Place::Value)?;
+    program.at(Place::Value).find_map(|part| {
+        let statement = part.statement?;
         let (operator, left, right) = binary(program, part.id)?;
         let (own, target) = (program.type_of(left)?, program.target(part)?);
         if !calculates(operator) || program.type_of(right) != Some(own) || own == target {
@@ -241,8 +240,8 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
 
 /// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.
 pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
-    program.parts.iter().find_map(|part| {
-        let (operator, left, right) = binary(program, part.id).filter(|_| part.place == Place::Value)?;
+    program.at(Place::Value).find_map(|part| {
+        let (operator, left, right) = binary(program, part.id)?;
         let types = (program.type_of(left)?, program.type_of(right)?);
         let turned = match operator {
             BinaryOperator::Less => BinaryOperator::Greater,

@@ -146,12 +146,10 @@ fn literal(written: &str) -> Option<String> {
 fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for part in program.parts.iter().filter(|part| part.statement.is_some()) {
-        let ExpressionKind::Name(name) = &part.expression.kind else {
-            continue;
-        };
+        let Some(name) = part.name() else { continue };
         let whole = program.text(program.outermost(part).id);
         let mut depth = 0_usize;
-        let behind = whole.chars().skip(name.text.len()).filter(|sign| {
+        let behind = whole.chars().skip(name.len()).filter(|sign| {
             depth = depth + usize::from(*sign == '[') - usize::from(*sign == ']');
             (depth == 0 || *sign == '[') && !sign.is_ascii_digit()
         });
@@ -160,7 +158,7 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
             _ => behind.collect::<String>().to_ascii_uppercase(),
         };
         found
-            .entry(name.text.to_ascii_uppercase())
+            .entry(name.to_ascii_uppercase())
             .or_default()
             .insert(way);
     }
@@ -265,19 +263,12 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
     if is_real && target.is_some_and(is_integer) {
         return Some("real number for an integer");
     }
-    let ExpressionKind::Name(name) = &part.expression.kind else {
-        return None;
-    };
-    let section = program.section(name.text, part.pou);
+    let name = part.name()?;
+    let section = program.section(name, part.pou);
     // Basis of both: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL; VAR_INPUT: not modifiable within the unit).
     match part.place {
-        Place::InitialValue if begins_with_variable(program, name.text) => {
-            Some("initial value of a variable")
-        }
-        _ if is_global(program, name.text)
-            && part.pou.is_some()
-            && !has_word(program.text, "VAR_EXTERNAL") =>
-        {
+        Place::InitialValue if begins_with_variable(program, name) => Some("initial value of a variable"),
+        _ if is_global(program, name) && part.pou.is_some() && !has_word(program.text, "VAR_EXTERNAL") => {
             Some("global variable that is not external")
         }
         _ if section == Some(VariableKind::Input) && is_assigned(program, part) => {

@@ -38,6 +38,7 @@ mod question;
 mod reduction;
 mod shape;
 mod sign;
+mod suspect;
 #[cfg(test)]
 mod tests;
 mod title;

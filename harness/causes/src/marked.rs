@@ -1,19 +1,16 @@
 //! The features of the line of a small program that matters: the constructs by which the defects of programs are told apart.
 
-use crate::lines::{line_with_number, unimplemented, unit_of};
+use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
 use crate::normal::Normal;
-use crate::program::{ReadProgram, kind, type_of_word, valued_types, words};
+use crate::program::{Part, ReadProgram, is_number, kind, type_of_word, valued_types, words};
 use crate::sign::is_unread;
+use crate::suspect::unimplemented;
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
-use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 
-use stickler_syntax::tree::{
-    Argument, Declaration, ExpressionKind, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
-    VariableKind,
-};
+use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
 
 /// The features of where a line stands.
@@ -126,62 +123,28 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
-        let Some(line) = self.line else { return PLACES[2] };
-        let program = self.program;
-        let covers = |start: u32, end: u32| {
-            (program.lines.line(start)..=program.lines.line(end.saturating_sub(1))).contains(&line)
-        };
-        for declaration in &program.unit.declarations {
-            let place = match declaration {
-                Declaration::Types(types) => types
-                    .iter()
-                    .any(|one| covers(one.name.span.start, one.specification.span.end))
-                    .then_some(PLACES[0]),
-                Declaration::Pou(pou) => {
-                    let is_declared = pou
-                        .blocks
-                        .iter()
-                        .any(|block| covers(block.span.start, block.span.end));
-                    let is_stated = pou
-                        .body
-                        .iter()
-                        .any(|statement| program.line(statement.span) == line);
-                    (is_declared && !is_stated).then_some(PLACES[1])
-                }
-                Declaration::Globals(block) => covers(block.span.start, block.span.end).then_some(PLACES[1]),
-                Declaration::Configuration(_) => None,
-            };
-            if let Some(place) = place {
-                return place;
-            }
+        match self.line.map(|line| place_of(self.program, line)) {
+            Some(LinePlace::Types) => PLACES[0],
+            Some(LinePlace::Section(_)) => PLACES[1],
+            Some(LinePlace::Statement) | None => PLACES[2],
         }
-        PLACES[2]
     }
 
     /// Returns the names that the line calls.
     fn callees(&self) -> impl Iterator<Item = &'s str> {
         let callees = self
             .program
-            .parts
-            .iter()
-            .filter(|part| part.place == Place::Callee);
-        let here = callees.filter(|part| self.is_on_line(part.expression.span));
-        here.map(|part| self.program.text(part.id))
+            .at(Place::Callee)
+            .filter(|part| self.is_on_line(part.expression.span));
+        callees.map(|part| self.program.text(part.id))
     }
 
     /// Returns the kind of variable that the line assigns, unless that is a plain one.
     fn target(&self) -> Option<&'static str> {
-        let mut targets = self
-            .program
-            .parts
-            .iter()
-            .filter(|part| part.place == Place::Target);
+        let mut targets = self.program.at(Place::Target);
         let part = targets.find(|part| self.is_on_line(part.expression.span))?;
         match &part.expression.kind {
-            ExpressionKind::Name(name) => part
-                .pou
-                .filter(|pou| pou.name.is(name.text))
-                .map(|_| "result of a function"),
+            ExpressionKind::Name(name) if part.pou?.name.is(name.text) => Some("result of a function"),
             ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => Some("field or element"),
             _ => None,
         }
@@ -192,20 +155,10 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     pub(crate) fn of_missing(&self, got: &[Fact]) -> Words {
         let line = unimplemented(self.program, got);
         let is_there = |span: Span| self.program.line(span) == line;
-        let operations = words_of(
-            self.works.iter().filter(|work| is_there(work.span)),
-            Role::Operation,
-        );
-        let text = self.program.line_text(line).unwrap_or_default();
-        let declared = |word: &str| {
-            self.program
-                .names
-                .iter()
-                .find(|one| one.name.is(word) && one.group.is_some())
-        };
-        let kinds = words(text)
-            .into_iter()
-            .filter_map(|word| self.kind_of(declared(word)?));
+        let works = self.works.iter().filter(|work| is_there(work.span));
+        let operations = words_of(works, Role::Operation);
+        let line_words = words(self.program.line_text(line).unwrap_or_default());
+        let kinds = line_words.into_iter().filter_map(|word| self.kind_of(word));
         let mut features: Words = kinds.map(str::to_owned).collect();
         let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
@@ -223,16 +176,16 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     /// Returns the kind of a variable, unless that is a plain one.
-    fn kind_of(&self, declared: &DeclaredName<'_, '_>) -> Option<&'static str> {
-        let mut specification: &TypeSpecification<'_> = &declared.group?.specification;
-        if let TypeSpecificationKind::Named(name) = &specification.kind {
-            let unit = self.program.unit_of(name.text);
-            if unit.is_some_and(|pou| pou.kind == PouKind::FunctionBlock) {
-                return Some("instance of a function block");
-            }
-            specification = &self.program.declared_type(name.text)?.specification;
+    fn kind_of(&self, name: &str) -> Option<&'static str> {
+        if self.program.is_instance(name) {
+            return Some("instance of a function block");
         }
-        match specification.kind {
+        let declared = &self.program.group(name)?.specification.kind;
+        let own = match declared {
+            TypeSpecificationKind::Named(name) => self.program.declared_type(name.text),
+            _ => None,
+        };
+        match own.map_or(declared, |own| &own.specification.kind) {
             TypeSpecificationKind::Array { .. } => Some("array"),
             TypeSpecificationKind::Structure(_) => Some("structure"),
             _ => None,
@@ -300,12 +253,9 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             features.extend(self.operand_kinds());
         }
         features.extend(literals);
-        let by_name = |part: &crate::program::Part<'_, '_>| {
-            part.place == Place::InitialValue
-                && self.is_on_line(part.expression.span)
-                && matches!(part.expression.kind, ExpressionKind::Name(_))
-        };
-        if features.contains("declaration") && self.program.parts.iter().any(by_name) {
+        let mut initial = self.program.at(Place::InitialValue);
+        let by_name = |part: &Part<'_, '_>| self.is_on_line(part.expression.span) && part.name().is_some();
+        if features.contains("declaration") && initial.any(by_name) {
             features.insert("initial value by name".to_owned());
         }
         if !self.is_unread {
@@ -374,11 +324,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         features.remove("call");
         // What is converted may have a sign before it.
         features.remove("sign");
-        let begins = self
-            .program
-            .parts
-            .iter()
-            .any(|part| part.place == Place::InitialValue);
+        let begins = self.program.at(Place::InitialValue).next().is_some();
         let is_initial = is_initial && begins;
         let kinds = self.kinds();
         let text = self.program.text;
@@ -459,7 +405,7 @@ fn form_of_number(word: &str) -> Option<String> {
     let upper = word.to_ascii_uppercase();
     let prefixed = upper.split_once('#');
     let ty = type_of_word(&upper).filter(|_| prefixed.is_some());
-    let number = prefixed.filter(|_| ty.is_some_and(crate::program::is_number));
+    let number = prefixed.filter(|_| ty.is_some_and(is_number));
     let mut form = String::new();
     for character in number.map_or(upper.as_str(), |(_, number)| number).chars() {
         let shown = if character.is_ascii_digit() {

@@ -38,11 +38,10 @@ impl<'t, 's> ReadProgram<'t, 's> {
     fn assignment(&self, path: &str) -> Option<Part<'t, 's>> {
         let name = path.split(['@', '[', '.']).next().unwrap_or(path);
         let assigns = |part: &&Part<'t, 's>| {
-            let is_it = matches!(&part.expression.kind, ExpressionKind::Name(one) if one.is(name));
             let targets = [Place::Target, Place::Control, Place::OutputArgument];
             // An argument that is the variable alone may be changed by the call.
             let changes = part.place == Place::NamedArgument || targets.contains(&self.outermost(part).place);
-            is_it && changes
+            part.is(name) && changes
         };
         self.parts
             .iter()
@@ -125,7 +124,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// Returns whether a function only passes a literal on, so that it computes nothing.
     fn is_passed_on(&self, source: &Part<'t, 's>, last: &Part<'t, 's>) -> bool {
         let is_plain = matches!(source.statement.map(|one| &one.kind), Some(StatementKind::Assignment { value, .. })
-            if matches!(self.part(*value).map(|part| &part.expression.kind), Some(ExpressionKind::Name(_))));
+            if self.part(*value).is_some_and(|part| part.name().is_some()));
         let text = last
             .statement
             .map_or("", |statement| statement.span.text(self.program.text));

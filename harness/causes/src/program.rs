@@ -160,6 +160,21 @@ pub(crate) struct Part<'t, 's> {
     pub(crate) pou: Option<&'t Pou<'s>>,
 }
 
+impl<'s> Part<'_, 's> {
+    /// Returns the name that the expression is; `None` of another expression.
+    pub(crate) fn name(&self) -> Option<&'s str> {
+        match &self.expression.kind {
+            ExpressionKind::Name(name) => Some(name.text),
+            _ => None,
+        }
+    }
+
+    /// Returns whether the expression is this name.
+    pub(crate) fn is(&self, name: &str) -> bool {
+        self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
+    }
+}
+
 /// The names and the expressions of a program.
 pub(crate) struct ReadProgram<'t, 's> {
     pub(crate) program: &'t Program<'s>,
@@ -187,6 +202,17 @@ impl<'t, 's> ReadProgram<'t, 's> {
         self.parts.iter().find(|part| part.id == id)
     }
 
+    /// Returns the expressions in a place.
+    pub(crate) fn at(&self, place: Place) -> impl Iterator<Item = &Part<'t, 's>> {
+        self.parts.iter().filter(move |part| part.place == place)
+    }
+
+    /// Returns the first declaration of a variable or a field with a name.
+    pub(crate) fn group(&self, name: &str) -> Option<&'t VariableGroup<'s>> {
+        let mut named = self.names.iter().filter(|one| one.name.is(name));
+        named.find_map(|one| one.group)
+    }
+
     /// Returns what a name is where a unit uses it: what the unit itself declares, or else what another part does.
     pub(crate) fn named(&self, name: &str, pou: Option<&Pou<'_>>) -> Option<&DeclaredName<'t, 's>> {
         let here = pou.map(|pou| pou.span);
@@ -202,15 +228,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the unit of a name: a function, or the block of which a variable is an instance.
     pub(crate) fn unit_of(&self, name: &str) -> Option<&'t Pou<'s>> {
-        let of_type = self
-            .names
-            .iter()
-            .find(|one| one.name.is(name))
-            .and_then(|one| one.group);
-        let block = of_type.and_then(|group| match &group.specification.kind {
-            TypeSpecificationKind::Named(ty) => Some(ty.text),
-            _ => None,
-        });
+        let block = self
+            .group(name)
+            .and_then(|group| match &group.specification.kind {
+                TypeSpecificationKind::Named(ty) => Some(ty.text),
+                _ => None,
+            });
         let mut units = self.program.unit.pous();
         units.find(|pou| pou.name.is(block.unwrap_or(name)))
     }

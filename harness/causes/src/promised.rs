@@ -1,12 +1,12 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
-use crate::lines::unimplemented;
 use crate::marked::passes_in_out;
 use crate::program::{Program, ReadProgram, valued_types, words};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
 use crate::sign::is_unread;
+use crate::suspect::unimplemented;
 use stickler_engines::Identity;
 use stickler_run::{Fact, Symptom, binds};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};

@@ -1,8 +1,9 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
-use crate::lines::{described, line_with_number, suspect, unimplemented, unit_of};
+use crate::lines::{described, line_with_number, unit_of};
 use crate::program::{Program, ReadProgram, has_word, tokens};
 use crate::reduction::Smallest;
+use crate::suspect::{self, unimplemented};
 use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;

@@ -278,17 +278,16 @@ impl WrongNumber<'_, '_, '_> {
 
     /// Returns whether the program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
     fn counts_to_limit(&self) -> bool {
-        let counts = |part: &Part<'_, '_>| {
-            let range = self
-                .program
-                .type_of(part.id)
-                .and_then(ElementaryType::integer_range);
-            let most = range.map(|(_, most)| most as f64);
-            part.place == Place::Control && self.literals().any(|number| Some(number) == most)
+        let mut counted = self
+            .program
+            .at(Place::Control)
+            .map(|part| self.program.type_of(part.id));
+        let most = |ty: ElementaryType| ty.integer_range().map(|(_, most)| most as f64);
+        let counts = |ty: Option<ElementaryType>| {
+            let most = ty.and_then(most);
+            self.literals().any(|number| Some(number) == most)
         };
-        self.computed() == 0
-            && valued_types(self.program.text).len() < 2
-            && self.program.parts.iter().any(counts)
+        self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
     }
 
     /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
