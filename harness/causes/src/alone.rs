@@ -1,7 +1,8 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is
 //! asked before the operation around it is blamed.
 
-use crate::program::{Part, ReadProgram, converted, is_number, type_of_word};
+use crate::program::{Part, ReadProgram};
+use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
 use stickler_syntax::source::Span;

@@ -1,7 +1,8 @@
 //! Other forms of a small program: with fewer statements, with other operands, types and literals.
 
 use crate::alone::{binary, calculates, compares};
-use crate::program::{Part, ReadProgram, ask, elementary, is_number, tokens};
+use crate::program::{Part, ReadProgram, ask};
+use crate::words::{elementary, is_number, tokens};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_syntax::Edits;

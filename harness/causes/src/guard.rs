@@ -1,8 +1,9 @@
 //! What the reduction of a program must not exchange for other things: a smaller program shows the same defect only where the construct
 //! at fault is still there, and nothing came in that the whole program does not have.
 
-use crate::program::{ANY, Part, Program, ReadProgram, elementary, has_word, tokens};
+use crate::program::{Part, Program, ReadProgram};
 use crate::shape::is_name;
+use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
 use stickler_syntax::names::{DeclaredKind, DeclaredName};
@@ -157,10 +158,7 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
             Place::Callee => "()".to_owned(),
             _ => behind.collect::<String>().to_ascii_uppercase(),
         };
-        found
-            .entry(name.to_ascii_uppercase())
-            .or_default()
-            .insert(way);
+        found.entry(name.to_ascii_uppercase()).or_default().insert(way);
     }
     found
 }
@@ -216,7 +214,7 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
         (
             "task without a priority",
             number(TokenKind::Task)
-                > crate::program::words(program.text)
+                > words(program.text)
                     .iter()
                     .filter(|word| word.eq_ignore_ascii_case("PRIORITY"))
                     .count(),

@@ -1,7 +1,8 @@
 //! The lines of a small program: which one matters, and how it is told.
 
-use crate::program::{ReadProgram, tokens, words};
+use crate::program::ReadProgram;
 use crate::title::clipped;
+use crate::words::{tokens, words};
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;

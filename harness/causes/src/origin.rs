@@ -1,7 +1,8 @@
 //! The lines of a small program that give a variable its value.
 
-use crate::program::{Part, ReadProgram, ask, tokens};
+use crate::program::{Part, ReadProgram, ask};
 use crate::question::Deviation;
+use crate::words::tokens;
 use stickler_run::Fact;
 use stickler_syntax::names::{UseKind, used};
 use stickler_syntax::source::Span;

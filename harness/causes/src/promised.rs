@@ -2,11 +2,12 @@
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
 use crate::marked::passes_in_out;
-use crate::program::{Program, ReadProgram, valued_types, words};
+use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
 use crate::sign::is_unread;
 use crate::suspect::unimplemented;
+use crate::words::{valued_types, words};
 use stickler_engines::Identity;
 use stickler_run::{Fact, Symptom, binds};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};

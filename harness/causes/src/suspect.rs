@@ -1,7 +1,8 @@
 //! Which line of a small program most probably matters, where the engine names none.
 
 use crate::lines::{LinePlace, place_of, special_section};
-use crate::program::{ReadProgram, elementary, has_word, tokens, words};
+use crate::program::ReadProgram;
+use crate::words::{elementary, has_word, tokens, words};
 use stickler_run::Fact;
 use stickler_syntax::token::{Token, TokenKind};
 

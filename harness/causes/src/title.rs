@@ -1,9 +1,10 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
 use crate::lines::{described, line_with_number, unit_of};
-use crate::program::{Program, ReadProgram, has_word, tokens};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
+use crate::words::{has_word, tokens};
 use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;

@@ -1,8 +1,9 @@
 //! The values of a small program: how plain its numbers are, and what a wrong value says beside them of how it came about.
 
 use crate::forms::{PLAIN, named_types};
-use crate::program::{Part, ReadProgram, converted, elementary, is_number, kind, type_of_word, valued_types};
+use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
+use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types};
 use crate::work::operations;
 use std::collections::BTreeSet;
 use stickler_syntax::Edits;

@@ -1,6 +1,6 @@
 //! The pieces of work of a compiler that a program asks for: the features that it uses, where those that one change would mend are one.
 
-use crate::program::{ANY, elementary, tokens};
+use crate::words::{ANY, elementary, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 use stickler_syntax::features::{FeatureUse, feature_uses};
