@@ -96,13 +96,13 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         let is_signed = part
             .around
             .is_some_and(|around| program.literal(around).is_some());
-        if let Some(literal) = program.literal(part.id).filter(|_| !is_signed) {
+        let literal = program.literal(part.id).filter(|_| !is_signed);
+        if let Some(literal) = literal {
             let in_calculation =
                 || calculated(program, part).filter(|_| special.contains(&part.expression.span));
             if let Some(ty) = target.or_else(in_calculation).or(source) {
-                let plain = literal
-                    .split_once('#')
-                    .filter(|_| type_of_word(literal) == Some(ty));
+                let is_typed = type_of_word(literal) == Some(ty);
+                let plain = literal.split_once('#').filter(|_| is_typed);
                 literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, plain)));
                 literals.push(Alone::assigned(ty, literal));
                 literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
@@ -113,9 +113,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
             let value = initial.or_else(|| program.some_value(from));
             variables.extend((is_variable || from != ty).then(|| Alone::copied(from, ty, value)));
         }
-        let output = program
-            .output(part)
-            .filter(|(from, into)| part.place == Place::OutputArgument && from != into);
+        let output = program.output(part).filter(|(from, into)| from != into);
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
@@ -164,16 +162,15 @@ pub(crate) const fn compares(operator: BinaryOperator) -> bool {
 /// Returns the type of the number that a calculation is assigned to in which an operand stands.
 fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<ElementaryType> {
     let mut part = *operand;
-    while let Some(around) = part.around.and_then(|id| program.part(id)) {
+    while let Some(around) = program.around(&part) {
         let is_calculation = binary(program, around.id).is_some_and(|(operator, ..)| calculates(operator));
         if !is_calculation && !matches!(around.expression.kind, ExpressionKind::Unary { .. }) {
             return None;
         }
         part = *around;
     }
-    program
-        .target(&part)
-        .filter(|ty| part.id != operand.id && is_number(*ty))
+    let target = program.target(&part).filter(|_| part.id != operand.id);
+    target.filter(|ty| is_number(*ty))
 }
 
 /// Returns a call of a conversion function with a variable, where an expression is one.

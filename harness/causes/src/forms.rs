@@ -76,28 +76,12 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
             .filter_map(Part::name)
             .filter(|name| program.is_instance(name));
         let instances = names.map(|name| format!("{name}();"));
-        let paths = used().filter(|part| {
-            let around = part
-                .around
-                .and_then(|id| program.part(id))
-                .map(|around| &around.expression.kind);
-            let is_path = matches!(
-                part.expression.kind,
-                ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
-            );
-            is_path
-                && !matches!(
-                    around,
-                    Some(ExpressionKind::Field { .. } | ExpressionKind::Index { .. })
-                )
-        });
+        let is_whole = |part: &&Part<'_, '_>| !program.around(part).is_some_and(Part::is_part_of_variable);
+        let paths = used().filter(|part| part.is_part_of_variable()).filter(is_whole);
         let paths = paths.map(|part| format!("{0} := {0};", program.text(part.id)));
         let is_flat = pou.body.iter().all(|statement| bodies(statement).is_empty());
-        let own = pou
-            .body
-            .iter()
-            .filter(|_| is_flat)
-            .map(|one: &Statement| format!("{};", one.span.text(text)));
+        let own = pou.body.iter().filter(|_| is_flat);
+        let own = own.map(|one: &Statement| format!("{};", one.span.text(text)));
         for statement in instances.chain(paths).chain(own) {
             let changed = Edits::replacing(body.clone(), statement).apply(text);
             if changed != text && !found.contains(&changed) {
@@ -118,11 +102,8 @@ pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
         edits.replace(end..end, "    received : BOOL;\n");
         Some(without_unused(&edits.apply(text)))
     };
-    program
-        .at(Place::OutputArgument)
-        .filter(is_bit)
-        .filter_map(change)
-        .collect()
+    let bits = program.at(Place::OutputArgument).filter(is_bit);
+    bits.filter_map(change).collect()
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without
@@ -139,10 +120,7 @@ pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String>
         edits.replace(end..end, format!("    fitting : {written};\n"));
         Some(without_unused(&edits.apply(text)))
     };
-    let given = program
-        .parts
-        .iter()
-        .filter(|part| matches!(part.place, Place::Value | Place::NamedArgument));
+    let given = program.at(Place::Value).chain(program.at(Place::NamedArgument));
     given.filter_map(change).collect()
 }
 
@@ -150,14 +128,13 @@ pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String>
 fn without_unused(text: &str) -> String {
     let lines = ask(text, |program| {
         let is_used = |name: &str| program.parts.iter().any(|part| part.is(name));
+        let is_local = |pou: &Pou<'_>| pou.kind == PouKind::Program;
         let local = program
             .names
             .iter()
-            .filter(|one| one.inside.is_some_and(|pou| pou.kind == PouKind::Program));
+            .filter(|one| one.inside.is_some_and(is_local));
         let unused = local.filter(|one| !is_used(one.name.text));
-        unused
-            .map(|one| program.line(one.name.span))
-            .collect::<BTreeSet<u32>>()
+        Vec::from_iter(unused.map(|one| program.line(one.name.span)))
     });
     let kept = text.split_inclusive('\n').zip(1..);
     let is_kept =

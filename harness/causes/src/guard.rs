@@ -8,7 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
 use stickler_syntax::names::{DeclaredKind, DeclaredName};
 use stickler_syntax::token::{Token, TokenKind};
-use stickler_syntax::tree::{Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind};
+use stickler_syntax::tree::{
+    Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
+};
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
 
@@ -192,40 +194,20 @@ fn words_alone(text: &str, tokens: &[Token]) -> BTreeSet<String> {
 /// without one, a smaller program with it shows another mistake than the one under test.
 fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'static str> {
     let mut found = BTreeSet::new();
-    let number = |kind: TokenKind| tokens.iter().filter(|token| token.kind == kind).count();
     let adjacent = |one, other| {
-        tokens
-            .windows(2)
-            .any(|pair| (pair[0].kind, pair[1].kind) == (one, other))
+        let mut pairs = tokens.windows(2);
+        pairs.any(|pair| (pair[0].kind, pair[1].kind) == (one, other))
     };
-    let is_there = [
-        ("repetition of nothing", repeats_nothing(program, tokens)),
-        (
-            "expression as a statement",
-            has_expression_as_statement(program.text, tokens),
-        ),
-        // Basis: iec-61131-3: Annex A (`Struct_Decl`).
-        (
-            "empty structure",
-            adjacent(TokenKind::Struct, TokenKind::EndStruct),
-        ),
-        ("resource without a program", has_empty_resource(program)),
-        // Basis: iec-61131-3: Annex A (`Task_Init`).
-        (
-            "task without a priority",
-            number(TokenKind::Task)
-                > words(program.text)
-                    .iter()
-                    .filter(|word| word.eq_ignore_ascii_case("PRIORITY"))
-                    .count(),
-        ),
-    ];
-    found.extend(
-        is_there
-            .into_iter()
-            .filter(|(_, is_there)| *is_there)
-            .map(|(name, _)| name),
-    );
+    let words = words(program.text);
+    let number = |word: &str| words.iter().filter(|one| one.eq_ignore_ascii_case(word)).count();
+    let of_statement = has_expression_as_statement(program.text, tokens);
+    found.extend(repeats_nothing(program, tokens).then_some("repetition of nothing"));
+    found.extend(of_statement.then_some("expression as a statement"));
+    // Basis of these: iec-61131-3: Annex A (`Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
+    let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
+    found.extend(is_empty.then_some("empty structure"));
+    found.extend(has_empty_resource(program).then_some("resource without a program"));
+    found.extend((number("TASK") > number("PRIORITY")).then_some("task without a priority"));
     for part in &program.parts {
         found.extend(of_value(program, part));
     }
@@ -278,11 +260,8 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
 
 /// Returns whether a program declares a global variable with a name.
 fn is_global(program: &ReadProgram<'_, '_>, name: &str) -> bool {
-    let global = DeclaredKind::Variable(VariableKind::Global);
-    program
-        .names
-        .iter()
-        .any(|one| one.kind == global && one.name.is(name))
+    let mut named = program.names.iter().filter(|one| one.name.is(name));
+    named.any(|one| one.kind == DeclaredKind::Variable(VariableKind::Global))
 }
 
 /// Returns whether a unit assigns the variable of its own that a name is, or an element, a field or a bit of it.
@@ -338,23 +317,14 @@ fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
 }
 
 /// Returns whether a configuration has no resource, or a resource no program.
-///
-/// Basis: iec-61131-3: Annex A (`Config_Decl`, `Single_Resource_Decl`).
 fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
-    program
-        .unit
-        .declarations
-        .iter()
-        .any(|declaration| match declaration {
-            Declaration::Configuration(configuration) => {
-                configuration.resources.is_empty()
-                    || configuration
-                        .resources
-                        .iter()
-                        .any(|resource| resource.programs.is_empty())
-            }
-            _ => false,
-        })
+    let mut declarations = program.unit.declarations.iter();
+    declarations.any(|declaration| match declaration {
+        Declaration::Configuration(Configuration { resources, .. }) => {
+            resources.is_empty() || resources.iter().any(|resource| resource.programs.is_empty())
+        }
+        _ => false,
+    })
 }
 
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without

@@ -55,7 +55,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     pub(crate) fn outermost(&self, name: &Part<'t, 's>) -> Part<'t, 's> {
         let mut outer = *name;
         while outer.place == Place::Base
-            && let Some(around) = outer.around.and_then(|id| self.part(id))
+            && let Some(around) = self.around(&outer)
         {
             outer = *around;
         }

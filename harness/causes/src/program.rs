@@ -86,6 +86,14 @@ impl<'s> Part<'_, 's> {
         }
     }
 
+    /// Returns whether the expression is a field or an element.
+    pub(crate) fn is_part_of_variable(&self) -> bool {
+        matches!(
+            self.expression.kind,
+            ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        )
+    }
+
     /// Returns whether the expression is this name.
     pub(crate) fn is(&self, name: &str) -> bool {
         self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
@@ -117,6 +125,11 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     pub(crate) fn part(&self, id: ExpressionId) -> Option<&Part<'t, 's>> {
         self.parts.iter().find(|part| part.id == id)
+    }
+
+    /// Returns the expression that another one is a part of.
+    pub(crate) fn around(&self, part: &Part<'t, 's>) -> Option<&Part<'t, 's>> {
+        self.part(part.around?)
     }
 
     /// Returns the expressions in a place.
@@ -235,6 +248,13 @@ impl<'t, 's> ReadProgram<'t, 's> {
             } if is_literal(operand) && !self.text(operand).contains('#') => Some(self.text(id)),
             _ => is_literal(id).then(|| self.text(id)),
         }
+    }
+
+    /// Returns the literals of the program; the number behind a minus is a part of one.
+    pub(crate) fn literals(&self) -> impl Iterator<Item = (&Part<'t, 's>, &'s str)> {
+        let is_part = |part: &Part<'t, 's>| part.around.is_some_and(|around| self.literal(around).is_some());
+        let whole = self.parts.iter().filter(move |part| !is_part(part));
+        whole.filter_map(|part| Some((part, self.literal(part.id)?)))
     }
 
     /// Returns the literal with which a variable begins.

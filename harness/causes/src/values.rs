@@ -90,34 +90,24 @@ impl<'t> PlainNumber<'t> {
 }
 
 /// Returns the numbers of a program that are values; bounds, subscripts and bits are none.
-fn plain_numbers<'p, 's>(
-    program: &'p ReadProgram<'_, 's>,
-) -> impl Iterator<Item = (&'p Part<'p, 's>, PlainNumber<'s>)> {
-    let are_values = program.parts.iter().filter(|part| {
-        let is_part = part
-            .around
-            .is_some_and(|around| program.literal(around).is_some());
-        !is_part
-            && !matches!(
-                part.place,
-                Place::Limit | Place::Subscript | Place::Repetition | Place::Length
-            )
-    });
-    are_values.filter_map(|part| Some((part, PlainNumber::read(program.literal(part.id)?)?)))
+fn plain_numbers<'p, 't: 'p, 's>(
+    program: &'p ReadProgram<'t, 's>,
+) -> impl Iterator<Item = (&'p Part<'t, 's>, PlainNumber<'s>)> {
+    let beside = [Place::Limit, Place::Subscript, Place::Repetition, Place::Length];
+    let values = program
+        .literals()
+        .filter(move |(part, _)| !beside.contains(&part.place));
+    values.filter_map(|(part, literal)| Some((part, PlainNumber::read(literal)?)))
 }
 
 /// Returns the changes that make a number of a program plainer.
 pub(crate) fn plainer_numbers(program: &ReadProgram<'_, '_>) -> Vec<Edits> {
-    let numbers = plain_numbers(program);
-    let change = |part: &Part<'_, '_>, plainer| Edits::replacing(part.expression.span, plainer);
-    numbers
-        .flat_map(|(part, number)| {
-            number
-                .plainer()
-                .into_iter()
-                .map(move |plainer| change(part, plainer))
-        })
-        .collect()
+    let change = |(part, number): (&Part<'_, '_>, PlainNumber<'_>)| {
+        let span = part.expression.span;
+        let plainer = number.plainer().into_iter();
+        plainer.map(move |plainer| Edits::replacing(span, plainer))
+    };
+    plain_numbers(program).flat_map(change).collect()
 }
 
 /// Returns how far the types and the numbers of a program are from the plainest.
@@ -178,11 +168,10 @@ pub(crate) fn leaves_range(program: &ReadProgram<'_, '_>, deviation: &Deviation)
 
 /// Returns whether a program has a number with the first bit of an unsigned type, which is the sign of a signed type of the same size.
 pub(crate) fn has_first_bit(program: &ReadProgram<'_, '_>) -> bool {
-    program.parts.iter().any(|part| {
-        let literal = program.literal(part.id);
+    program.literals().any(|(part, literal)| {
         let ty = program.type_of(part.id).or_else(|| program.target(part));
         let is_unsigned = |ty: &ElementaryType| kind(*ty) == Some("integer") && ty.family() != Family::Signed;
-        let number = literal.and_then(amount).zip(ty.filter(is_unsigned));
+        let number = amount(literal).zip(ty.filter(is_unsigned));
         number.is_some_and(|(number, ty)| number >= 2_f64.powi(ty.bits() as i32 - 1))
     })
 }
@@ -219,14 +208,9 @@ impl WrongNumber<'_, '_, '_> {
         Some((number(value)?, number(other)?))
     }
 
-    /// Returns the amounts of the literals of the program, with the sign that they have in it.
-    fn literals(&self) -> impl Iterator<Item = f64> {
-        let literals = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| self.program.literal(part.id));
-        literals.filter_map(amount)
+    /// Returns the amounts of the literals of the program.
+    fn amounts(&self) -> impl Iterator<Item = f64> {
+        self.program.literals().filter_map(|(_, literal)| amount(literal))
     }
 
     fn leaves_range(&self) -> bool {
@@ -235,7 +219,7 @@ impl WrongNumber<'_, '_, '_> {
         };
         // A fraction is dropped or rounded, and a REAL has 24 bits.
         let is_near = |number: f64| (number - expected.abs()).abs() <= 1.0 + expected.abs() * 1e-6;
-        self.literals().next().is_some() && !self.literals().any(is_near)
+        self.amounts().next().is_some() && !self.amounts().any(is_near)
     }
 
     /// Returns the number of operations with which the program computes. Calls, elements, conditions and the sign of an operand are none.
@@ -270,7 +254,7 @@ impl WrongNumber<'_, '_, '_> {
                 let most = into.integer_range().is_some_and(|(_, most)| number > most as f64);
                 most || number != 0.0 && is_negative && into.family() != Family::Signed
             };
-            self.leaves_range() || self.literals().any(is_outside)
+            self.leaves_range() || self.amounts().any(is_outside)
         };
         let mut conversions = self.conversions();
         self.computed() == 1
@@ -286,7 +270,7 @@ impl WrongNumber<'_, '_, '_> {
         let most = |ty: ElementaryType| ty.integer_range().map(|(_, most)| most as f64);
         let counts = |ty: Option<ElementaryType>| {
             let most = ty.and_then(most);
-            self.literals().any(|number| Some(number) == most)
+            self.amounts().any(|number| Some(number) == most)
         };
         self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
     }
@@ -320,11 +304,7 @@ impl WrongNumber<'_, '_, '_> {
 
     /// Returns whether a literal of the type REAL is not rounded to one.
     fn keeps_lreal(&self) -> bool {
-        let mut literals = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| self.program.literal(part.id));
+        let mut literals = self.program.literals().map(|(_, literal)| literal);
         let is_rounded = |(expected, got): (f64, f64)| f64::from(got as f32) == expected;
         operations(self.program.text).is_empty()
             && literals
