@@ -1,7 +1,7 @@
 //! Other forms of a small program: with fewer statements, with other operands, types and literals.
 
 use crate::alone::{binary, calculates, compares};
-use crate::program::{Part, ReadProgram, ask};
+use crate::program::{Part, ReadProgram, read};
 use crate::words::{elementary, is_number, tokens};
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -126,7 +126,7 @@ pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String>
 
 /// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
 fn without_unused(text: &str) -> String {
-    let lines = ask(text, |program| {
+    let lines = read(text, |program| {
         let is_used = |name: &str| program.parts.iter().any(|part| part.is(name));
         let is_local = |pou: &Pou<'_>| pou.kind == PouKind::Program;
         let local = program

@@ -9,7 +9,7 @@ use stickler_syntax::token::Token;
 use stickler_syntax::tree::{Declaration, Pou, PouKind, TypeSpecificationKind, VariableBlock};
 
 /// The maximum number of variables whose types are named.
-const MAX_TYPES: usize = 3;
+const MAX_TYPES: usize = 5;
 
 /// Returns a line of a program in code quotes, with the types of its variables where these stand elsewhere.
 pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {

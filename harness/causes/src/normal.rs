@@ -7,7 +7,7 @@
 use crate::alone::{BEGINNING_BLOCK, alone};
 use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
-use crate::program::ask;
+use crate::program::read;
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
 use crate::reduction::Smallest;
 use crate::sign::{is_of_a_value, is_of_reading, is_unread};
@@ -71,12 +71,12 @@ impl Normal {
             .iter()
             .find_map(|fact| fact.diagnostic()?.line);
         matches!(&self.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_a_value(code))
-            && line.is_some_and(|line| ask(&self.program, |program| forms::is_other_operand(program, line)))
+            && line.is_some_and(|line| read(&self.program, |program| forms::is_other_operand(program, line)))
     }
 
     /// Returns the literals that the engine takes alone.
     pub(crate) fn innocent_literals(&self) -> BTreeSet<String> {
-        let operands = ask(&self.program, alone).into_iter().filter(|_| self.is_asked);
+        let operands = read(&self.program, alone).into_iter().filter(|_| self.is_asked);
         operands.filter_map(|one| one.literal).collect()
     }
 }
@@ -187,7 +187,7 @@ impl NormalSearch<'_, '_> {
         let seen = self.asked.deviation(&case)?;
         let former = &self.normal;
         // A value that wraps is another defect than one that is within the range of its type.
-        let leaves = |text: &str, seen: &Deviation| ask(text, |program| leaves_range(program, seen));
+        let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
         let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
         let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
         let is_same = same.is_some();
@@ -209,7 +209,7 @@ impl NormalSearch<'_, '_> {
             return Vec::new();
         }
         let all = all_variables(self.case, text);
-        let initial = ask(text, forms::only_initial_values);
+        let initial = read(text, forms::only_initial_values);
         let keeps = text == BEGINNING_BLOCK || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
@@ -226,7 +226,7 @@ impl NormalSearch<'_, '_> {
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
-        let (in_two_steps, turned_round) = ask(&self.normal.program, |program| {
+        let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
             (forms::in_two_steps(program), forms::turned_round(program))
         });
         let forms = [

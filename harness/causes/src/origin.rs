@@ -1,6 +1,6 @@
 //! The lines of a small program that give a variable its value.
 
-use crate::program::{Part, ReadProgram, ask};
+use crate::program::{Part, ReadProgram, read};
 use crate::question::Deviation;
 use crate::words::tokens;
 use stickler_run::Fact;
@@ -149,7 +149,7 @@ pub(crate) fn shows_initial_value(text: &str, deviation: &Deviation) -> bool {
     let Some(Fact::Value { name, .. }) = deviation.expected.iter().find(differs) else {
         return false;
     };
-    ask(text, |program| {
+    read(text, |program| {
         let declaration = program.line_text(program.declaration(name));
         program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
     })

@@ -2,7 +2,7 @@
 
 use crate::alone::{alone, beginning_block, distance};
 use crate::forms;
-use crate::program::{ReadProgram, ask};
+use crate::program::{ReadProgram, read};
 use crate::sign::is_of_a_value;
 use crate::values::{plainer_numbers, plainness};
 use crate::words::tokens;
@@ -24,7 +24,7 @@ impl Draft {
     /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
     /// one, in their order.
     fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
-        let found = ask(&self.text, find);
+        let found = read(&self.text, find);
         let mut chosen = found.into_iter().filter(|_| sites.here());
         if let (Some(one), None) = (chosen.next(), chosen.next()) {
             self.text = one;
@@ -33,7 +33,7 @@ impl Draft {
 
     /// Makes some of several changes together.
     fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
-        let found = ask(&self.text, find);
+        let found = read(&self.text, find);
         let mut chosen = Edits::new();
         chosen.extend(found.into_iter().filter(|_| sites.here()));
         self.text = chosen.apply(&self.text);
@@ -138,7 +138,7 @@ pub(crate) fn plain_method(with_numbers: bool) -> ReductionMethod<'static, Draft
         } else {
             &[PLAINER_TYPE]
         },
-        weight: |draft: &Draft| (0, ask(&draft.text, plainness)),
+        weight: |draft: &Draft| (0, read(&draft.text, plainness)),
         key,
     }
 }

@@ -60,7 +60,7 @@ impl<'s> Program<'s> {
 }
 
 /// Reads a program, and asks it something.
-pub(crate) fn ask<R>(text: &str, question: impl FnOnce(&ReadProgram<'_, '_>) -> R) -> R {
+pub(crate) fn read<R>(text: &str, question: impl FnOnce(&ReadProgram<'_, '_>) -> R) -> R {
     question(&Program::new(text).read())
 }
 

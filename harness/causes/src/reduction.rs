@@ -2,7 +2,7 @@
 
 use crate::alone::alone;
 use crate::guard::Constructs;
-use crate::program::ask;
+use crate::program::read;
 use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
@@ -137,7 +137,7 @@ fn operand_alone(
         return Ok(None);
     }
     // What a variable begins with is shown by a program that does nothing else.
-    let operands = ask(&unreduced.program, alone).into_iter();
+    let operands = read(&unreduced.program, alone).into_iter();
     for operand in operands.filter(|one| !one.is_initial) {
         if stop() {
             return Ok(None);
