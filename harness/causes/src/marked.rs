@@ -6,13 +6,13 @@ use crate::normal::Normal;
 use crate::program::{Part, ReadProgram};
 use crate::sign::is_unread;
 use crate::suspect::unimplemented;
-use crate::words::{kind, type_of_word, valued_types, words};
+use crate::words::{LOOPS, has_word, kind, type_of_word, valued_types, words};
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
 
-use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind, TypeSpecificationKind, VariableKind};
+use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
 
 /// The features of where a line stands.
@@ -204,18 +204,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns the kinds of loops of the program.
     pub(crate) fn loops(&self) -> Words {
-        let loops = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| part.statement)
-            .filter_map(|one| match one.kind {
-                StatementKind::For { .. } => Some("FOR"),
-                StatementKind::While { .. } => Some("WHILE"),
-                StatementKind::Repeat { .. } => Some("REPEAT"),
-                _ => None,
-            });
-        loops.map(str::to_owned).collect()
+        let is_there = |word: &&str| has_word(self.program.text, word);
+        LOOPS.into_iter().filter(is_there).map(str::to_owned).collect()
     }
 
     /// Returns the features of a program that stops, or does not stop, with a fault.
@@ -230,7 +220,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     pub(crate) fn of_rejection(&self) -> Words {
         let operations = self.on_line(Role::Operation).into_iter();
         let mut features: Words = operations.map(|one| either_way(&one)).collect();
-        let literals = self.suspect_literals();
+        let literals = self.suspect_literals(|span| self.is_on_line(span));
         // An operator whose types are refused is refused anywhere, and so is one of the sign of a number.
         let operators = match self.is_unread {
             true => Words::new(),
@@ -239,12 +229,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
         let is_unknown_anywhere = self.is_unread && self.calls_library();
         if literals.is_empty() && !is_unknown_anywhere {
-            let place = if operators.is_empty() {
-                self.place()
-            } else {
-                PLACES[2]
-            };
-            features.insert(place.to_owned());
+            let is_anywhere = !operators.is_empty();
+            features.insert(if is_anywhere { PLACES[2] } else { self.place() }.to_owned());
         }
         if !operators.is_empty() {
             features.remove("sign");
@@ -265,12 +251,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns the operators among the features of the line; the sign of a number is one that calculates.
     fn operators(&self, features: &Words) -> Words {
-        let is_operator = |one: &&String| {
-            matches!(
-                one.as_str(),
-                "arithmetic" | "comparison" | "bitwise operator" | "power"
-            )
-        };
+        let operators = ["arithmetic", "comparison", "bitwise operator", "power"];
+        let is_operator = |one: &&String| operators.contains(&one.as_str());
         let mut found: Words = features.iter().filter(is_operator).cloned().collect();
         let has_sign = words(self.text()).iter().any(|word| matches!(*word, "+" | "-"));
         found.extend(has_sign.then(|| "arithmetic".to_owned()));
@@ -295,24 +277,20 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         self.callees().any(|name| !self.program.declares(name))
     }
 
-    /// Returns the forms of those literals of the line that are not known to be taken by the engine.
-    fn suspect_literals(&self) -> Words {
-        self.suspects(|work| self.is_on_line(work.span))
-    }
-
-    fn suspects(&self, is_here: impl Fn(&Work) -> bool) -> Words {
-        let is_innocent = |work: &Work| self.innocent.contains(work.span.text(self.program.text));
-        let literals = self
-            .works
-            .iter()
-            .filter(|work| is_here(work) && !is_innocent(work));
-        words_of(literals, Role::Literal)
+    /// Returns the forms of those literals that are not known to be taken by the engine: of the line that matters, or of all.
+    fn suspect_literals(&self, is_here: impl Fn(Span) -> bool) -> Words {
+        let is_suspect = |work: &&Work| {
+            let written = work.span.text(self.program.text);
+            is_here(work.span) && !self.innocent.contains(written)
+        };
+        words_of(self.works.iter().filter(is_suspect), Role::Literal)
     }
 
     /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
     /// and no function.
     pub(crate) fn has_special_literal(&self) -> bool {
-        !self.is_unread && !self.calls_library() && !self.suspect_literals().is_empty()
+        let literals = self.suspect_literals(|span| self.is_on_line(span));
+        !self.is_unread && !self.calls_library() && !literals.is_empty()
     }
 
     /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
@@ -348,7 +326,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             features.remove("subscript or list");
             return (features, true);
         }
-        let literals = self.suspects(|_| true);
+        let literals = self.suspect_literals(|_| true);
         // A text with an escape is read in one way wherever it stands.
         let is_escaped = literals.contains("escape in a text");
         let declarations = words_of(&self.works, Role::Declaration);

@@ -122,7 +122,10 @@ pub(crate) fn normal_form(
         _ => {}
     }
     let mut normal = search.normal;
-    let asks_for_operands = !matches!(now, Symptom::Hang | Symptom::Fault(_) | Symptom::NotImplemented(_));
+    let asks_for_operands = !matches!(
+        now,
+        Symptom::Hang | Symptom::Fault(_) | Symptom::NotImplemented(_)
+    );
     normal.is_asked = asks_for_operands && search.left > 0 && !stop();
     normal.questions = tries - search.left;
     Ok(normal)

@@ -4,7 +4,7 @@ use crate::lines::{described, line_with_number, unit_of};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{has_word, tokens};
+use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
@@ -89,7 +89,7 @@ impl Titled<'_, '_> {
             Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", clipped(words)),
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", clipped(words)),
             Symptom::Hang => {
-                let is_loop = |text: &str| ["FOR", "WHILE", "REPEAT"].iter().any(|word| has_word(text, word));
+                let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
                 let mut lines = self.program.text.lines().zip(1..);
                 let found = lines.find(|(text, _)| is_loop(text)).map(|(_, number)| number);
                 format!("{}: no answer in time", self.line(found))

@@ -16,6 +16,9 @@ pub(crate) static ANY: LazyLock<Dialect> = LazyLock::new(|| Dialect {
     ..Dialect::of(DialectName::IRONPLC_ED3).clone()
 });
 
+/// The words that begin a loop.
+pub(crate) const LOOPS: [&str; 3] = ["FOR", "WHILE", "REPEAT"];
+
 /// Returns the words and signs of a text, also of one that nobody can read.
 pub(crate) fn tokens(text: &str) -> Vec<Token> {
     stickler_syntax::tokens(text, &ANY).list
