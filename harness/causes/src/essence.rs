@@ -7,10 +7,11 @@
 use crate::marked::{LITERAL, MarkedProgram, PLACES};
 use crate::normal::Normal;
 use crate::origin::shows_initial_value;
+use crate::patterns::{has_first_bit, number_pattern};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::sign::{Sign, is_of_reading};
-use crate::values::{has_first_bit, number_pattern, value_features};
+use crate::values::value_features;
 use crate::words::valued_types;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};

@@ -5,7 +5,7 @@
 //! | while a run goes on, failing cases with the same symptom and programs of the same shape are grouped | [`FailedCases`]; `sign`, `shape` |
 //! | after it, the smallest program of each group is reduced on the engine while its symptom stays | `reduction`, `guard`, `question` |
 //! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal`, `passes`; `alone`, `forms`, `values` |
-//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `marked`, `malformed`; `work` with `work.toml`; [`find()`], `growing_cause` |
+//! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `marked`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; what a plainer program shows, with who promises its construct | `claim`, `promised` |
 //! | the title is what the engine does, and the line at fault with what is wrong with it | `title`, `lines`, `suspect`, `origin` |
 //!
@@ -37,6 +37,7 @@ mod marked;
 mod normal;
 mod origin;
 mod passes;
+mod patterns;
 mod program;
 mod promised;
 mod question;

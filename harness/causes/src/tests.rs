@@ -8,6 +8,7 @@ use crate::forms;
 use crate::guard::Constructs;
 use crate::lines::{described, line_with_number};
 use crate::normal::Normal;
+use crate::patterns;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
 use crate::question::Deviation;
@@ -385,9 +386,9 @@ fn answer(question: &str, inputs: &[String]) -> String {
                 .collect(),
         ),
         "value_features" => joined(values::value_features(&program)),
-        "has_first_bit" => yes(values::has_first_bit(&program)),
-        "leaves_range" => yes(values::leaves_range(&program, &deviation())),
-        "number_pattern" => values::number_pattern(&program, &deviation())
+        "has_first_bit" => yes(patterns::has_first_bit(&program)),
+        "leaves_range" => yes(patterns::leaves_range(&program, &deviation())),
+        "number_pattern" => patterns::number_pattern(&program, &deviation())
             .unwrap_or_default()
             .to_owned(),
         _ => panic!("nobody asks `{question}`"),
