@@ -34,15 +34,23 @@ impl<'t, 's> ReadProgram<'t, 's> {
         last.statement.map(|statement| self.line(statement.span))
     }
 
-    /// Returns the last place that assigns a variable, a field or an element of it, counts with it, or gives it to an output or an in-out
-    /// variable of a call.
+    /// Returns the last place that assigns a variable, a field or an element of it, counts with it, gives it to an output or an in-out
+    /// variable of a call, or gives it something where it is an instance.
     fn assignment(&self, path: &str) -> Option<Part<'t, 's>> {
         let name = path.split(['@', '[', '.']).next().unwrap_or(path);
         let assigns = |part: &&Part<'t, 's>| {
             let targets = [Place::Target, Place::Control, Place::OutputArgument];
-            // An argument that is the variable alone may be changed by the call.
-            let changes = part.place == Place::NamedArgument || targets.contains(&self.outermost(part).place);
-            part.is(name) && changes
+            let is_given = |name: &str| {
+                let call = part.around.and_then(|call| self.call(call));
+                self.is_instance(name) && call.is_some_and(|(_, arguments)| !arguments.is_empty())
+            };
+            part.is(name)
+                && match part.place {
+                    // An argument that is the variable alone may be changed by the call.
+                    Place::NamedArgument => true,
+                    Place::Callee => is_given(name),
+                    _ => targets.contains(&self.outermost(part).place),
+                }
         };
         self.parts
             .iter()

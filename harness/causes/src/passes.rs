@@ -6,6 +6,7 @@ use crate::program::{ReadProgram, read};
 use crate::sign::is_of_a_value;
 use crate::values::{plainer_numbers, plainness};
 use crate::words::tokens;
+use crate::work::operations;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_reduce::{Pass, ReductionMethod, Sites};
 use stickler_run::Symptom;
@@ -100,8 +101,8 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     }
 }
 
-/// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer features of
-/// the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
+/// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer operations,
+/// then with fewer features of the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
 fn structure(draft: &Draft) -> (u64, u128) {
     let text = draft.text.as_str();
     let has_mistake = !stickler_reference::errors(text, draft.dialect).is_empty();
@@ -118,7 +119,11 @@ fn structure(draft: &Draft) -> (u64, u128) {
             size += written.bytes().map(u128::from).sum::<u128>();
         }
     }
-    (form * 1_000_000 + features as u64 * 100 + words, size)
+    let operations = operations(text).len();
+    (
+        form * 1_000_000 + (operations * 10_000 + features * 100 + words) as u64,
+        size,
+    )
 }
 
 /// Returns the method that finds out what of a program a symptom needs.

@@ -166,7 +166,9 @@ fn sorted_sections(tokens: &[Token], words: &[String]) -> String {
                 _ => one.push(word),
             }
         }
-        declarations.extend(one_a_name(&one));
+        if !one.is_empty() {
+            declarations.extend(one_a_name(&one));
+        }
         declarations.sort();
         parts.extend(declarations);
     }
