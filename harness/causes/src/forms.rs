@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, Statement, StatementKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::ElementaryType;
 
@@ -81,7 +81,9 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
         let paths = paths.map(|part| format!("{0} := {0};", program.text(part.id)));
         let is_flat = pou.body.iter().all(|statement| bodies(statement).is_empty());
         let own = pou.body.iter().filter(|_| is_flat);
-        let own = own.map(|one: &Statement| format!("{};", one.span.text(text)));
+        let mut own: Vec<String> = own.map(|one| format!("{};", one.span.text(text))).collect();
+        // A plain assignment may be there only because a program needs a statement.
+        own.sort_by_key(|one| !one.contains(['.', '[', '(']));
         for statement in instances.chain(paths).chain(own) {
             let changed = Edits::replacing(body.clone(), statement).apply(text);
             if changed != text && !found.contains(&changed) {

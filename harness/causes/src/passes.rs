@@ -9,6 +9,7 @@ use crate::words::tokens;
 use crate::work::operations;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_reduce::{Pass, ReductionMethod, Sites};
+use stickler_reference::errors;
 use stickler_run::Symptom;
 use stickler_syntax::Edits;
 use stickler_syntax::features::features;
@@ -78,11 +79,12 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
     alone(program).into_iter().map(|one| one.program).collect()
 }
 
-/// Returns programs with quite another type in the place of a value on the line of the mistake.
+/// Returns the first program with quite another type in the place of a value on the line of the mistake that has a mistake too.
 fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
-    let errors = stickler_reference::errors(program.text, dialect);
-    let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
-    forms::with_other_operand(program, line)
+    let line = errors(program.text, dialect).iter().find_map(|error| error.line);
+    let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
+    let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
+    others.into_iter().find(is_mistaken).into_iter().collect()
 }
 
 /// Returns the passes that find out what of a program a symptom needs.
@@ -105,7 +107,7 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
 /// then with fewer features of the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
 fn structure(draft: &Draft) -> (u64, u128) {
     let text = draft.text.as_str();
-    let has_mistake = !stickler_reference::errors(text, draft.dialect).is_empty();
+    let has_mistake = !errors(text, draft.dialect).is_empty();
     let form = 3 * u64::from(has_mistake) + distance(text);
     let features = features(text, Dialect::of(draft.dialect)).into_iter();
     let features = features
