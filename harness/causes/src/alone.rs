@@ -1,7 +1,8 @@
 //! The operands of a small program, each in a program of its own: whether the engine already fails with the operand alone is
 //! asked before the operation around it is blamed.
 
-use crate::program::{Part, ReadProgram, converted, is_number, type_of_word};
+use crate::program::{Part, ReadProgram};
+use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
 use stickler_syntax::source::Span;
@@ -83,7 +84,7 @@ pub(crate) fn distance(program: &str) -> u64 {
 /// Returns the operands of a program alone: literals first, then variables, then calls of conversion functions. The most
 /// general place comes first: an assignment before an initial value.
 pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
-    let special = works(program.program.text)
+    let special = works(program.text)
         .into_iter()
         .filter(|work| work.role == Role::Literal);
     let special: HashSet<Span> = special.map(|work| work.span).collect();
@@ -95,13 +96,13 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         let is_signed = part
             .around
             .is_some_and(|around| program.literal(around).is_some());
-        if let Some(literal) = program.literal(part.id).filter(|_| !is_signed) {
+        let literal = program.literal(part.id).filter(|_| !is_signed);
+        if let Some(literal) = literal {
             let in_calculation =
                 || calculated(program, part).filter(|_| special.contains(&part.expression.span));
             if let Some(ty) = target.or_else(in_calculation).or(source) {
-                let plain = literal
-                    .split_once('#')
-                    .filter(|_| type_of_word(literal) == Some(ty));
+                let is_typed = type_of_word(literal) == Some(ty);
+                let plain = literal.split_once('#').filter(|_| is_typed);
                 literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, plain)));
                 literals.push(Alone::assigned(ty, literal));
                 literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
@@ -112,9 +113,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
             let value = initial.or_else(|| program.some_value(from));
             variables.extend((is_variable || from != ty).then(|| Alone::copied(from, ty, value)));
         }
-        let output = program
-            .output(part)
-            .filter(|(from, into)| part.place == Place::OutputArgument && from != into);
+        let output = program.output(part).filter(|(from, into)| from != into);
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
@@ -122,8 +121,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
-        if found.iter().all(|other| other.program != one.program)
-            && one.program.trim() != program.program.text.trim()
+        if found.iter().all(|other| other.program != one.program) && one.program.trim() != program.text.trim()
         {
             found.push(one);
         }
@@ -136,7 +134,7 @@ pub(crate) fn binary(
     program: &ReadProgram<'_, '_>,
     id: ExpressionId,
 ) -> Option<(BinaryOperator, ExpressionId, ExpressionId)> {
-    match program.program.unit.expression(id)?.kind {
+    match program.unit.expression(id)?.kind {
         ExpressionKind::Binary {
             operator,
             left,
@@ -164,16 +162,15 @@ pub(crate) const fn compares(operator: BinaryOperator) -> bool {
 /// Returns the type of the number that a calculation is assigned to in which an operand stands.
 fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<ElementaryType> {
     let mut part = *operand;
-    while let Some(around) = part.around.and_then(|id| program.part(id)) {
+    while let Some(around) = program.around(&part) {
         let is_calculation = binary(program, around.id).is_some_and(|(operator, ..)| calculates(operator));
         if !is_calculation && !matches!(around.expression.kind, ExpressionKind::Unary { .. }) {
             return None;
         }
         part = *around;
     }
-    program
-        .target(&part)
-        .filter(|ty| part.id != operand.id && is_number(*ty))
+    let target = program.target(&part).filter(|_| part.id != operand.id);
+    target.filter(|ty| is_number(*ty))
 }
 
 /// Returns a call of a conversion function with a variable, where an expression is one.
@@ -248,7 +245,6 @@ pub(crate) const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : 
 /// Returns the plainest program of which a function block has an initial value, for a program of which one has.
 pub(crate) fn beginning_block(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let mut blocks = program
-        .program
         .unit
         .pous()
         .filter(|pou| pou.kind == PouKind::FunctionBlock);

@@ -1,8 +1,9 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
-use crate::program::{Program, type_of_word, valued_types, words};
+use crate::program::Program;
 use crate::reduction::Smallest;
 use crate::sign::is_unread;
+use crate::words::{type_of_word, valued_types, words};
 use crate::work::{Role, operations, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};
@@ -42,9 +43,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         return false;
     }
     let works = works(text);
-    let on_line = works
-        .iter()
-        .filter(|work| Some(program.program.line(work.span)) == line);
+    let on_line = works.iter().filter(|work| Some(program.line(work.span)) == line);
     let claimed = words_of(on_line, Role::Operation);
     let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
     let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
@@ -52,9 +51,7 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
         return false;
     }
     let kept = operations(&smallest.program);
-    let line = line
-        .and_then(|line| program.program.line_text(line))
-        .unwrap_or_default();
+    let line = line.and_then(|line| program.line_text(line)).unwrap_or_default();
     claimed.is_subset(&kept)
         && has_signed_literal(line) <= has_signed_literal(&smallest.program)
         && (!(is_unusable || sign.rejects_valid()) || keeps_work(text, &smallest.program, &kept))

@@ -7,10 +7,12 @@
 use crate::marked::{LITERAL, MarkedProgram, PLACES};
 use crate::normal::Normal;
 use crate::origin::shows_initial_value;
-use crate::program::{Program, valued_types};
+use crate::patterns::{has_first_bit, number_pattern};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::sign::{Sign, is_of_reading};
-use crate::values::{has_first_bit, number_pattern, value_features};
+use crate::values::value_features;
+use crate::words::valued_types;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::Code;
@@ -38,12 +40,11 @@ impl Essence {
     /// Returns the essence of a program that was made small, by its normal form.
     pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
         let program = Program::new(&normal.program);
-        let marked = MarkedProgram::new(program.read(), normal);
+        let read = program.read();
+        let marked = MarkedProgram::new(&read, normal);
         let sign = &normal.deviation.sign;
         let pattern = match sign.symptom {
-            Symptom::Value => normal
-                .way
-                .or_else(|| number_pattern(&normal.program, &normal.deviation)),
+            Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
         // An operation that takes a value of one kind for one of another gives a wrong value, or a fault where that is zero.
@@ -71,7 +72,7 @@ impl Essence {
             class: named(&class),
             features,
             labels: match is_value && pattern.is_none() && !normal.is_beginning() {
-                true => labels(&normal.program),
+                true => labels(&read),
                 false => BTreeSet::new(),
             },
             is_contained,
@@ -232,8 +233,8 @@ fn unusable_header(got: &[Fact]) -> Option<&str> {
 
 /// Returns the properties of the values and types that a defect needs. Of unsigned numbers with the first bit of their type, which
 /// some compilers take for a sign, the size does not matter where they are not converted.
-pub(crate) fn labels(program: &str) -> BTreeSet<String> {
-    match valued_types(program).len() == 1 && has_first_bit(program) {
+fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
+    match valued_types(program.text).len() == 1 && has_first_bit(program) {
         true => words(["first bit of an unsigned number"]),
         false => value_features(program),
     }

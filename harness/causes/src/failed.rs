@@ -1,7 +1,7 @@
 //! Gathers the failing cases of a run in groups that most probably have one cause.
 
-use crate::program::types_of;
 use crate::sign::Sign;
+use crate::words::types_of;
 use std::collections::BTreeMap;
 use stickler_engines::{Engine, Identity, Reference};
 use stickler_run::{CaseEvent, Event, ExplainedCases, Plan};

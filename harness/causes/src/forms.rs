@@ -1,12 +1,13 @@
 //! Other forms of a small program: with fewer statements, with other operands, types and literals.
 
 use crate::alone::{binary, calculates, compares};
-use crate::program::{Part, Program, ReadProgram, elementary, is_number, tokens};
+use crate::program::{Part, ReadProgram, read};
+use crate::words::{elementary, is_number, tokens};
 use std::collections::BTreeSet;
 use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, Statement, StatementKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::ElementaryType;
 
@@ -42,9 +43,9 @@ fn end_of_variables(text: &str, pou: &Pou<'_>) -> Option<usize> {
 /// Returns a program with its bodies left out, so that its variables keep what they begin with; none where a unit of it has no
 /// variables. Each body assigns one variable to itself, since not every compiler takes a body without a statement.
 pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
+    let text = program.text;
     let mut edits = Edits::new();
-    for pou in program.program.unit.pous() {
+    for pou in program.unit.pous() {
         let groups = pou.blocks.iter().flat_map(|block| &block.groups);
         let mut own = groups.filter(|group| elementary(group.specification.span.text(text)).is_some());
         let (Some(body), Some(end)) = (body(text, pou), end_of_variables(text, pou)) else {
@@ -65,38 +66,24 @@ pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> 
 /// block that the body uses, the assignment of each field and element that it uses to itself, and each of its own statements where
 /// none stands in another.
 pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
+    let text = program.text;
     let mut found = Vec::new();
-    for pou in program.program.unit.pous() {
+    for pou in program.unit.pous() {
         let Some(body) = body(text, pou) else { continue };
         let here = |part: &&Part<'_, '_>| body.contains(&(part.expression.span.start as usize));
         let used = || program.parts.iter().filter(here);
-        let instances = used().filter_map(|part| match &part.expression.kind {
-            ExpressionKind::Name(name) if program.is_instance(name.text) => Some(format!("{}();", name.text)),
-            _ => None,
-        });
-        let paths = used().filter(|part| {
-            let around = part
-                .around
-                .and_then(|id| program.part(id))
-                .map(|around| &around.expression.kind);
-            let is_path = matches!(
-                part.expression.kind,
-                ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
-            );
-            is_path
-                && !matches!(
-                    around,
-                    Some(ExpressionKind::Field { .. } | ExpressionKind::Index { .. })
-                )
-        });
+        let names = used()
+            .filter_map(Part::name)
+            .filter(|name| program.is_instance(name));
+        let instances = names.map(|name| format!("{name}();"));
+        let is_whole = |part: &&Part<'_, '_>| !program.around(part).is_some_and(Part::is_part_of_variable);
+        let paths = used().filter(|part| part.is_part_of_variable()).filter(is_whole);
         let paths = paths.map(|part| format!("{0} := {0};", program.text(part.id)));
         let is_flat = pou.body.iter().all(|statement| bodies(statement).is_empty());
-        let own = pou
-            .body
-            .iter()
-            .filter(|_| is_flat)
-            .map(|one: &Statement| format!("{};", one.span.text(text)));
+        let own = pou.body.iter().filter(|_| is_flat);
+        let mut own: Vec<String> = own.map(|one| format!("{};", one.span.text(text))).collect();
+        // A plain assignment may be there only because a program needs a statement.
+        own.sort_by_key(|one| !one.contains(['.', '[', '(']));
         for statement in instances.chain(paths).chain(own) {
             let changed = Edits::replacing(body.clone(), statement).apply(text);
             if changed != text && !found.contains(&changed) {
@@ -109,23 +96,22 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
 
 /// Returns a program in which an output of a call is given to a variable of its own in the place of a bit.
 pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
-    let is_bit = |part: &&Part<'_, '_>| {
-        part.place == Place::OutputArgument && matches!(part.expression.kind, ExpressionKind::Bit { .. })
-    };
+    let text = program.text;
+    let is_bit = |part: &&Part<'_, '_>| matches!(part.expression.kind, ExpressionKind::Bit { .. });
     let change = |part: &Part<'_, '_>| {
         let end = end_of_variables(text, part.pou?)?;
         let mut edits = Edits::replacing(part.expression.span, "received");
         edits.replace(end..end, "    received : BOOL;\n");
         Some(without_unused(&edits.apply(text)))
     };
-    program.parts.iter().filter(is_bit).filter_map(change).collect()
+    let bits = program.at(Place::OutputArgument).filter(is_bit);
+    bits.filter_map(change).collect()
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without
 /// their mistake, where the type of an operand is the mistake.
 pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
+    let text = program.text;
     let change = |part: &Part<'_, '_>| {
         let pou = part.pou.filter(|pou| pou.kind == PouKind::Program)?;
         part.statement?;
@@ -136,32 +122,25 @@ pub(crate) fn with_fitting_operand(program: &ReadProgram<'_, '_>) -> Vec<String>
         edits.replace(end..end, format!("    fitting : {written};\n"));
         Some(without_unused(&edits.apply(text)))
     };
-    let given = program
-        .parts
-        .iter()
-        .filter(|part| matches!(part.place, Place::Value | Place::NamedArgument));
+    let given = program.at(Place::Value).chain(program.at(Place::NamedArgument));
     given.filter_map(change).collect()
 }
 
 /// Returns a program without the variables of its PROGRAM that have a line of their own and are not used.
 fn without_unused(text: &str) -> String {
-    let program = Program::new(text);
-    let read = program.read();
-    let units = program.unit.pous().filter(|pou| pou.kind == PouKind::Program);
-    let groups = units.flat_map(|pou| &pou.blocks).flat_map(|block| &block.groups);
-    let unused = groups.filter(|group| match &group.names[..] {
-        [name] => !read
-            .parts
+    let lines = read(text, |program| {
+        let is_used = |name: &str| program.parts.iter().any(|part| part.is(name));
+        let is_local = |pou: &Pou<'_>| pou.kind == PouKind::Program;
+        let local = program
+            .names
             .iter()
-            .any(|part| matches!(&part.expression.kind, ExpressionKind::Name(used) if used.is(name.text))),
-        _ => false,
+            .filter(|one| one.inside.is_some_and(is_local));
+        let unused = local.filter(|one| !is_used(one.name.text));
+        Vec::from_iter(unused.map(|one| program.line(one.name.span)))
     });
-    let lines: BTreeSet<u32> = unused
-        .filter_map(|group| Some(program.line(group.names.first()?.span)))
-        .collect();
     let kept = text.split_inclusive('\n').zip(1..);
     let is_kept =
-        |(line, number): &(&str, u32)| !lines.contains(number) || line.matches([';', ':']).count() != 2;
+        |(line, number): &(&str, u32)| !lines.contains(number) || line.matches([';', ':', ',']).count() != 2;
     kept.filter(is_kept).map(|(line, _)| line).collect()
 }
 
@@ -176,20 +155,19 @@ pub(crate) fn with_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> Ve
     let here = program
         .parts
         .iter()
-        .filter(|part| program.program.line(part.expression.span) == line);
+        .filter(|part| program.line(part.expression.span) == line);
     let rank = |place: Place| places.iter().position(|places| places.contains(&place));
     let mut given: Vec<_> = here
         .filter_map(|part| Some((rank(part.place)?, part.expression.span)))
         .collect();
     given.sort_by_key(|(rank, _)| *rank);
-    let others =
-        |(_, span)| ["'a'", "T#1s"].map(|other| Edits::replacing(span, other).apply(program.program.text));
+    let others = |(_, span)| ["'a'", "T#1s"].map(|other| Edits::replacing(span, other).apply(program.text));
     given.into_iter().flat_map(others).collect()
 }
 
 /// Returns whether a value is one of those that [`with_other_operand`] gives.
 pub(crate) fn is_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> bool {
-    let text = program.program.text;
+    let text = program.text;
     with_other_operand(program, line)
         .iter()
         .any(|other| other == text)
@@ -197,7 +175,7 @@ pub(crate) fn is_other_operand(program: &ReadProgram<'_, '_>, line: u32) -> bool
 
 /// Returns a program in which each partial access selects the first bit or byte, which are there in every type.
 pub(crate) fn with_first_parts(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
+    let text = program.text;
     let mut edits = Edits::new();
     for token in tokens(text)
         .iter()
@@ -212,9 +190,9 @@ pub(crate) fn with_first_parts(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
 /// the type of the target; `None` where it has no statement that does both.
 pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
-    let text = program.program.text;
-    program.parts.iter().find_map(|part| {
-        let statement = part.statement.filter(|_| part.place == Place::Value)?;
+    let text = program.text;
+    program.at(Place::Value).find_map(|part| {
+        let statement = part.statement?;
         let (operator, left, right) = binary(program, part.id)?;
         let (own, target) = (program.type_of(left)?, program.target(part)?);
         if !calculates(operator) || program.type_of(right) != Some(own) || own == target {
@@ -242,8 +220,8 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
 
 /// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.
 pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
-    program.parts.iter().find_map(|part| {
-        let (operator, left, right) = binary(program, part.id).filter(|_| part.place == Place::Value)?;
+    program.at(Place::Value).find_map(|part| {
+        let (operator, left, right) = binary(program, part.id)?;
         let types = (program.type_of(left)?, program.type_of(right)?);
         let turned = match operator {
             BinaryOperator::Less => BinaryOperator::Greater,
@@ -259,7 +237,7 @@ pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
             program.text(left)
         );
         let is_mixed = compares(operator) && types.0 != types.1;
-        is_mixed.then(|| Edits::replacing(part.expression.span, text).apply(program.program.text))
+        is_mixed.then(|| Edits::replacing(part.expression.span, text).apply(program.text))
     })
 }
 
@@ -298,7 +276,7 @@ fn with_types(text: &str, changes: &[(&str, &str)]) -> String {
 /// Returns programs with a plainer numeric type in the place of one, and with unsigned integers in the place of bit strings; none where
 /// two types would become one.
 pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let text = program.program.text;
+    let text = program.text;
     let there = named_types(text);
     let is_free = |name: &str| !there.contains(name);
     let bit_strings: Vec<_> = UNSIGNED
@@ -323,12 +301,10 @@ pub(crate) fn with_plainer_type(program: &ReadProgram<'_, '_>) -> Vec<String> {
 
 /// Returns programs with one of the types in the place of another, for each pair of types.
 pub(crate) fn with_same_types(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    let types = named_types(program.program.text);
+    let types = named_types(program.text);
     let pairs = types
         .iter()
         .flat_map(|from| types.iter().map(move |into| (*from, *into)));
     let pairs = pairs.filter(|(from, into)| from != into);
-    pairs
-        .map(|pair| with_types(program.program.text, &[pair]))
-        .collect()
+    pairs.map(|pair| with_types(program.text, &[pair])).collect()
 }

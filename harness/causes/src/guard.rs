@@ -1,13 +1,16 @@
 //! What the reduction of a program must not exchange for other things: a smaller program shows the same defect only where the construct
 //! at fault is still there, and nothing came in that the whole program does not have.
 
-use crate::program::{ANY, Part, Program, ReadProgram, elementary, has_word, tokens};
+use crate::program::{Part, Program, ReadProgram};
 use crate::shape::is_name;
+use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
 use stickler_syntax::names::{DeclaredKind, DeclaredName};
 use stickler_syntax::token::{Token, TokenKind};
-use stickler_syntax::tree::{Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind};
+use stickler_syntax::tree::{
+    Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
+};
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
 
@@ -146,12 +149,10 @@ fn literal(written: &str) -> Option<String> {
 fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
     let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for part in program.parts.iter().filter(|part| part.statement.is_some()) {
-        let ExpressionKind::Name(name) = &part.expression.kind else {
-            continue;
-        };
+        let Some(name) = part.name() else { continue };
         let whole = program.text(program.outermost(part).id);
         let mut depth = 0_usize;
-        let behind = whole.chars().skip(name.text.len()).filter(|sign| {
+        let behind = whole.chars().skip(name.len()).filter(|sign| {
             depth = depth + usize::from(*sign == '[') - usize::from(*sign == ']');
             (depth == 0 || *sign == '[') && !sign.is_ascii_digit()
         });
@@ -159,10 +160,7 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
             Place::Callee => "()".to_owned(),
             _ => behind.collect::<String>().to_ascii_uppercase(),
         };
-        found
-            .entry(name.text.to_ascii_uppercase())
-            .or_default()
-            .insert(way);
+        found.entry(name.to_ascii_uppercase()).or_default().insert(way);
     }
     found
 }
@@ -170,9 +168,7 @@ fn uses(program: &ReadProgram<'_, '_>) -> BTreeMap<String, BTreeSet<String>> {
 /// Returns the names that are declared with an elementary type.
 fn elementary_names(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     let is_elementary = |one: &&DeclaredName<'_, '_>| {
-        let written = one
-            .group
-            .map(|group| group.specification.span.text(program.program.text));
+        let written = one.group.map(|group| group.specification.span.text(program.text));
         written.is_some_and(|written| elementary(written).is_some())
     };
     let found = program.names.iter().filter(is_elementary);
@@ -198,40 +194,20 @@ fn words_alone(text: &str, tokens: &[Token]) -> BTreeSet<String> {
 /// without one, a smaller program with it shows another mistake than the one under test.
 fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'static str> {
     let mut found = BTreeSet::new();
-    let number = |kind: TokenKind| tokens.iter().filter(|token| token.kind == kind).count();
     let adjacent = |one, other| {
-        tokens
-            .windows(2)
-            .any(|pair| (pair[0].kind, pair[1].kind) == (one, other))
+        let mut pairs = tokens.windows(2);
+        pairs.any(|pair| (pair[0].kind, pair[1].kind) == (one, other))
     };
-    let is_there = [
-        ("repetition of nothing", repeats_nothing(program, tokens)),
-        (
-            "expression as a statement",
-            has_expression_as_statement(program.program.text, tokens),
-        ),
-        // Basis: iec-61131-3: Annex A (`Struct_Decl`).
-        (
-            "empty structure",
-            adjacent(TokenKind::Struct, TokenKind::EndStruct),
-        ),
-        ("resource without a program", has_empty_resource(program)),
-        // Basis: iec-61131-3: Annex A (`Task_Init`).
-        (
-            "task without a priority",
-            number(TokenKind::Task)
-                > crate::program::words(program.program.text)
-                    .iter()
-                    .filter(|word| word.eq_ignore_ascii_case("PRIORITY"))
-                    .count(),
-        ),
-    ];
-    found.extend(
-        is_there
-            .into_iter()
-            .filter(|(_, is_there)| *is_there)
-            .map(|(name, _)| name),
-    );
+    let words = words(program.text);
+    let number = |word: &str| words.iter().filter(|one| one.eq_ignore_ascii_case(word)).count();
+    let of_statement = has_expression_as_statement(program.text, tokens);
+    found.extend(repeats_nothing(program, tokens).then_some("repetition of nothing"));
+    found.extend(of_statement.then_some("expression as a statement"));
+    // Basis of these: iec-61131-3: Annex A (`Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
+    let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
+    found.extend(is_empty.then_some("empty structure"));
+    found.extend(has_empty_resource(program).then_some("resource without a program"));
+    found.extend((number("TASK") > number("PRIORITY")).then_some("task without a priority"));
     for part in &program.parts {
         found.extend(of_value(program, part));
     }
@@ -267,19 +243,12 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
     if is_real && target.is_some_and(is_integer) {
         return Some("real number for an integer");
     }
-    let ExpressionKind::Name(name) = &part.expression.kind else {
-        return None;
-    };
-    let section = program.section(name.text, part.pou);
+    let name = part.name()?;
+    let section = program.section(name, part.pou);
     // Basis of both: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL; VAR_INPUT: not modifiable within the unit).
     match part.place {
-        Place::InitialValue if begins_with_variable(program, name.text) => {
-            Some("initial value of a variable")
-        }
-        _ if is_global(program, name.text)
-            && part.pou.is_some()
-            && !has_word(program.program.text, "VAR_EXTERNAL") =>
-        {
+        Place::InitialValue if begins_with_variable(program, name) => Some("initial value of a variable"),
+        _ if is_global(program, name) && part.pou.is_some() && !has_word(program.text, "VAR_EXTERNAL") => {
             Some("global variable that is not external")
         }
         _ if section == Some(VariableKind::Input) && is_assigned(program, part) => {
@@ -291,11 +260,8 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
 
 /// Returns whether a program declares a global variable with a name.
 fn is_global(program: &ReadProgram<'_, '_>, name: &str) -> bool {
-    let global = DeclaredKind::Variable(VariableKind::Global);
-    program
-        .names
-        .iter()
-        .any(|one| one.kind == global && one.name.is(name))
+    let mut named = program.names.iter().filter(|one| one.name.is(name));
+    named.any(|one| one.kind == DeclaredKind::Variable(VariableKind::Global))
 }
 
 /// Returns whether a unit assigns the variable of its own that a name is, or an element, a field or a bit of it.
@@ -309,7 +275,7 @@ fn is_assigned(program: &ReadProgram<'_, '_>, name: &Part<'_, '_>) -> bool {
 
 /// Returns whether a name is that of a variable of a section that is not `CONSTANT`.
 fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
-    let sections = program.program.unit.pous().flat_map(|pou| &pou.blocks);
+    let sections = program.unit.pous().flat_map(|pou| &pou.blocks);
     let mut variables = sections
         .filter(|section| !section.constant)
         .flat_map(|section| &section.groups);
@@ -351,24 +317,14 @@ fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
 }
 
 /// Returns whether a configuration has no resource, or a resource no program.
-///
-/// Basis: iec-61131-3: Annex A (`Config_Decl`, `Single_Resource_Decl`).
 fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
-    program
-        .program
-        .unit
-        .declarations
-        .iter()
-        .any(|declaration| match declaration {
-            Declaration::Configuration(configuration) => {
-                configuration.resources.is_empty()
-                    || configuration
-                        .resources
-                        .iter()
-                        .any(|resource| resource.programs.is_empty())
-            }
-            _ => false,
-        })
+    let mut declarations = program.unit.declarations.iter();
+    declarations.any(|declaration| match declaration {
+        Declaration::Configuration(Configuration { resources, .. }) => {
+            resources.is_empty() || resources.iter().any(|resource| resource.programs.is_empty())
+        }
+        _ => false,
+    })
 }
 
 /// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without

@@ -2,6 +2,7 @@
 
 use crate::essence::Essence;
 use crate::normal::Normal;
+use crate::program::read;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::sign::Sign;
@@ -57,7 +58,7 @@ impl CauseKey {
         };
         let essence = Essence::of(&smallest, &Normal::unasked(&smallest));
         let labels = match smallest.deviation.sign.symptom {
-            Symptom::Value | Symptom::Missing => value_features(program),
+            Symptom::Value | Symptom::Missing => read(program, value_features),
             _ => BTreeSet::new(),
         };
         Some(CauseKey {

@@ -1,19 +1,18 @@
 //! The features of the line of a small program that matters: the constructs by which the defects of programs are told apart.
 
-use crate::lines::{line_with_number, unimplemented, unit_of};
+use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
+use crate::malformed::forms_of_literals;
 use crate::normal::Normal;
-use crate::program::{ReadProgram, kind, type_of_word, valued_types, words};
+use crate::program::{Part, ReadProgram};
 use crate::sign::is_unread;
+use crate::suspect::unimplemented;
+use crate::words::{LOOPS, has_word, kind, type_of_word, valued_types, words};
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
-use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 
-use stickler_syntax::tree::{
-    Argument, Declaration, ExpressionKind, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
-    VariableKind,
-};
+use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
 
 /// The features of where a line stands.
@@ -26,7 +25,7 @@ type Words = BTreeSet<String>;
 
 /// A small program with the line that matters.
 pub(crate) struct MarkedProgram<'t, 's> {
-    program: ReadProgram<'t, 's>,
+    program: &'t ReadProgram<'t, 's>,
     works: Vec<Work>,
     /// The number of the line at which the expected or the actual diagnostic stands.
     line: Option<u32>,
@@ -37,7 +36,7 @@ pub(crate) struct MarkedProgram<'t, 's> {
 }
 
 impl<'t, 's> MarkedProgram<'t, 's> {
-    pub(crate) fn new(program: ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
+    pub(crate) fn new(program: &'t ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
         let deviation = &normal.deviation;
         // A compiler that has lost the place says line 1, without a column or with the first.
         let line = |facts: &[Fact]| {
@@ -47,19 +46,19 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             placed.line.filter(|line| *line > 1 || has_column)
         };
         let reported = deviation.got.iter().find_map(Fact::diagnostic);
-        let by_number = || line_with_number(&program, reported.map_or("", |one| &one.message));
+        let by_number = || line_with_number(program, reported.map_or("", |one| &one.message));
         let line = line(&deviation.got)
             .or_else(|| line(&deviation.expected))
             .or_else(by_number);
         // Some compilers name the line behind the mistake, or one of a file of their own.
         let has_words = |number: &u32| {
-            let text = program.program.line_text(*number).unwrap_or_default();
+            let text = program.line_text(*number).unwrap_or_default();
             text.contains(|character: char| {
                 character.is_ascii_alphanumeric() || matches!(character, '\'' | '"')
             })
         };
         MarkedProgram {
-            works: works(program.program.text),
+            works: works(program.text),
             line: line.filter(has_words),
             is_unread: is_unread(&deviation.got),
             innocent: normal.innocent_literals(),
@@ -68,14 +67,13 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     fn is_on_line(&self, span: Span) -> bool {
-        self.line
-            .is_none_or(|line| self.program.program.line(span) == line)
+        self.line.is_none_or(|line| self.program.line(span) == line)
     }
 
     /// Returns the text of the line that matters; of the whole program where no line is known.
     fn text(&self) -> &'s str {
-        let line = self.line.and_then(|line| self.program.program.line_text(line));
-        line.unwrap_or(self.program.program.text)
+        let line = self.line.and_then(|line| self.program.line_text(line));
+        line.unwrap_or(self.program.text)
     }
 
     /// Returns the pieces of work on the line that matters.
@@ -119,70 +117,33 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns the forms of the literals of the line that matters, where these are no plain numbers: what is wrong with one that
     /// should not be read says its form alone.
     pub(crate) fn forms_of_literals(&self) -> Words {
-        let line = self.text().replace(":=", " ");
-        let words = line
-            .split(|sign: char| sign.is_whitespace() || matches!(sign, ';' | '(' | ')' | ',' | '[' | ']'));
-        words.filter_map(form_of_number).collect()
+        forms_of_literals(self.text())
     }
 
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
-        let Some(line) = self.line else { return PLACES[2] };
-        let program = self.program.program;
-        let covers = |start: u32, end: u32| {
-            (program.lines.line(start)..=program.lines.line(end.saturating_sub(1))).contains(&line)
-        };
-        for declaration in &program.unit.declarations {
-            let place = match declaration {
-                Declaration::Types(types) => types
-                    .iter()
-                    .any(|one| covers(one.name.span.start, one.specification.span.end))
-                    .then_some(PLACES[0]),
-                Declaration::Pou(pou) => {
-                    let is_declared = pou
-                        .blocks
-                        .iter()
-                        .any(|block| covers(block.span.start, block.span.end));
-                    let is_stated = pou
-                        .body
-                        .iter()
-                        .any(|statement| program.line(statement.span) == line);
-                    (is_declared && !is_stated).then_some(PLACES[1])
-                }
-                Declaration::Globals(block) => covers(block.span.start, block.span.end).then_some(PLACES[1]),
-                Declaration::Configuration(_) => None,
-            };
-            if let Some(place) = place {
-                return place;
-            }
+        match self.line.map(|line| place_of(self.program, line)) {
+            Some(LinePlace::Types) => PLACES[0],
+            Some(LinePlace::Section(_)) => PLACES[1],
+            Some(LinePlace::Statement) | None => PLACES[2],
         }
-        PLACES[2]
     }
 
     /// Returns the names that the line calls.
     fn callees(&self) -> impl Iterator<Item = &'s str> {
         let callees = self
             .program
-            .parts
-            .iter()
-            .filter(|part| part.place == Place::Callee);
-        let here = callees.filter(|part| self.is_on_line(part.expression.span));
-        here.map(|part| self.program.text(part.id))
+            .at(Place::Callee)
+            .filter(|part| self.is_on_line(part.expression.span));
+        callees.map(|part| self.program.text(part.id))
     }
 
     /// Returns the kind of variable that the line assigns, unless that is a plain one.
     fn target(&self) -> Option<&'static str> {
-        let mut targets = self
-            .program
-            .parts
-            .iter()
-            .filter(|part| part.place == Place::Target);
+        let mut targets = self.program.at(Place::Target);
         let part = targets.find(|part| self.is_on_line(part.expression.span))?;
         match &part.expression.kind {
-            ExpressionKind::Name(name) => part
-                .pou
-                .filter(|pou| pou.name.is(name.text))
-                .map(|_| "result of a function"),
+            ExpressionKind::Name(name) if part.pou?.name.is(name.text) => Some("result of a function"),
             ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => Some("field or element"),
             _ => None,
         }
@@ -191,24 +152,14 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns the features of a program of which something is not implemented: the kinds of the variables on its line, and whether
     /// that stands in a program or in another unit, which has its variables elsewhere; without such variables, the operations.
     pub(crate) fn of_missing(&self, got: &[Fact]) -> Words {
-        let line = unimplemented(&self.program, got);
-        let is_there = |span: Span| self.program.program.line(span) == line;
-        let operations = words_of(
-            self.works.iter().filter(|work| is_there(work.span)),
-            Role::Operation,
-        );
-        let text = self.program.program.line_text(line).unwrap_or_default();
-        let declared = |word: &str| {
-            self.program
-                .names
-                .iter()
-                .find(|one| one.name.is(word) && one.group.is_some())
-        };
-        let kinds = words(text)
-            .into_iter()
-            .filter_map(|word| self.kind_of(declared(word)?));
+        let line = unimplemented(self.program, got);
+        let is_there = |span: Span| self.program.line(span) == line;
+        let works = self.works.iter().filter(|work| is_there(work.span));
+        let operations = words_of(works, Role::Operation);
+        let line_words = words(self.program.line_text(line).unwrap_or_default());
+        let kinds = line_words.into_iter().filter_map(|word| self.kind_of(word));
         let mut features: Words = kinds.map(str::to_owned).collect();
-        let passes = passes_in_out(&self.program, is_there);
+        let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
         if features.is_empty() {
             return match operations.is_empty() {
@@ -216,7 +167,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
                 false => operations,
             };
         }
-        match unit_of(&self.program, line) {
+        match unit_of(self.program, line) {
             Some(_) => features.extend(["function or function block".to_owned()]),
             None => features.extend(operations.into_iter().filter(|one| one == "bit access")),
         }
@@ -224,16 +175,16 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     /// Returns the kind of a variable, unless that is a plain one.
-    fn kind_of(&self, declared: &DeclaredName<'_, '_>) -> Option<&'static str> {
-        let mut specification: &TypeSpecification<'_> = &declared.group?.specification;
-        if let TypeSpecificationKind::Named(name) = &specification.kind {
-            let unit = self.program.unit_of(name.text);
-            if unit.is_some_and(|pou| pou.kind == PouKind::FunctionBlock) {
-                return Some("instance of a function block");
-            }
-            specification = &self.program.declared_type(name.text)?.specification;
+    fn kind_of(&self, name: &str) -> Option<&'static str> {
+        if self.program.is_instance(name) {
+            return Some("instance of a function block");
         }
-        match specification.kind {
+        let declared = &self.program.group(name)?.specification.kind;
+        let own = match declared {
+            TypeSpecificationKind::Named(name) => self.program.declared_type(name.text),
+            _ => None,
+        };
+        match own.map_or(declared, |own| &own.specification.kind) {
             TypeSpecificationKind::Array { .. } => Some("array"),
             TypeSpecificationKind::Structure(_) => Some("structure"),
             _ => None,
@@ -247,24 +198,14 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns the kinds of the values of the program between which conversions are one piece of work.
     fn kinds(&self) -> BTreeSet<&'static str> {
-        let types = valued_types(self.program.program.text).into_iter();
+        let types = valued_types(self.program.text).into_iter();
         types.filter_map(kind).collect()
     }
 
     /// Returns the kinds of loops of the program.
     pub(crate) fn loops(&self) -> Words {
-        let loops = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| part.statement)
-            .filter_map(|one| match one.kind {
-                StatementKind::For { .. } => Some("FOR"),
-                StatementKind::While { .. } => Some("WHILE"),
-                StatementKind::Repeat { .. } => Some("REPEAT"),
-                _ => None,
-            });
-        loops.map(str::to_owned).collect()
+        let is_there = |word: &&str| has_word(self.program.text, word);
+        LOOPS.into_iter().filter(is_there).map(str::to_owned).collect()
     }
 
     /// Returns the features of a program that stops, or does not stop, with a fault.
@@ -279,7 +220,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     pub(crate) fn of_rejection(&self) -> Words {
         let operations = self.on_line(Role::Operation).into_iter();
         let mut features: Words = operations.map(|one| either_way(&one)).collect();
-        let literals = self.suspect_literals();
+        let literals = self.suspect_literals(|span| self.is_on_line(span));
         // An operator whose types are refused is refused anywhere, and so is one of the sign of a number.
         let operators = match self.is_unread {
             true => Words::new(),
@@ -288,12 +229,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
         let is_unknown_anywhere = self.is_unread && self.calls_library();
         if literals.is_empty() && !is_unknown_anywhere {
-            let place = if operators.is_empty() {
-                self.place()
-            } else {
-                PLACES[2]
-            };
-            features.insert(place.to_owned());
+            let is_anywhere = !operators.is_empty();
+            features.insert(if is_anywhere { PLACES[2] } else { self.place() }.to_owned());
         }
         if !operators.is_empty() {
             features.remove("sign");
@@ -301,12 +238,9 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             features.extend(self.operand_kinds());
         }
         features.extend(literals);
-        let by_name = |part: &crate::program::Part<'_, '_>| {
-            part.place == Place::InitialValue
-                && self.is_on_line(part.expression.span)
-                && matches!(part.expression.kind, ExpressionKind::Name(_))
-        };
-        if features.contains("declaration") && self.program.parts.iter().any(by_name) {
+        let mut initial = self.program.at(Place::InitialValue);
+        let by_name = |part: &Part<'_, '_>| self.is_on_line(part.expression.span) && part.name().is_some();
+        if features.contains("declaration") && initial.any(by_name) {
             features.insert("initial value by name".to_owned());
         }
         if !self.is_unread {
@@ -317,12 +251,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns the operators among the features of the line; the sign of a number is one that calculates.
     fn operators(&self, features: &Words) -> Words {
-        let is_operator = |one: &&String| {
-            matches!(
-                one.as_str(),
-                "arithmetic" | "comparison" | "bitwise operator" | "power"
-            )
-        };
+        let operators = ["arithmetic", "comparison", "bitwise operator", "power"];
+        let is_operator = |one: &&String| operators.contains(&one.as_str());
         let mut found: Words = features.iter().filter(is_operator).cloned().collect();
         let has_sign = words(self.text()).iter().any(|word| matches!(*word, "+" | "-"));
         found.extend(has_sign.then(|| "arithmetic".to_owned()));
@@ -347,24 +277,20 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         self.callees().any(|name| !self.program.declares(name))
     }
 
-    /// Returns the forms of those literals of the line that are not known to be taken by the engine.
-    fn suspect_literals(&self) -> Words {
-        self.suspects(|work| self.is_on_line(work.span))
-    }
-
-    fn suspects(&self, is_here: impl Fn(&Work) -> bool) -> Words {
-        let is_innocent = |work: &Work| self.innocent.contains(work.span.text(self.program.program.text));
-        let literals = self
-            .works
-            .iter()
-            .filter(|work| is_here(work) && !is_innocent(work));
-        words_of(literals, Role::Literal)
+    /// Returns the forms of those literals that are not known to be taken by the engine: of the line that matters, or of all.
+    fn suspect_literals(&self, is_here: impl Fn(Span) -> bool) -> Words {
+        let is_suspect = |work: &&Work| {
+            let written = work.span.text(self.program.text);
+            is_here(work.span) && !self.innocent.contains(written)
+        };
+        words_of(self.works.iter().filter(is_suspect), Role::Literal)
     }
 
     /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
     /// and no function.
     pub(crate) fn has_special_literal(&self) -> bool {
-        !self.is_unread && !self.calls_library() && !self.suspect_literals().is_empty()
+        let literals = self.suspect_literals(|span| self.is_on_line(span));
+        !self.is_unread && !self.calls_library() && !literals.is_empty()
     }
 
     /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
@@ -375,14 +301,10 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         features.remove("call");
         // What is converted may have a sign before it.
         features.remove("sign");
-        let begins = self
-            .program
-            .parts
-            .iter()
-            .any(|part| part.place == Place::InitialValue);
+        let begins = self.program.at(Place::InitialValue).next().is_some();
         let is_initial = is_initial && begins;
         let kinds = self.kinds();
-        let text = self.program.program.text;
+        let text = self.program.text;
         // A plain literal has the type of what begins with it.
         let has_typed_literal = || {
             words(text)
@@ -404,7 +326,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             features.remove("subscript or list");
             return (features, true);
         }
-        let literals = self.suspects(|_| true);
+        let literals = self.suspect_literals(|_| true);
         // A text with an escape is read in one way wherever it stands.
         let is_escaped = literals.contains("escape in a text");
         let declarations = words_of(&self.works, Role::Declaration);
@@ -452,61 +374,5 @@ fn either_way(operation: &str) -> String {
         Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
         None => operation.to_owned(),
-    }
-}
-
-/// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
-fn form_of_number(word: &str) -> Option<String> {
-    let upper = word.to_ascii_uppercase();
-    let prefixed = upper.split_once('#');
-    let ty = type_of_word(&upper).filter(|_| prefixed.is_some());
-    let number = prefixed.filter(|_| ty.is_some_and(crate::program::is_number));
-    let mut form = String::new();
-    for character in number.map_or(upper.as_str(), |(_, number)| number).chars() {
-        let shown = if character.is_ascii_digit() {
-            '0'
-        } else {
-            character
-        };
-        if shown != '0' || !form.ends_with('0') {
-            form.push(shown);
-        }
-    }
-    // Whatever it is a digit of, one with an underscore behind the last is read by mistake in one way. The unit of a duration may stand
-    // behind it.
-    let is_digit = |byte: u8| byte.is_ascii_hexdigit() || matches!(byte, b'_' | b'.' | b'#');
-    let ends = form.ends_with('_') && form.trim_start_matches(['-', '+']).bytes().all(is_digit);
-    let value = form.rsplit('#').next().unwrap_or_default();
-    let is_before_unit = |rest: &str| rest.bytes().all(|byte| byte.is_ascii_alphabetic());
-    if ends || value.strip_prefix("0_").is_some_and(is_before_unit) {
-        return Some("0_".to_owned());
-    }
-    let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && prefixed.is_none();
-    let moment = ty.and_then(|ty| form_of_moment(ty, form.split_once('#')?.1));
-    let form = moment.unwrap_or(form);
-    let is_plain = matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0");
-    (!is_name && !is_plain && form.contains(['0', '#'])).then_some(form)
-}
-
-/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is
-/// written, and the date before the time of day; `None` for other types.
-fn form_of_moment(ty: stickler_types::ElementaryType, value: &str) -> Option<String> {
-    match kind(ty)? {
-        "duration" => {
-            let mut units = String::from("T#");
-            for character in value.chars() {
-                match character.is_ascii_alphabetic() {
-                    true if units.ends_with('u') => {}
-                    true => units.push('u'),
-                    false => units.push(character),
-                }
-            }
-            Some(units)
-        }
-        "date or time" if value.contains(':') => {
-            let time = value.strip_prefix("0-0-0-").unwrap_or(value);
-            Some(format!("TOD#{time}"))
-        }
-        _ => None,
     }
 }

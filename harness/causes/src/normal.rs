@@ -4,22 +4,21 @@
 //! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
-use crate::alone::{BEGINNING_BLOCK, alone, beginning_block, distance};
+use crate::alone::{BEGINNING_BLOCK, alone};
 use crate::forms;
-use crate::program::{Program, ReadProgram, tokens};
+use crate::passes::{Draft, plain_method, structure_method};
+use crate::patterns::leaves_range;
+use crate::program::read;
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
 use crate::reduction::Smallest;
 use crate::sign::{is_of_a_value, is_of_reading, is_unread};
-use crate::values::{leaves_range, plainer_numbers, plainness};
+use crate::words::tokens;
 use std::collections::BTreeSet;
-use std::hash::{DefaultHasher, Hash, Hasher};
 use stickler_engines::EngineError;
-use stickler_reduce::{Interestingness, Pass, ReductionBudget, ReductionMethod, Sites, StopReason, minimise};
+use stickler_reduce::{Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise};
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
-use stickler_syntax::Edits;
-use stickler_syntax::features::features;
-use stickler_types::{Dialect, DialectName, Observation};
+use stickler_types::Observation;
 
 /// The normal form of a small program.
 #[derive(Clone, PartialEq, Debug)]
@@ -71,125 +70,15 @@ impl Normal {
             .expected
             .iter()
             .find_map(|fact| fact.diagnostic()?.line);
-        let program = Program::new(&self.program);
         matches!(&self.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_a_value(code))
-            && line.is_some_and(|line| forms::is_other_operand(&program.read(), line))
+            && line.is_some_and(|line| read(&self.program, |program| forms::is_other_operand(program, line)))
     }
 
     /// Returns the literals that the engine takes alone.
     pub(crate) fn innocent_literals(&self) -> BTreeSet<String> {
-        let program = Program::new(&self.program);
-        let operands = alone(&program.read()).into_iter().filter(|_| self.is_asked);
+        let operands = read(&self.program, alone).into_iter().filter(|_| self.is_asked);
         operands.filter_map(|one| one.literal).collect()
     }
-}
-
-/// A program on its way to its normal form.
-#[derive(Clone)]
-struct Draft {
-    text: String,
-    dialect: DialectName,
-}
-
-impl Draft {
-    /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
-    /// one, in their order.
-    fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
-        let found = find(&Program::new(&self.text).read());
-        let mut chosen = found.into_iter().filter(|_| sites.here());
-        if let (Some(one), None) = (chosen.next(), chosen.next()) {
-            self.text = one;
-        }
-    }
-
-    /// Makes some of several changes together.
-    fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
-        let found = find(&Program::new(&self.text).read());
-        let mut chosen = Edits::new();
-        chosen.extend(found.into_iter().filter(|_| sites.here()));
-        self.text = chosen.apply(&self.text);
-    }
-}
-
-/// Creates a pass that takes one of several programs in the place of another.
-macro_rules! alternatives {
-    ($name:literal, $find:expr) => {
-        Pass {
-            name: $name,
-            edit: |draft, sites| draft.alternative(sites, $find),
-        }
-    };
-}
-
-type NormalPass = Pass<Draft>;
-const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
-const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
-const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
-const OTHER_OPERAND: NormalPass = Pass {
-    name: "give quite another type",
-    edit: |draft, sites| {
-        let dialect = draft.dialect;
-        draft.alternative(sites, |program| with_other_operand(program, dialect));
-    },
-};
-const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
-const WHOLE_OUTPUT: NormalPass = alternatives!("give an output to a variable", forms::with_whole_output);
-const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
-const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
-const SAME_TYPES: NormalPass = alternatives!("make two types one", forms::with_same_types);
-const PLAINER_TYPE: NormalPass = alternatives!("take a plainer type", forms::with_plainer_type);
-const PLAINER_NUMBERS: NormalPass = Pass {
-    name: "take plainer numbers",
-    edit: |draft, sites| draft.change(sites, plainer_numbers),
-};
-
-/// Returns the operands of a program, each in a program of its own.
-fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
-    alone(program).into_iter().map(|one| one.program).collect()
-}
-
-/// Returns programs with quite another type in the place of a value on the line of the mistake.
-fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
-    let errors = stickler_reference::errors(program.program.text, dialect);
-    let line = errors.iter().find_map(|error| error.line).unwrap_or_default();
-    forms::with_other_operand(program, line)
-}
-
-/// Returns the passes that find out what of a program a symptom needs.
-fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
-    match symptom {
-        Symptom::Value | Symptom::Missing => &[INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
-        // A loop may have no end, and a division stop, because a variable does not begin with its value.
-        Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
-        Symptom::NotRejected(code) if is_of_a_value(code) => &[OPERAND_ALONE, OTHER_OPERAND],
-        Symptom::NotRejected(_) | Symptom::Rejected(_) => &[OPERAND_ALONE],
-        Symptom::NotImplemented(_) => &[ONE_STATEMENT, WHOLE_OUTPUT],
-        Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
-            &[FIRST_PARTS, OPERAND_ALONE, FITTING_OPERAND, SAME_TYPES]
-        }
-        _ => &[],
-    }
-}
-
-/// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer features of
-/// the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
-fn structure(draft: &Draft) -> (u64, u128) {
-    let text = draft.text.as_str();
-    let has_mistake = !stickler_reference::errors(text, draft.dialect).is_empty();
-    let form = 3 * u64::from(has_mistake) + distance(text);
-    let features = features(text, Dialect::of(draft.dialect)).into_iter();
-    let features = features
-        .filter(|key| !matches!(&**key, "string-literal" | "duration-literal"))
-        .count();
-    let (mut words, mut size) = (0, 0_u128);
-    for token in tokens(text) {
-        let written = token.span.text(text);
-        words += if token.kind.is_literal() { 1 } else { 2 };
-        if token.kind.is_literal() && !matches!(written, "'a'" | "T#1s") || written.starts_with('%') {
-            size += written.bytes().map(u128::from).sum::<u128>();
-        }
-    }
-    (form * 1_000_000 + features as u64 * 100 + words, size)
 }
 
 /// Finds the normal form of the smallest program of a case, with at most so many questions to the engine. `stop` is asked before
@@ -214,44 +103,32 @@ pub(crate) fn normal_form(
     if smallest.flaky.is_some() {
         return Ok(search.normal);
     }
-    let structure_of = |symptom: &Symptom| ReductionMethod {
-        passes: structure_passes(symptom),
-        weight: structure,
-        key,
-    };
     let symptom = smallest.deviation.sign.symptom.clone();
-    search.minimise(&structure_of(&symptom))?;
+    search.minimise(&structure_method(&symptom))?;
     let now = search.normal.deviation.sign.symptom.clone();
     if now == Symptom::Value && symptom != Symptom::Value {
-        search.minimise(&structure_of(&now))?;
+        search.minimise(&structure_method(&now))?;
     }
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
-    let plain = |passes| ReductionMethod {
-        passes,
-        weight: |draft: &Draft| (0, plainness(&draft.text)),
-        key,
-    };
     match now {
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
             search.other_forms()?;
             // The types and values of such an operation do not matter.
             if search.normal.way.is_none() {
-                search.minimise(&plain(&[PLAINER_TYPE, PLAINER_NUMBERS]))?;
+                search.minimise(&plain_method(true))?;
             }
         }
-        Symptom::Rejected(_) => search.minimise(&plain(&[PLAINER_TYPE]))?,
+        Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
         _ => {}
     }
     let mut normal = search.normal;
-    normal.is_asked = search.left > 0 && !stop();
+    let asks_for_operands = !matches!(
+        now,
+        Symptom::Hang | Symptom::Fault(_) | Symptom::NotImplemented(_)
+    );
+    normal.is_asked = asks_for_operands && search.left > 0 && !stop();
     normal.questions = tries - search.left;
     Ok(normal)
-}
-
-fn key(draft: &Draft) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    draft.text.hash(&mut hasher);
-    hasher.finish()
 }
 
 struct NormalSearch<'s, 'e> {
@@ -314,8 +191,8 @@ impl NormalSearch<'_, '_> {
         let seen = self.asked.deviation(&case)?;
         let former = &self.normal;
         // A value that wraps is another defect than one that is within the range of its type.
-        let stays =
-            |seen: &Deviation| leaves_range(&former.program, &former.deviation) || !leaves_range(text, seen);
+        let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
+        let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
         let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
         let is_same = same.is_some();
         if let Some(deviation) = same {
@@ -336,11 +213,8 @@ impl NormalSearch<'_, '_> {
             return Vec::new();
         }
         let all = all_variables(self.case, text);
-        let program = Program::new(text);
-        let keeps = text == BEGINNING_BLOCK
-            || forms::only_initial_values(&program.read())
-                .first()
-                .is_some_and(|initial| initial == text);
+        let initial = read(text, forms::only_initial_values);
+        let keeps = text == BEGINNING_BLOCK || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
             one.name.eq_ignore_ascii_case("into")
@@ -356,18 +230,12 @@ impl NormalSearch<'_, '_> {
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
-        let program = self.normal.program.clone();
-        let program = Program::new(&program);
-        let program = program.read();
+        let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
+            (forms::in_two_steps(program), forms::turned_round(program))
+        });
         let forms = [
-            (
-                forms::in_two_steps(&program),
-                "operation in the type of its target",
-            ),
-            (
-                forms::turned_round(&program),
-                "comparison in the type of its first operand",
-            ),
+            (in_two_steps, "operation in the type of its target"),
+            (turned_round, "comparison in the type of its first operand"),
         ];
         for (form, way) in forms {
             let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));

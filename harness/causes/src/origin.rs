@@ -1,7 +1,8 @@
 //! The lines of a small program that give a variable its value.
 
-use crate::program::{Part, Program, ReadProgram, tokens};
+use crate::program::{Part, ReadProgram, read};
 use crate::question::Deviation;
+use crate::words::tokens;
 use stickler_run::Fact;
 use stickler_syntax::names::{UseKind, used};
 use stickler_syntax::source::Span;
@@ -17,7 +18,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// function by its body.
     pub(crate) fn computation(&self, path: &str) -> Option<u32> {
         let Some(mut last) = self.assignment(path) else {
-            return self.field_value(path).map(|span| self.program.line(span));
+            return self.field_value(path).map(|span| self.line(span));
         };
         for _ in 0..MAX_COPIES {
             let source = self.copied(&last).and_then(|source| self.assignment(source));
@@ -30,19 +31,26 @@ impl<'t, 's> ReadProgram<'t, 's> {
                 _ => break,
             }
         }
-        last.statement.map(|statement| self.program.line(statement.span))
+        last.statement.map(|statement| self.line(statement.span))
     }
 
-    /// Returns the last place that assigns a variable, a field or an element of it, counts with it, or gives it to an output or an in-out
-    /// variable of a call.
+    /// Returns the last place that assigns a variable, a field or an element of it, counts with it, gives it to an output or an in-out
+    /// variable of a call, or gives it something where it is an instance.
     fn assignment(&self, path: &str) -> Option<Part<'t, 's>> {
         let name = path.split(['@', '[', '.']).next().unwrap_or(path);
         let assigns = |part: &&Part<'t, 's>| {
-            let is_it = matches!(&part.expression.kind, ExpressionKind::Name(one) if one.is(name));
             let targets = [Place::Target, Place::Control, Place::OutputArgument];
-            // An argument that is the variable alone may be changed by the call.
-            let changes = part.place == Place::NamedArgument || targets.contains(&self.outermost(part).place);
-            is_it && changes
+            let is_given = |name: &str| {
+                let call = part.around.and_then(|call| self.call(call));
+                self.is_instance(name) && call.is_some_and(|(_, arguments)| !arguments.is_empty())
+            };
+            part.is(name)
+                && match part.place {
+                    // An argument that is the variable alone may be changed by the call.
+                    Place::NamedArgument => true,
+                    Place::Callee => is_given(name),
+                    _ => targets.contains(&self.outermost(part).place),
+                }
         };
         self.parts
             .iter()
@@ -55,7 +63,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     pub(crate) fn outermost(&self, name: &Part<'t, 's>) -> Part<'t, 's> {
         let mut outer = *name;
         while outer.place == Place::Base
-            && let Some(around) = outer.around.and_then(|id| self.part(id))
+            && let Some(around) = self.around(&outer)
         {
             outer = *around;
         }
@@ -78,7 +86,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
             };
             self.parts.iter().any(covers)
         };
-        let mut uses = used(&self.program.unit).into_iter();
+        let mut uses = used(&self.unit).into_iter();
         let found =
             uses.find(|one| one.kind == UseKind::Field && one.name.is(field) && !is_selected(one.name.span))?;
         Some(found.name.span)
@@ -92,7 +100,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
             .names
             .iter()
             .find(|one| one.name.is(name) && one.group.is_some());
-        declared.map_or_else(|| self.last_statement(), |one| self.program.line(one.name.span))
+        declared.map_or_else(|| self.last_statement(), |one| self.line(one.name.span))
     }
 
     /// Returns the variable that a statement copies to another of the same type, or the function whose result it copies and that
@@ -125,7 +133,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     /// Returns whether a function only passes a literal on, so that it computes nothing.
     fn is_passed_on(&self, source: &Part<'t, 's>, last: &Part<'t, 's>) -> bool {
         let is_plain = matches!(source.statement.map(|one| &one.kind), Some(StatementKind::Assignment { value, .. })
-            if matches!(self.part(*value).map(|part| &part.expression.kind), Some(ExpressionKind::Name(_))));
+            if self.part(*value).is_some_and(|part| part.name().is_some()));
         let text = last
             .statement
             .map_or("", |statement| statement.span.text(self.program.text));
@@ -149,8 +157,8 @@ pub(crate) fn shows_initial_value(text: &str, deviation: &Deviation) -> bool {
     let Some(Fact::Value { name, .. }) = deviation.expected.iter().find(differs) else {
         return false;
     };
-    let program = Program::new(text);
-    let program = program.read();
-    let declaration = program.program.line_text(program.declaration(name));
-    program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
+    read(text, |program| {
+        let declaration = program.line_text(program.declaration(name));
+        program.computation(name).is_none() && declaration.is_some_and(|line| line.contains(":="))
+    })
 }

@@ -1,102 +1,20 @@
 //! A program of any dialect with its tree: what it declares, which type each of its expressions has, and to what values are given.
 
-use std::collections::{BTreeSet, HashMap};
-use std::sync::LazyLock;
+use crate::words::{ANY, converted, elementary, is_number, type_of_word};
+use std::collections::HashMap;
+use std::ops::Deref;
 use stickler_syntax::names::{DeclaredKind, DeclaredName, declared};
 use stickler_syntax::source::{LineIndex, Span};
-use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
     Argument, Declaration, Expression, ExpressionId, ExpressionKind, Initializer, InitializerKind, Pou,
     PouKind, SourceUnit, Statement, StatementKind, TypeDeclaration, TypeSpecification, TypeSpecificationKind,
     UnaryOperator, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::{Context, Place, Visitor, walk};
-use stickler_types::dialect::PartialAccess;
-use stickler_types::{Dialect, DialectName, ElementaryType, Family};
+use stickler_types::ElementaryType;
 
 /// The maximum number of types that a type of one's own is resolved through.
 const MAX_ALIASES: usize = 8;
-
-/// Rules by which a program of any dialect is read. Comments do not nest, so that the ends of those that stand in others are left, by
-/// which they are seen.
-pub(crate) static ANY: LazyLock<Dialect> = LazyLock::new(|| Dialect {
-    nested_comments: false,
-    bit_access: true,
-    partial_access: PartialAccess::UpToDoubleWords,
-    ampersand_and_power: true,
-    ..Dialect::of(DialectName::IRONPLC_ED3).clone()
-});
-
-/// Returns the words and signs of a text, also of one that nobody can read.
-pub(crate) fn tokens(text: &str) -> Vec<Token> {
-    stickler_syntax::tokens(text, &ANY).list
-}
-
-/// Returns the texts of the words and signs of a text.
-pub(crate) fn words(text: &str) -> Vec<&str> {
-    let all = tokens(text).into_iter();
-    all.map(|token| token.span.text(text)).collect()
-}
-
-/// Returns whether a text has a word, in any case of letters.
-pub(crate) fn has_word(text: &str, word: &str) -> bool {
-    words(text).iter().any(|one| one.eq_ignore_ascii_case(word))
-}
-
-/// Returns the elementary type with a name, in any case of letters.
-pub(crate) fn elementary(name: &str) -> Option<ElementaryType> {
-    ElementaryType::from_name(&name.to_ascii_uppercase())
-}
-
-/// Returns the type that a word names, or a literal by its prefix.
-pub(crate) fn type_of_word(word: &str) -> Option<ElementaryType> {
-    match word.split_once('#') {
-        Some((prefix, _)) => ElementaryType::from_literal_prefix(&prefix.to_ascii_uppercase()),
-        None => elementary(word),
-    }
-}
-
-/// Returns the names of the elementary types that a program names, each once, in the order of the text.
-pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
-    let mut found = Vec::new();
-    for ty in words(text).into_iter().filter_map(elementary) {
-        if !found.contains(&ty.name()) {
-            found.push(ty.name());
-        }
-    }
-    found
-}
-
-/// Returns the types that a program names and between which values are converted.
-pub(crate) fn valued_types(text: &str) -> BTreeSet<ElementaryType> {
-    let types = words(text).into_iter().filter_map(type_of_word);
-    types.filter(|ty| kind(*ty).is_some()).collect()
-}
-
-/// Returns the kind of values between which conversions are one piece of work in a compiler; `None` for BOOL, which is the type of
-/// comparisons too.
-pub(crate) const fn kind(ty: ElementaryType) -> Option<&'static str> {
-    Some(match ty.family() {
-        Family::Boolean => return None,
-        Family::Signed | Family::Unsigned | Family::BitString => "integer",
-        Family::Real => "real",
-        Family::Duration => "duration",
-        Family::Date | Family::TimeOfDay | Family::DateAndTime => "date or time",
-        Family::Text | Family::Character => "text",
-    })
-}
-
-/// Returns whether a type is one of numbers, whose operands are converted to the type of the other operand or of the target.
-pub(crate) const fn is_number(ty: ElementaryType) -> bool {
-    ty.is_integer() || ty.is_bit_string() || ty.is_real()
-}
-
-/// Returns the types between which a function converts by its name.
-pub(crate) fn converted(name: &str) -> Option<(ElementaryType, ElementaryType)> {
-    let upper = name.to_ascii_uppercase();
-    let (from, into) = upper.split_once("_TO_")?;
-    Some((elementary(from)?, elementary(into)?))
-}
 
 /// A program with its tree.
 pub(crate) struct Program<'s> {
@@ -141,6 +59,11 @@ impl<'s> Program<'s> {
     }
 }
 
+/// Reads a program, and asks it something.
+pub(crate) fn read<R>(text: &str, question: impl FnOnce(&ReadProgram<'_, '_>) -> R) -> R {
+    question(&Program::new(text).read())
+}
+
 /// An expression where it stands.
 #[derive(Clone, Copy)]
 pub(crate) struct Part<'t, 's> {
@@ -154,6 +77,29 @@ pub(crate) struct Part<'t, 's> {
     pub(crate) pou: Option<&'t Pou<'s>>,
 }
 
+impl<'s> Part<'_, 's> {
+    /// Returns the name that the expression is; `None` of another expression.
+    pub(crate) fn name(&self) -> Option<&'s str> {
+        match &self.expression.kind {
+            ExpressionKind::Name(name) => Some(name.text),
+            _ => None,
+        }
+    }
+
+    /// Returns whether the expression is a field or an element.
+    pub(crate) fn is_part_of_variable(&self) -> bool {
+        matches!(
+            self.expression.kind,
+            ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        )
+    }
+
+    /// Returns whether the expression is this name.
+    pub(crate) fn is(&self, name: &str) -> bool {
+        self.name().is_some_and(|own| own.eq_ignore_ascii_case(name))
+    }
+}
+
 /// The names and the expressions of a program.
 pub(crate) struct ReadProgram<'t, 's> {
     pub(crate) program: &'t Program<'s>,
@@ -161,6 +107,14 @@ pub(crate) struct ReadProgram<'t, 's> {
     pub(crate) parts: Vec<Part<'t, 's>>,
     /// The types of what begins with an initial value, by the place of that.
     initial: HashMap<Span, &'t TypeSpecification<'s>>,
+}
+
+impl<'s> Deref for ReadProgram<'_, 's> {
+    type Target = Program<'s>;
+
+    fn deref(&self) -> &Program<'s> {
+        self.program
+    }
 }
 
 impl<'t, 's> ReadProgram<'t, 's> {
@@ -171,6 +125,22 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     pub(crate) fn part(&self, id: ExpressionId) -> Option<&Part<'t, 's>> {
         self.parts.iter().find(|part| part.id == id)
+    }
+
+    /// Returns the expression that another one is a part of.
+    pub(crate) fn around(&self, part: &Part<'t, 's>) -> Option<&Part<'t, 's>> {
+        self.part(part.around?)
+    }
+
+    /// Returns the expressions in a place.
+    pub(crate) fn at(&self, place: Place) -> impl Iterator<Item = &Part<'t, 's>> {
+        self.parts.iter().filter(move |part| part.place == place)
+    }
+
+    /// Returns the first declaration of a variable or a field with a name.
+    pub(crate) fn group(&self, name: &str) -> Option<&'t VariableGroup<'s>> {
+        let mut named = self.names.iter().filter(|one| one.name.is(name));
+        named.find_map(|one| one.group)
     }
 
     /// Returns what a name is where a unit uses it: what the unit itself declares, or else what another part does.
@@ -188,15 +158,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the unit of a name: a function, or the block of which a variable is an instance.
     pub(crate) fn unit_of(&self, name: &str) -> Option<&'t Pou<'s>> {
-        let of_type = self
-            .names
-            .iter()
-            .find(|one| one.name.is(name))
-            .and_then(|one| one.group);
-        let block = of_type.and_then(|group| match &group.specification.kind {
-            TypeSpecificationKind::Named(ty) => Some(ty.text),
-            _ => None,
-        });
+        let block = self
+            .group(name)
+            .and_then(|group| match &group.specification.kind {
+                TypeSpecificationKind::Named(ty) => Some(ty.text),
+                _ => None,
+            });
         let mut units = self.program.unit.pous();
         units.find(|pou| pou.name.is(block.unwrap_or(name)))
     }
@@ -281,6 +248,13 @@ impl<'t, 's> ReadProgram<'t, 's> {
             } if is_literal(operand) && !self.text(operand).contains('#') => Some(self.text(id)),
             _ => is_literal(id).then(|| self.text(id)),
         }
+    }
+
+    /// Returns the literals of the program; the number behind a minus is a part of one.
+    pub(crate) fn literals(&self) -> impl Iterator<Item = (&Part<'t, 's>, &'s str)> {
+        let is_part = |part: &Part<'t, 's>| part.around.is_some_and(|around| self.literal(around).is_some());
+        let whole = self.parts.iter().filter(move |part| !is_part(part));
+        whole.filter_map(|part| Some((part, self.literal(part.id)?)))
     }
 
     /// Returns the literal with which a variable begins.
@@ -465,9 +439,4 @@ impl<'t, 's: 't> Visitor<'t, 's> for Collector<'t, 's> {
             pou: at.pou,
         });
     }
-}
-
-/// Returns whether a token begins a section of variables or of types.
-pub(crate) const fn opens_declarations(kind: TokenKind) -> bool {
-    kind.opens_section() || matches!(kind, TokenKind::Type)
 }

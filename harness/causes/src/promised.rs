@@ -1,12 +1,13 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
-use crate::lines::unimplemented;
 use crate::marked::passes_in_out;
-use crate::program::{Program, ReadProgram, valued_types, words};
+use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
 use crate::sign::is_unread;
+use crate::suspect::unimplemented;
+use crate::words::{valued_types, words};
 use stickler_engines::Identity;
 use stickler_run::{Fact, Symptom, binds};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};
@@ -75,9 +76,9 @@ pub(crate) fn specific<'f>(
     dialect: &Dialect,
     features: &'f Features,
 ) -> Option<&'f Feature> {
-    let text = program.program.text;
-    let of_line = program.program.line_text(line)?;
-    let number = |byte: u32| program.program.lines.line(byte);
+    let text = program.text;
+    let of_line = program.line_text(line)?;
+    let number = |byte: u32| program.lines.line(byte);
     let uses = feature_uses(text, dialect);
     let known = |used: &FeatureUse| features.get(&used.key);
     let used_there = uses

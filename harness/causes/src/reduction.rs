@@ -2,7 +2,7 @@
 
 use crate::alone::alone;
 use crate::guard::Constructs;
-use crate::program::Program;
+use crate::program::read;
 use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
 use crate::sign::Sign;
 use stickler_engines::EngineError;
@@ -137,8 +137,7 @@ fn operand_alone(
         return Ok(None);
     }
     // What a variable begins with is shown by a program that does nothing else.
-    let whole = Program::new(&unreduced.program);
-    let operands = alone(&whole.read()).into_iter();
+    let operands = read(&unreduced.program, alone).into_iter();
     for operand in operands.filter(|one| !one.is_initial) {
         if stop() {
             return Ok(None);

@@ -1,6 +1,7 @@
 //! The shape of a program: a form in which names, and types and literals of one kind, are equal.
 
-use crate::program::{Program, elementary, is_number, opens_declarations, tokens, type_of_word};
+use crate::program::Program;
+use crate::words::{elementary, is_number, opens_declarations, tokens, type_of_word};
 use crate::work::{exponent, families};
 use std::collections::BTreeMap;
 use stickler_syntax::token::{Token, TokenKind};
@@ -165,7 +166,9 @@ fn sorted_sections(tokens: &[Token], words: &[String]) -> String {
                 _ => one.push(word),
             }
         }
-        declarations.extend(one_a_name(&one));
+        if !one.is_empty() {
+            declarations.extend(one_a_name(&one));
+        }
         declarations.sort();
         parts.extend(declarations);
     }

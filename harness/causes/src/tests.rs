@@ -6,14 +6,16 @@ use crate::claim::keeps_work;
 use crate::essence::Essence;
 use crate::forms;
 use crate::guard::Constructs;
-use crate::lines::{described, line_with_number, suspect, unimplemented};
+use crate::lines::{described, line_with_number};
 use crate::normal::Normal;
+use crate::patterns;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::sign::Sign;
+use crate::suspect::{self, unimplemented};
 use crate::title::{condition, title};
 use crate::values;
 use crate::work::operations;
@@ -383,10 +385,10 @@ fn answer(question: &str, inputs: &[String]) -> String {
                 .map(|one| one.apply(&text))
                 .collect(),
         ),
-        "value_features" => joined(values::value_features(&text)),
-        "has_first_bit" => yes(values::has_first_bit(&text)),
-        "leaves_range" => yes(values::leaves_range(&text, &deviation())),
-        "number_pattern" => values::number_pattern(&text, &deviation())
+        "value_features" => joined(values::value_features(&program)),
+        "has_first_bit" => yes(patterns::has_first_bit(&program)),
+        "leaves_range" => yes(patterns::leaves_range(&program, &deviation())),
+        "number_pattern" => patterns::number_pattern(&program, &deviation())
             .unwrap_or_default()
             .to_owned(),
         _ => panic!("nobody asks `{question}`"),

@@ -1,8 +1,10 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
-use crate::lines::{described, line_with_number, suspect, unimplemented, unit_of};
-use crate::program::{Program, ReadProgram, has_word, tokens};
+use crate::lines::{described, line_with_number, unit_of};
+use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
+use crate::suspect::{self, unimplemented};
+use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
@@ -38,82 +40,64 @@ impl Titled<'_, '_> {
         let (expected, got) = (self.expected, self.got);
         let wanted = first(expected);
         let reported = self.reported(first(got));
+        let (line, somewhere) = (self.line(wanted.line), self.line(None));
+        let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
-            Symptom::NotRejected(code) => {
-                let line = self.line(wanted.line);
-                // What is wrong there stands nowhere on the line.
-                match (summary(code), wanted.code) {
-                    (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
-                    (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
-                    (None, _) => format!("{line} is accepted, not rejected"),
-                }
-            }
+            // What is wrong there stands nowhere on the line.
+            Symptom::NotRejected(code) => match (summary(code), wanted.code) {
+                (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
+                (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
+                (None, _) => format!("{line} is accepted, not rejected"),
+            },
             Symptom::Rejected(_) => {
                 let by_number = || line_with_number(&self.program, &reported.message);
                 let place = reported.line.or_else(by_number);
-                format!("{} is rejected: {}", self.line(place), said(&reported))
+                format!("{} is rejected: {message}", self.line(place))
             }
             Symptom::NotImplemented(_) => {
                 let line = unimplemented(&self.program, got);
                 let unit = unit_of(&self.program, line).map_or(String::new(), |unit| format!(" in {unit}"));
-                format!(
-                    "{}{unit} is {}",
-                    described(&self.program, line),
-                    clipped(&Fact::text(got))
-                )
+                let line = described(&self.program, line);
+                format!("{line}{unit} is {}", clipped(&Fact::text(got)))
             }
             Symptom::OtherCode { code, .. } => {
                 let wrong = summary(code).unwrap_or("of the mistake");
-                let (line, reported) = (self.line(wanted.line), said(&reported));
-                format!("{line} is rejected, but not because {wrong} ({code}): {reported}")
+                format!("{line} is rejected, but not because {wrong} ({code}): {message}")
             }
             Symptom::NoPlace(_) => {
-                let (line, reported) = (self.line(wanted.line), said(&reported));
-                format!("{line} is rejected without the place of the mistake: {reported}")
+                format!("{line} is rejected without the place of the mistake: {message}")
             }
-            Symptom::OtherLine(_) => {
-                format!(
-                    "{}: {} is reported on another line",
-                    self.line(wanted.line),
-                    named(&wanted)
-                )
-            }
+            Symptom::OtherLine(_) => format!("{line}: {mistake} is reported on another line"),
             Symptom::Incomplete(code) => {
                 let missing = self.missing(code);
-                format!(
-                    "{}: {} is not reported beside other mistakes",
-                    self.line(missing.line),
-                    named(&missing)
-                )
+                let (line, mistake) = (self.line(missing.line), named(&missing));
+                format!("{line}: {mistake} is not reported beside other mistakes")
             }
             Symptom::Surplus(_) => self.surplus(&wanted),
             Symptom::Value | Symptom::Missing => self.wrong_value(),
             Symptom::NotWarned(_) => {
                 let missing = warning(expected, got);
                 let wrong = missing.code.as_deref().and_then(summary);
-                let wrong = wrong.map(|wrong| format!(" that {wrong}")).unwrap_or_default();
+                let wrong = wrong.map_or(String::new(), |wrong| format!(" that {wrong}"));
                 format!("{} is accepted without a warning{wrong}", self.line(missing.line))
             }
             Symptom::Warned(_) => {
                 let extra = warning(got, expected);
-                format!(
-                    "{} is accepted with a warning: {}",
-                    self.line(extra.line),
-                    said(&extra)
-                )
+                let (line, message) = (self.line(extra.line), said(&extra));
+                format!("{line} is accepted with a warning: {message}")
             }
-            Symptom::Crash(words) => format!("{} makes it crash: {}", self.line(None), clipped(words)),
-            Symptom::Unusable(words) => format!("{} is accepted, but {}", self.line(None), clipped(words)),
+            Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", clipped(words)),
+            Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", clipped(words)),
             Symptom::Hang => {
-                let is_loop = |text: &str| ["FOR", "WHILE", "REPEAT"].iter().any(|word| has_word(text, word));
-                let mut lines = self.program.program.text.lines().zip(1..);
+                let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
+                let mut lines = self.program.text.lines().zip(1..);
                 let found = lines.find(|(text, _)| is_loop(text)).map(|(_, number)| number);
                 format!("{}: no answer in time", self.line(found))
             }
             Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
-            Symptom::Fault(fault) => format!("{} stops with the fault {fault}", self.line(None)),
+            Symptom::Fault(fault) => format!("{somewhere} stops with the fault {fault}"),
             Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
-            Symptom::NotFaulted(fault) => format!("{} does not stop with the fault {fault}", self.line(None)),
+            Symptom::NotFaulted(fault) => format!("{somewhere} does not stop with the fault {fault}"),
             Symptom::Text if at == "blanks" => "a rendered program has other blanks".to_owned(),
             Symptom::Text => rendered(expected, got),
         }
@@ -157,48 +141,41 @@ impl Titled<'_, '_> {
     fn surplus(&self, wanted: &Diagnostic) -> String {
         let mut extra = self.got.iter().filter(|fact| !self.expected.contains(fact));
         let extra = extra.find_map(Fact::diagnostic).cloned().unwrap_or_default();
-        match extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
-            true => format!(
-                "{}: {} is reported once more, without a place",
-                self.line(wanted.line),
-                named(wanted)
-            ),
-            false => format!(
-                "{} is reported although nothing is wrong there: {}",
-                self.line(extra.line),
-                said(&extra)
-            ),
+        if extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
+            let (line, mistake) = (self.line(wanted.line), named(wanted));
+            return format!("{line}: {mistake} is reported once more, without a place");
         }
+        let (line, message) = (self.line(extra.line), said(&extra));
+        format!("{line} is reported although nothing is wrong there: {message}")
     }
 
     /// Returns the first expected value that did not come, with the statement that computes it.
     fn wrong_value(&self) -> String {
-        let differing = self
+        let described = |line: u32| described(&self.program, line);
+        let pairs = self
             .expected
             .iter()
             .zip(self.got)
             .filter(|(wanted, reported)| wanted != reported);
-        let mut values = differing.filter_map(|(wanted, reported)| match wanted {
-            Fact::Value { name, value } => Some((name, value, reported)),
+        let mut values = pairs.filter_map(|(wanted, reported)| match wanted {
+            Fact::Value { name, value } => Some((name, clipped(&value.to_string()), reported)),
             _ => None,
         });
         let Some((name, value, reported)) = values.next() else {
-            return described(&self.program, self.program.last_statement()) + " computes another value";
+            return described(self.program.last_statement()) + " computes another value";
         };
-        let declared = || described(&self.program, self.program.declaration(name));
+        let declared = self.program.declaration(name);
         let Fact::Value { value: other, .. } = reported else {
-            return format!("the value of {name} cannot be seen: {}", declared());
+            return format!("the value of {name} cannot be seen: {}", described(declared));
         };
-        let value = clipped(&value.to_string());
-        match self.program.computation(name) {
-            Some(line) => match condition(&self.program, line) {
-                Some(condition) => format!(
-                    "{}: {name} is {other}, not {value}",
-                    described(&self.program, condition)
-                ),
-                None => format!("{} gives {other}, not {value}", described(&self.program, line)),
-            },
-            None => format!("{}: {name} is {other}, not {value}", declared()),
+        let computed = self.program.computation(name);
+        let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));
+        match (decides, computed) {
+            (None, Some(line)) => format!("{} gives {other}, not {value}", described(line)),
+            (line, _) => format!(
+                "{}: {name} is {other}, not {value}",
+                described(line.unwrap_or(declared))
+            ),
         }
     }
 }
@@ -223,8 +200,8 @@ fn warning(these: &[Fact], others: &[Fact]) -> Diagnostic {
 
 /// Returns the line of the condition that decides whether a line assigns a literal, where it does more than name a variable.
 pub(crate) fn condition(program: &ReadProgram<'_, '_>, line: u32) -> Option<u32> {
-    let text = program.program.text;
-    let all = tokens(program.program.line_text(line)?);
+    let text = program.text;
+    let all = tokens(program.line_text(line)?);
     let is_literal =
         matches!(&all[..], [_, sign, value, _] if sign.kind == TokenKind::Assign && value.kind.is_literal());
     let decides = |(line, _): &(&str, u32)| {

@@ -1,18 +1,11 @@
-//! The values of a small program: how plain its numbers are, and what a wrong value says beside them of how it came about.
+//! How plain the types and the numbers of a program are.
 
 use crate::forms::{PLAIN, named_types};
-use crate::program::{
-    Part, Program, ReadProgram, converted, elementary, is_number, kind, type_of_word, valued_types,
-};
-use crate::question::{Deviation, wrong_values};
-use crate::work::operations;
+use crate::program::{Part, ReadProgram};
+use crate::words::{elementary, is_number};
 use std::collections::BTreeSet;
 use stickler_syntax::Edits;
 use stickler_syntax::visitor::Place;
-use stickler_types::{ElementaryType, Family, Value};
-
-/// The milliseconds of a second.
-const MILLISECONDS: f64 = 1000.0;
 
 /// A decimal number of a program.
 pub(crate) struct PlainNumber<'t> {
@@ -91,43 +84,31 @@ impl<'t> PlainNumber<'t> {
 }
 
 /// Returns the numbers of a program that are values; bounds, subscripts and bits are none.
-fn plain_numbers<'p, 's>(
-    program: &'p ReadProgram<'_, 's>,
-) -> impl Iterator<Item = (&'p Part<'p, 's>, PlainNumber<'s>)> {
-    let are_values = program.parts.iter().filter(|part| {
-        let is_part = part
-            .around
-            .is_some_and(|around| program.literal(around).is_some());
-        !is_part
-            && !matches!(
-                part.place,
-                Place::Limit | Place::Subscript | Place::Repetition | Place::Length
-            )
-    });
-    are_values.filter_map(|part| Some((part, PlainNumber::read(program.literal(part.id)?)?)))
+fn plain_numbers<'p, 't: 'p, 's>(
+    program: &'p ReadProgram<'t, 's>,
+) -> impl Iterator<Item = (&'p Part<'t, 's>, PlainNumber<'s>)> {
+    let beside = [Place::Limit, Place::Subscript, Place::Repetition, Place::Length];
+    let values = program
+        .literals()
+        .filter(move |(part, _)| !beside.contains(&part.place));
+    values.filter_map(|(part, literal)| Some((part, PlainNumber::read(literal)?)))
 }
 
 /// Returns the changes that make a number of a program plainer.
 pub(crate) fn plainer_numbers(program: &ReadProgram<'_, '_>) -> Vec<Edits> {
-    let numbers = plain_numbers(program);
-    let change = |part: &Part<'_, '_>, plainer| Edits::replacing(part.expression.span, plainer);
-    numbers
-        .flat_map(|(part, number)| {
-            number
-                .plainer()
-                .into_iter()
-                .map(move |plainer| change(part, plainer))
-        })
-        .collect()
+    let change = |(part, number): (&Part<'_, '_>, PlainNumber<'_>)| {
+        let span = part.expression.span;
+        let plainer = number.plainer().into_iter();
+        plainer.map(move |plainer| Edits::replacing(span, plainer))
+    };
+    plain_numbers(program).flat_map(change).collect()
 }
 
 /// Returns how far the types and the numbers of a program are from the plainest.
-pub(crate) fn plainness(text: &str) -> u128 {
-    let program = Program::new(text);
-    let program = program.read();
+pub(crate) fn plainness(program: &ReadProgram<'_, '_>) -> u128 {
     let rank = |name: &str| PLAIN.iter().position(|plain| *plain == name).unwrap_or_default() as u128;
-    let types: u128 = named_types(text).into_iter().map(rank).sum();
-    let numbers = plain_numbers(&program).map(|(_, number)| {
+    let types: u128 = named_types(program.text).into_iter().map(rank).sum();
+    let numbers = plain_numbers(program).map(|(_, number)| {
         let features = number.features().into_iter().filter(|is_there| *is_there).count();
         100 * features as u128
             + number.digits.len() as u128
@@ -137,247 +118,11 @@ pub(crate) fn plainness(text: &str) -> u128 {
 }
 
 /// Returns what is special about the numbers and the numeric types of a program that computes a wrong value.
-pub(crate) fn value_features(text: &str) -> BTreeSet<String> {
-    let program = Program::new(text);
-    let program = program.read();
+pub(crate) fn value_features(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     let names = ["negative number", "fraction", "large number"];
-    let numbers = plain_numbers(&program).flat_map(|(_, number)| names.into_iter().zip(number.features()));
+    let numbers = plain_numbers(program).flat_map(|(_, number)| names.into_iter().zip(number.features()));
     let numbers = numbers.filter(|(_, is_there)| *is_there).map(|(name, _)| name);
-    let special = named_types(text).into_iter();
+    let special = named_types(program.text).into_iter();
     let special = special.filter(|name| PLAIN.contains(name) && !matches!(*name, "INT" | "REAL"));
     numbers.chain(special).map(str::to_owned).collect()
-}
-
-/// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
-/// says nothing.
-pub(crate) fn number_pattern(text: &str, deviation: &Deviation) -> Option<&'static str> {
-    let program = Program::new(text);
-    let wrong = WrongNumber {
-        program: &program.read(),
-        deviation,
-    };
-    if wrong.counts_seconds() {
-        Some("seconds in the place of milliseconds")
-    } else if wrong.converts_out_of_range() {
-        Some("conversion of a real number outside the range of its target")
-    } else if wrong.counts_to_limit() {
-        Some("FOR loop to the last value of its type")
-    } else if wrong.keeps_range() {
-        Some("conversion to an integer that does not bring it into its range")
-    } else if wrong.rounds_to_lreal() {
-        Some("integer literal with the bits of an LREAL")
-    } else if wrong.keeps_lreal() {
-        Some("REAL literal with the bits of an LREAL")
-    } else {
-        None
-    }
-}
-
-/// Returns whether the first value that a program has wrong must be another number than each literal of the program, as where a
-/// conversion wraps. Where the program has no number, none left a range.
-pub(crate) fn leaves_range(text: &str, deviation: &Deviation) -> bool {
-    let program = Program::new(text);
-    WrongNumber {
-        program: &program.read(),
-        deviation,
-    }
-    .leaves_range()
-}
-
-/// Returns whether a program has a number with the first bit of an unsigned type, which is the sign of a signed type of the same size.
-pub(crate) fn has_first_bit(text: &str) -> bool {
-    let program = Program::new(text);
-    let program = program.read();
-    program.parts.iter().any(|part| {
-        let literal = program.literal(part.id);
-        let ty = program.type_of(part.id).or_else(|| program.target(part));
-        let is_unsigned = |ty: &ElementaryType| kind(*ty) == Some("integer") && ty.family() != Family::Signed;
-        let number = literal.and_then(amount).zip(ty.filter(is_unsigned));
-        number.is_some_and(|(number, ty)| number >= 2_f64.powi(ty.bits() as i32 - 1))
-    })
-}
-
-/// The first number that a program has wrong, beside those of its text.
-struct WrongNumber<'p, 't, 's> {
-    program: &'p ReadProgram<'t, 's>,
-    deviation: &'p Deviation,
-}
-
-impl WrongNumber<'_, '_, '_> {
-    fn text(&self) -> &str {
-        self.program.program.text
-    }
-
-    /// Returns the first wrong value: what it must be, and what it is.
-    fn values(&self) -> Option<(&Value, &Value)> {
-        let first = wrong_values(&self.deviation.expected, &self.deviation.got).next();
-        first.map(|(_, values)| values)
-    }
-
-    /// Returns the bits of the first wrong value with its type.
-    fn bits(&self) -> Option<(ElementaryType, u64, u64)> {
-        match self.values()? {
-            (Value::Plain { ty, raw }, Value::Plain { raw: got, .. }) => Some((*ty, *raw, *got)),
-            _ => None,
-        }
-    }
-
-    /// Returns the first wrong number: what it must be, and what it is.
-    fn numbers(&self) -> Option<(f64, f64)> {
-        let number = |value: &Value| {
-            let text = value.to_string();
-            let sign = if text.contains("#-") { -1.0 } else { 1.0 };
-            Some(amount(&text)? * sign)
-        };
-        let (value, other) = self.values()?;
-        Some((number(value)?, number(other)?))
-    }
-
-    /// Returns the amounts of the literals of the program, with the sign that they have in it.
-    fn literals(&self) -> impl Iterator<Item = f64> {
-        let literals = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| self.program.literal(part.id));
-        literals.filter_map(amount)
-    }
-
-    fn leaves_range(&self) -> bool {
-        let Some((expected, _)) = self.numbers() else {
-            return false;
-        };
-        // A fraction is dropped or rounded, and a REAL has 24 bits.
-        let is_near = |number: f64| (number - expected.abs()).abs() <= 1.0 + expected.abs() * 1e-6;
-        self.literals().next().is_some() && !self.literals().any(is_near)
-    }
-
-    /// Returns the number of operations with which the program computes. Calls, elements, conditions and the sign of an operand are none.
-    fn computed(&self) -> usize {
-        let beside = [
-            "sign",
-            "call",
-            "output argument",
-            "subscript or list",
-            "condition",
-        ];
-        let operations = operations(self.text()).into_iter();
-        operations.filter(|one| !beside.contains(&one.as_str())).count()
-    }
-
-    /// Returns the types between which the program converts by name.
-    fn conversions(&self) -> impl Iterator<Item = (ElementaryType, ElementaryType)> {
-        let calls = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| self.program.call(part.id));
-        calls.filter_map(|(callee, _)| converted(callee))
-    }
-
-    /// Returns whether the program does nothing but convert a real number to an integer by name, and the number is outside the range.
-    fn converts_out_of_range(&self) -> bool {
-        let is_negative = self.text().contains('-');
-        let leaves = |into: ElementaryType| {
-            // Of an unsigned type the least number is 0, and a minus stands before a number.
-            let is_outside = |number: f64| {
-                let most = into.integer_range().is_some_and(|(_, most)| number > most as f64);
-                most || number != 0.0 && is_negative && into.family() != Family::Signed
-            };
-            self.leaves_range() || self.literals().any(is_outside)
-        };
-        let mut conversions = self.conversions();
-        self.computed() == 1
-            && conversions.any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(into))
-    }
-
-    /// Returns whether the program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
-    fn counts_to_limit(&self) -> bool {
-        let counts = |part: &Part<'_, '_>| {
-            let range = self
-                .program
-                .type_of(part.id)
-                .and_then(ElementaryType::integer_range);
-            let most = range.map(|(_, most)| most as f64);
-            part.place == Place::Control && self.literals().any(|number| Some(number) == most)
-        };
-        self.computed() == 0 && valued_types(self.text()).len() < 2 && self.program.parts.iter().any(counts)
-    }
-
-    /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
-    /// before them.
-    fn keeps_range(&self) -> bool {
-        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
-            return false;
-        };
-        self.conversions().any(|(_, narrow)| {
-            let is_narrow = kind(narrow) == Some("integer") && narrow.bits() < ty.bits();
-            is_narrow && (raw ^ got) & ((1 << narrow.bits()) - 1) == 0
-        })
-    }
-
-    /// Returns whether an integer literal of 64 bits is off by no more than an LREAL, which has 53 bits, can be off at its size.
-    fn rounds_to_lreal(&self) -> bool {
-        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
-            return false;
-        };
-        let magnitude = match ty.family() {
-            Family::Signed => raw.cast_signed().unsigned_abs(),
-            _ => raw,
-        };
-        let error = raw.wrapping_sub(got).cast_signed().unsigned_abs();
-        operations(self.text()).is_empty()
-            && magnitude > 1 << f64::MANTISSA_DIGITS
-            && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS)
-    }
-
-    /// Returns whether a literal of the type REAL is not rounded to one.
-    fn keeps_lreal(&self) -> bool {
-        let mut literals = self
-            .program
-            .parts
-            .iter()
-            .filter_map(|part| self.program.literal(part.id));
-        let is_rounded = |(expected, got): (f64, f64)| f64::from(got as f32) == expected;
-        operations(self.text()).is_empty()
-            && literals
-                .any(|literal| type_of_word(literal) == Some(ElementaryType::Real) && literal.contains('#'))
-            && self.numbers().is_some_and(is_rounded)
-    }
-
-    /// Returns whether the program converts between durations and numbers, and the engine counts them in seconds where milliseconds are
-    /// expected.
-    fn counts_seconds(&self) -> bool {
-        let Some((expected, got)) = self.numbers() else {
-            return false;
-        };
-        let types = named_types(self.text()).into_iter().filter_map(elementary);
-        let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
-        let converts = kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
-        // Below a second the number of seconds is 0, which other errors give too.
-        let counts_seconds = expected.abs() >= MILLISECONDS && (got - expected / MILLISECONDS).abs() < 1.0;
-        let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
-        converts && (counts_seconds || takes_seconds)
-    }
-}
-
-/// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.
-fn amount(literal: &str) -> Option<f64> {
-    let is_prefix =
-        |(prefix, _): &(&str, &str)| prefix.starts_with(|first: char| first.is_ascii_alphabetic());
-    let value = literal
-        .split_once('#')
-        .filter(is_prefix)
-        .map_or(literal, |(_, value)| value);
-    let plain = value.trim_start_matches(['-', '+', ' ']).replace('_', "");
-    match plain.split_once('#') {
-        Some((base, digits)) => {
-            let base = base.parse().ok().filter(|base| matches!(base, 2 | 8 | 16))?;
-            Some(u64::from_str_radix(digits, base).ok()? as f64)
-        }
-        None => plain
-            .trim_end_matches(|unit: char| unit.is_ascii_lowercase())
-            .parse()
-            .ok(),
-    }
 }

@@ -1,6 +1,6 @@
 //! The pieces of work of a compiler that a program asks for: the features that it uses, where those that one change would mend are one.
 
-use crate::program::{ANY, elementary, tokens};
+use crate::words::{ANY, elementary, tokens};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 use stickler_syntax::features::{FeatureUse, feature_uses};
@@ -64,12 +64,24 @@ pub(crate) fn works(program: &str) -> Vec<Work> {
             "literal-exponent" => vec![(Role::Literal, exponent(written).to_owned())],
             key => WORKS.get(key).cloned().unwrap_or_else(own),
         };
-        let span = used.span;
+        let span = Span {
+            start: used.span.start + written.find(beginning(&used.key)).unwrap_or_default() as u32,
+            ..used.span
+        };
         found
             .into_iter()
             .map(move |(role, words)| Work { role, words, span })
     };
     uses.flat_map(work).collect()
+}
+
+/// Returns the word by which a feature begins that stands within a statement of several lines.
+fn beginning(feature: &str) -> &'static str {
+    match feature {
+        "repeat" => "UNTIL",
+        "elsif" => "ELSIF",
+        _ => "",
+    }
 }
 
 /// Returns the words of the pieces of work with a role.

@@ -125,9 +125,12 @@ impl Session for Running<'_> {
             asked.len() - 1
         };
         match self.0.rejects_every {
-            every if every > 0 && number.is_multiple_of(every) => {
-                rejected(&[line(1, None, "the dice said no", Some(1))])
-            }
+            every if every > 0 && number.is_multiple_of(every) => rejected(vec![Diagnostic {
+                line: Some(1),
+                column: Some(1),
+                message: "the dice said no".to_owned(),
+                ..Diagnostic::default()
+            }]),
             _ => self.0.defects.run(request),
         }
     }
@@ -143,18 +146,47 @@ impl Session for Running<'_> {
     }
 }
 
+impl RejectedLine {
+    /// Returns what is said of a program that has such a line.
+    fn rejection(&self, source: &str) -> Option<Outcome> {
+        let is_such = |text: &str| self.with.iter().any(|with| text.contains(with));
+        let (_, number) = source.lines().zip(1..).find(|(text, _)| is_such(text))?;
+        let first = Diagnostic {
+            line: Some(number),
+            column: self.column,
+            code: self.code.clone(),
+            message: self.message.clone(),
+            ..Diagnostic::default()
+        };
+        let again = Diagnostic {
+            line: None,
+            ..first.clone()
+        };
+        Some(rejected(if self.twice {
+            vec![first, again]
+        } else {
+            vec![first]
+        }))
+    }
+}
+
 impl Defects {
     fn run(&self, request: &RunRequest<'_>) -> Outcome {
-        let has = |text: &String| request.source.contains(text.as_str());
-        if let Some((_, reason)) = self.crashes.as_ref().filter(|(text, _)| has(text)) {
-            let reason = reason.clone();
+        let reason = |defect: &Option<(String, String)>| {
+            let found = defect.as_ref().filter(|(text, _)| request.source.contains(text));
+            found.map(|(_, reason)| reason.clone())
+        };
+        if let Some(reason) = reason(&self.crashes) {
             return Outcome::Crashed { reason };
         }
-        if let Some((_, reason)) = self.lacks.as_ref().filter(|(text, _)| has(text)) {
-            let reason = reason.clone();
+        if let Some(reason) = reason(&self.lacks) {
             return Outcome::NotImplemented { reason };
         }
-        if let Some(outcome) = self.rejection(request.source) {
+        if let Some(outcome) = self
+            .rejects
+            .iter()
+            .find_map(|line| line.rejection(request.source))
+        {
             return outcome;
         }
         let replaced = self.replaces.iter();
@@ -167,23 +199,6 @@ impl Defects {
         };
         let outcome = stickler_reference::run(&request, stickler_reference::Limits::default());
         self.changed(&source, outcome.expect("observed variables are there"))
-    }
-
-    fn rejection(&self, source: &str) -> Option<Outcome> {
-        for rejects in &self.rejects {
-            let mut lines = source.lines().zip(1..);
-            let found = lines.find(|(text, _)| rejects.with.iter().any(|with| text.contains(with.as_str())));
-            let Some((_, number)) = found else { continue };
-            let code = rejects.code.as_deref();
-            let first = line(number, code, &rejects.message, rejects.column);
-            let again = Diagnostic {
-                line: None,
-                ..first.clone()
-            };
-            let both = [first, again];
-            return Some(rejected(&both[..=usize::from(rejects.twice)]));
-        }
-        None
     }
 
     /// Returns what this compiler makes of what the reference did.
@@ -229,18 +244,6 @@ impl Defects {
     }
 }
 
-fn line(number: u32, code: Option<&str>, message: &str, column: Option<u32>) -> Diagnostic {
-    Diagnostic {
-        line: Some(number),
-        column,
-        code: code.map(str::to_owned),
-        message: message.to_owned(),
-        ..Diagnostic::default()
-    }
-}
-
-fn rejected(diagnostics: &[Diagnostic]) -> Outcome {
-    Outcome::Rejected {
-        diagnostics: diagnostics.to_vec(),
-    }
+fn rejected(diagnostics: Vec<Diagnostic>) -> Outcome {
+    Outcome::Rejected { diagnostics }
 }

@@ -6,18 +6,21 @@
 //! | `compiler` | [`Defects`]; `poses_as` the compiler for whose documents Stickler's own sources speak, `knows_no` codes |
 //! | `cases` | `has` the declarations of PROGRAM main and what it `does`, or its whole `program`; what `must` happen; its `basis` |
 //! | `titles` | the number of cases and the title of each cause that must be found; `*` stands for anything |
-//! | `cause` | properties of the first cause |
+//! | `cause` | properties of the first cause, where `*` stands for anything; `program, not` is one that is not shown |
 //! | `editions` | whether each case is one of the second edition too |
 //! | `questions` | the maximum number of questions of the search |
 //! | `most_runs`, `once` | how many programs are run at most; a text of which one program alone is run |
 
 use crate::compiler::{DefectiveCompiler, Defects};
-use crate::suites::{self, suite, suite_with_sources, titles};
+use crate::search::causes;
 use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::Arc;
 use stickler_causes::SearchLimits;
 use stickler_run::{Cause, Fact};
-use stickler_suite::{Case, Suite};
-use stickler_types::DialectName;
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
+use stickler_types::{DialectName, Observation, Value};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -35,7 +38,7 @@ pub struct PlantedDefect {
     cases: Vec<FailingCase>,
     editions: bool,
     titles: Vec<String>,
-    cause: FirstCause,
+    cause: BTreeMap<String, String>,
     questions: Option<u64>,
     most_runs: Option<usize>,
     once: Option<String>,
@@ -51,39 +54,42 @@ struct FailingCase {
     basis: Option<String>,
 }
 
-/// What is asserted of the cause that explains most cases.
-#[derive(Deserialize, Default)]
-#[serde(default, deny_unknown_fields)]
-struct FirstCause {
-    symptom: Option<String>,
-    construct: Option<String>,
-    basis: Option<String>,
-    expected: Option<String>,
-    got: Option<String>,
-    derived: Option<bool>,
-    program_has: Vec<String>,
-    program_lacks: Vec<String>,
-    /// What the commands of the reproduction printed.
-    printed: Option<String>,
-    reduction: Option<String>,
-}
-
 impl FailingCase {
+    /// Returns the case. It must end with a value (`into = REAL#5.0`), be rejected (`7 P4035`) or be accepted; of one that is open,
+    /// nobody decides what must happen.
     fn case(&self, number: usize) -> Case {
-        let written = || {
-            format!(
-                "PROGRAM main\nVAR\n    {}\nEND_VAR\n    {}\nEND_PROGRAM\n",
-                self.has, self.does
-            )
-        };
+        let (has, does) = (&self.has, &self.does);
+        let written = || format!("PROGRAM main\nVAR\n    {has}\nEND_VAR\n    {does}\nEND_PROGRAM\n");
         let program = self.program.clone().unwrap_or_else(written);
-        let case = suites::case(&format!("t::case-{number}"), &program, &self.must);
-        match &self.basis {
-            Some(basis) => Case {
-                basis: basis.as_str().into(),
-                ..case
-            },
-            None => case,
+        let id = format!("t::case-{number}");
+        let mut expectation = Expectation::default();
+        let mut observe = Vec::new();
+        if let Some((name, value)) = self.must.split_once(" = ") {
+            let value = Value::parse(value).expect("a literal");
+            observe.push(Observation::last(name, value.type_name()));
+            expectation.values.push(ExpectedValue {
+                name: name.into(),
+                after: None,
+                value,
+                line: 1,
+            });
+        } else if let Some((line, code)) = self.must.split_once(' ') {
+            expectation.accepted = Acceptance::Rejected;
+            expectation.diagnostics.push(ExpectedDiagnostic {
+                line: line.parse().expect("a number"),
+                code: code.parse().expect("a code"),
+            });
+        } else if self.must == "open" {
+            expectation.accepted = Acceptance::Observed;
+        }
+        Case {
+            title: "A title".into(),
+            basis: self.basis.as_deref().unwrap_or("a-source: t").into(),
+            file: "conformance-cases/area/file.toml".into(),
+            area: "area".into(),
+            expectation: Arc::new(expectation),
+            observe: observe.into(),
+            ..Case::of_program(&id, DialectName::IRONPLC_ED3, &program)
         }
     }
 }
@@ -109,11 +115,13 @@ impl PlantedDefect {
                 ..case.clone()
             })
         });
-        let cases: Vec<Case> = cases.collect();
-        match self.poses_as {
-            Some(_) => suite_with_sources(cases),
-            None => suite(cases),
-        }
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
+        let mut suite = match self.poses_as {
+            Some(_) => Suite::load_files(&folder, &[], |_, _| false),
+            None => Suite::default(),
+        };
+        suite.cases = cases.collect();
+        suite
     }
 
     /// Returns what is not as the file says.
@@ -121,9 +129,10 @@ impl PlantedDefect {
         let compiler = self.compiler();
         let mut limits = SearchLimits::default();
         limits.questions = self.questions.unwrap_or(limits.questions);
-        let found = suites::causes(&self.suite(), &compiler, 1, limits);
+        let found = causes(&self.suite(), &compiler, 1, limits);
         let mut mistakes = Vec::new();
-        let titles = titles(&found);
+        let title = |cause: &Cause| format!("{} {}", cause.number(), cause.title);
+        let titles: Vec<String> = found.iter().map(title).collect();
         let is_as_said = titles.len() == self.titles.len()
             && titles
                 .iter()
@@ -132,12 +141,12 @@ impl PlantedDefect {
         if !is_as_said {
             mistakes.push(format!("titles: {titles:#?}"));
         }
-        mistakes.extend(
-            found
-                .first()
-                .into_iter()
-                .flat_map(|first| self.cause.mistakes(first)),
-        );
+        for (key, said) in &self.cause {
+            let is = found.first().map_or(String::new(), |first| property(first, key));
+            if matches(said, &is) == key.ends_with("not") {
+                mistakes.push(format!("{key} = {is:?}"));
+            }
+        }
         mistakes.extend(found.iter().flat_map(reproduction_mistakes));
         let runs = compiler.number_asked("");
         if self.most_runs.is_some_and(|most| runs > most) {
@@ -152,32 +161,21 @@ impl PlantedDefect {
     }
 }
 
-impl FirstCause {
-    fn mistakes(&self, found: &Cause) -> Vec<String> {
-        let facts = |facts: &[Fact]| facts.iter().map(Fact::to_string).collect::<Vec<_>>().join("; ");
-        let shown = &found.shown;
-        let derived = self.derived.map(|derived| derived.to_string());
-        let properties = [
-            ("symptom", &self.symptom, found.symptom.clone()),
-            ("construct", &self.construct, found.construct.clone()),
-            ("basis", &self.basis, shown.basis.clone()),
-            ("expected", &self.expected, facts(&shown.expected)),
-            ("got", &self.got, facts(&shown.got)),
-            ("derived", &derived, shown.is_derived.to_string()),
-            ("printed", &self.printed, shown.printed.trim().to_owned()),
-            ("reduction", &self.reduction, format!("{:?}", found.reduction)),
-        ];
-        let differs = |(_, said, is): &(&str, &Option<String>, String)| {
-            said.as_ref().is_some_and(|said| !matches(said, is))
-        };
-        let properties = properties.into_iter().filter(differs);
-        let mut mistakes: Vec<String> = properties.map(|(key, _, is)| format!("{key} = {is:?}")).collect();
-        let has = |text: &&String| shown.program.contains(text.as_str());
-        let missing = self.program_has.iter().filter(|text| !has(text));
-        let there = self.program_lacks.iter().filter(has);
-        let wrong = missing.chain(there);
-        mistakes.extend(wrong.map(|text| format!("`{text}` in the program\n{}", shown.program)));
-        mistakes
+/// Returns a property of a cause as a text.
+fn property(found: &Cause, key: &str) -> String {
+    let shown = &found.shown;
+    let facts = |facts: &[Fact]| facts.iter().map(Fact::to_string).collect::<Vec<_>>().join("; ");
+    match key {
+        "symptom" => found.symptom.clone(),
+        "construct" => found.construct.clone(),
+        "basis" => shown.basis.clone(),
+        "expected" => facts(&shown.expected),
+        "got" => facts(&shown.got),
+        "derived" => shown.is_derived.to_string(),
+        "printed" => shown.printed.trim().to_owned(),
+        "reduction" => format!("{:?}", found.reduction),
+        "program" | "program, not" => shown.program.clone(),
+        _ => panic!("a cause has no `{key}`"),
     }
 }
 

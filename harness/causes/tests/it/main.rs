@@ -3,4 +3,4 @@
 mod compiler;
 mod defects;
 mod planted;
-mod suites;
+mod search;

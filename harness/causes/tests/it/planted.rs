@@ -2,7 +2,7 @@
 
 use crate::compiler::DefectiveCompiler;
 use crate::defects::defects;
-use crate::suites::causes;
+use crate::search::causes;
 use std::collections::BTreeSet;
 use std::time::Duration;
 use stickler_causes::SearchLimits;

@@ -1,0 +1,157 @@
+//! The passes of the reducer that lead to the normal form of a program, and the weights by which one form is plainer than another.
+
+use crate::alone::{alone, beginning_block, distance};
+use crate::forms;
+use crate::program::{ReadProgram, read};
+use crate::sign::is_of_a_value;
+use crate::values::{plainer_numbers, plainness};
+use crate::words::tokens;
+use crate::work::operations;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use stickler_reduce::{Pass, ReductionMethod, Sites};
+use stickler_reference::errors;
+use stickler_run::Symptom;
+use stickler_syntax::Edits;
+use stickler_syntax::features::features;
+use stickler_types::{Dialect, DialectName};
+
+/// A program on its way to its normal form.
+#[derive(Clone)]
+pub(crate) struct Draft {
+    pub(crate) text: String,
+    pub(crate) dialect: DialectName,
+}
+
+impl Draft {
+    /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
+    /// one, in their order.
+    fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
+        let found = read(&self.text, find);
+        let mut chosen = found.into_iter().filter(|_| sites.here());
+        if let (Some(one), None) = (chosen.next(), chosen.next()) {
+            self.text = one;
+        }
+    }
+
+    /// Makes some of several changes together.
+    fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
+        let found = read(&self.text, find);
+        let mut chosen = Edits::new();
+        chosen.extend(found.into_iter().filter(|_| sites.here()));
+        self.text = chosen.apply(&self.text);
+    }
+}
+
+/// Creates a pass that takes one of several programs in the place of another.
+macro_rules! alternatives {
+    ($name:literal, $find:expr) => {
+        Pass {
+            name: $name,
+            edit: |draft, sites| draft.alternative(sites, $find),
+        }
+    };
+}
+
+type NormalPass = Pass<Draft>;
+const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
+const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
+const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
+const OTHER_OPERAND: NormalPass = Pass {
+    name: "give quite another type",
+    edit: |draft, sites| {
+        let dialect = draft.dialect;
+        draft.alternative(sites, |program| with_other_operand(program, dialect));
+    },
+};
+const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
+const WHOLE_OUTPUT: NormalPass = alternatives!("give an output to a variable", forms::with_whole_output);
+const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
+const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
+const SAME_TYPES: NormalPass = alternatives!("make two types one", forms::with_same_types);
+const PLAINER_TYPE: NormalPass = alternatives!("take a plainer type", forms::with_plainer_type);
+const PLAINER_NUMBERS: NormalPass = Pass {
+    name: "take plainer numbers",
+    edit: |draft, sites| draft.change(sites, plainer_numbers),
+};
+
+/// Returns the operands of a program, each in a program of its own.
+fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    alone(program).into_iter().map(|one| one.program).collect()
+}
+
+/// Returns the first program with quite another type in the place of a value on the line of the mistake that has a mistake too.
+fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
+    let line = errors(program.text, dialect).iter().find_map(|error| error.line);
+    let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
+    let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
+    others.into_iter().find(is_mistaken).into_iter().collect()
+}
+
+/// Returns the passes that find out what of a program a symptom needs.
+fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
+    match symptom {
+        Symptom::Value | Symptom::Missing => &[INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
+        // A loop may have no end, and a division stop, because a variable does not begin with its value.
+        Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
+        Symptom::NotRejected(code) if is_of_a_value(code) => &[OPERAND_ALONE, OTHER_OPERAND],
+        Symptom::NotRejected(_) | Symptom::Rejected(_) => &[OPERAND_ALONE],
+        Symptom::NotImplemented(_) => &[ONE_STATEMENT, WHOLE_OUTPUT],
+        Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
+            &[FIRST_PARTS, OPERAND_ALONE, FITTING_OPERAND, SAME_TYPES]
+        }
+        _ => &[],
+    }
+}
+
+/// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer operations,
+/// then with fewer features of the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
+fn structure(draft: &Draft) -> (u64, u128) {
+    let text = draft.text.as_str();
+    let has_mistake = !errors(text, draft.dialect).is_empty();
+    let form = 3 * u64::from(has_mistake) + distance(text);
+    let features = features(text, Dialect::of(draft.dialect)).into_iter();
+    let features = features
+        .filter(|key| !matches!(&**key, "string-literal" | "duration-literal"))
+        .count();
+    let (mut words, mut size) = (0, 0_u128);
+    for token in tokens(text) {
+        let written = token.span.text(text);
+        words += if token.kind.is_literal() { 1 } else { 2 };
+        if token.kind.is_literal() && !matches!(written, "'a'" | "T#1s") || written.starts_with('%') {
+            size += written.bytes().map(u128::from).sum::<u128>();
+        }
+    }
+    let operations = operations(text).len();
+    (
+        form * 1_000_000 + (operations * 10_000 + features * 100 + words) as u64,
+        size,
+    )
+}
+
+/// Returns the method that finds out what of a program a symptom needs.
+pub(crate) fn structure_method(symptom: &Symptom) -> ReductionMethod<'static, Draft> {
+    ReductionMethod {
+        passes: structure_passes(symptom),
+        weight: structure,
+        key,
+    }
+}
+
+/// Returns the method that makes the types of a program plainer, and its numbers where `with_numbers`.
+pub(crate) fn plain_method(with_numbers: bool) -> ReductionMethod<'static, Draft> {
+    ReductionMethod {
+        passes: if with_numbers {
+            &[PLAINER_TYPE, PLAINER_NUMBERS]
+        } else {
+            &[PLAINER_TYPE]
+        },
+        weight: |draft: &Draft| (0, read(&draft.text, plainness)),
+        key,
+    }
+}
+
+fn key(draft: &Draft) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    draft.text.hash(&mut hasher);
+    hasher.finish()
+}

@@ -1,0 +1,225 @@
+//! What a wrong value says by its number alone of how it came about.
+
+use crate::forms::named_types;
+use crate::program::ReadProgram;
+use crate::question::{Deviation, wrong_values};
+use crate::words::{converted, elementary, kind, type_of_word, valued_types, words};
+use crate::work::operations;
+use std::collections::BTreeSet;
+use stickler_syntax::visitor::Place;
+use stickler_types::{ElementaryType, Family, Value};
+
+/// The milliseconds of a second.
+const MILLISECONDS: f64 = 1000.0;
+
+/// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
+/// says nothing.
+pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
+    let wrong = WrongNumber { program, deviation };
+    let patterns = [
+        (wrong.counts_seconds(), "seconds in the place of milliseconds"),
+        (
+            wrong.converts_out_of_range(),
+            "conversion of a real number outside the range of its target",
+        ),
+        (wrong.counts_to_limit(), "FOR loop to the last value of its type"),
+        (
+            wrong.keeps_range(),
+            "conversion to an integer that does not bring it into its range",
+        ),
+        (
+            wrong.rounds_to_lreal(),
+            "integer literal with the bits of an LREAL",
+        ),
+        (wrong.keeps_lreal(), "REAL literal with the bits of an LREAL"),
+    ];
+    patterns
+        .into_iter()
+        .find(|(shows, _)| *shows)
+        .map(|(_, pattern)| pattern)
+}
+
+/// Returns whether the first value that a program has wrong must be another number than each literal of the program, as where a
+/// conversion wraps. Where the program has no number, none left a range.
+pub(crate) fn leaves_range(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> bool {
+    WrongNumber { program, deviation }.leaves_range()
+}
+
+/// Returns whether a program has a number with the first bit of an unsigned type, which is the sign of a signed type of the same size.
+pub(crate) fn has_first_bit(program: &ReadProgram<'_, '_>) -> bool {
+    program.literals().any(|(part, literal)| {
+        let ty = program.type_of(part.id).or_else(|| program.target(part));
+        let is_unsigned = |ty: &ElementaryType| kind(*ty) == Some("integer") && ty.family() != Family::Signed;
+        let number = amount(literal).zip(ty.filter(is_unsigned));
+        number.is_some_and(|(number, ty)| number >= 2_f64.powi(ty.bits() as i32 - 1))
+    })
+}
+
+/// The first number that a program has wrong, beside those of its text.
+struct WrongNumber<'p, 't, 's> {
+    program: &'p ReadProgram<'t, 's>,
+    deviation: &'p Deviation,
+}
+
+impl WrongNumber<'_, '_, '_> {
+    /// Returns the first wrong value: what it must be, and what it is.
+    fn values(&self) -> Option<(&Value, &Value)> {
+        let first = wrong_values(&self.deviation.expected, &self.deviation.got).next();
+        first.map(|(_, values)| values)
+    }
+
+    /// Returns the bits of the first wrong value with its type.
+    fn bits(&self) -> Option<(ElementaryType, u64, u64)> {
+        match self.values()? {
+            (Value::Plain { ty, raw }, Value::Plain { raw: got, .. }) => Some((*ty, *raw, *got)),
+            _ => None,
+        }
+    }
+
+    /// Returns the first wrong number: what it must be, and what it is.
+    fn numbers(&self) -> Option<(f64, f64)> {
+        let number = |value: &Value| {
+            let text = value.to_string();
+            let sign = if text.contains("#-") { -1.0 } else { 1.0 };
+            Some(amount(&text)? * sign)
+        };
+        let (value, other) = self.values()?;
+        Some((number(value)?, number(other)?))
+    }
+
+    /// Returns the amounts of the literals of the program.
+    fn amounts(&self) -> impl Iterator<Item = f64> {
+        self.program.literals().filter_map(|(_, literal)| amount(literal))
+    }
+
+    fn leaves_range(&self) -> bool {
+        let Some((expected, _)) = self.numbers() else {
+            return false;
+        };
+        // A fraction is dropped or rounded, and a REAL has 24 bits.
+        let is_near = |number: f64| (number - expected.abs()).abs() <= 1.0 + expected.abs() * 1e-6;
+        self.amounts().next().is_some() && !self.amounts().any(is_near)
+    }
+
+    /// Returns the number of operations with which the program computes. Calls, elements, conditions and the sign of an operand are none.
+    fn computed(&self) -> usize {
+        let beside = [
+            "sign",
+            "call",
+            "output argument",
+            "subscript or list",
+            "condition",
+        ];
+        let operations = operations(self.program.text).into_iter();
+        operations.filter(|one| !beside.contains(&one.as_str())).count()
+    }
+
+    /// Returns the types between which the program converts by name.
+    fn conversions(&self) -> impl Iterator<Item = (ElementaryType, ElementaryType)> {
+        let callees = self
+            .program
+            .at(Place::Callee)
+            .map(|part| self.program.text(part.id));
+        callees.filter_map(converted)
+    }
+
+    /// Returns whether the program does nothing but convert a real number to an integer by name, and the number is outside the range.
+    fn converts_out_of_range(&self) -> bool {
+        let written = words(self.program.text);
+        let is_negative = written.iter().any(|word| *word == "-" || word.contains("#-"));
+        let leaves = |into: ElementaryType| {
+            // Of an unsigned type the least number is 0, and a minus stands before a number.
+            let is_outside = |number: f64| {
+                let most = into.integer_range().is_some_and(|(_, most)| number > most as f64);
+                most || number != 0.0 && is_negative && into.family() != Family::Signed
+            };
+            self.leaves_range() || self.amounts().any(is_outside)
+        };
+        let mut conversions = self.conversions();
+        self.computed() == 1
+            && conversions.any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(into))
+    }
+
+    /// Returns whether the program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
+    fn counts_to_limit(&self) -> bool {
+        let controls = self.program.at(Place::Control);
+        let mut counted = controls.map(|part| self.program.type_of(part.id));
+        let most = |ty: ElementaryType| ty.integer_range().map(|(_, most)| most as f64);
+        let counts = |ty: Option<ElementaryType>| {
+            let most = ty.and_then(most);
+            self.amounts().any(|number| Some(number) == most)
+        };
+        self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
+    }
+
+    /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
+    /// before them.
+    fn keeps_range(&self) -> bool {
+        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
+            return false;
+        };
+        self.conversions().any(|(_, narrow)| {
+            let is_narrow = kind(narrow) == Some("integer") && narrow.bits() < ty.bits();
+            is_narrow && (raw ^ got) & ((1 << narrow.bits()) - 1) == 0
+        })
+    }
+
+    /// Returns whether an integer literal of 64 bits is off by no more than an LREAL, which has 53 bits, can be off at its size.
+    fn rounds_to_lreal(&self) -> bool {
+        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
+            return false;
+        };
+        let magnitude = match ty.family() {
+            Family::Signed => raw.cast_signed().unsigned_abs(),
+            _ => raw,
+        };
+        let error = raw.wrapping_sub(got).cast_signed().unsigned_abs();
+        operations(self.program.text).is_empty()
+            && magnitude > 1 << f64::MANTISSA_DIGITS
+            && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS)
+    }
+
+    /// Returns whether a literal of the type REAL is not rounded to one.
+    fn keeps_lreal(&self) -> bool {
+        let mut literals = self.program.literals().map(|(_, literal)| literal);
+        let is_rounded = |(expected, got): (f64, f64)| f64::from(got as f32) == expected;
+        operations(self.program.text).is_empty()
+            && literals
+                .any(|literal| type_of_word(literal) == Some(ElementaryType::Real) && literal.contains('#'))
+            && self.numbers().is_some_and(is_rounded)
+    }
+
+    /// Returns whether the program converts between durations and numbers, and the engine counts them in seconds where milliseconds are
+    /// expected.
+    fn counts_seconds(&self) -> bool {
+        let Some((expected, got)) = self.numbers() else {
+            return false;
+        };
+        let types = named_types(self.program.text).into_iter().filter_map(elementary);
+        let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
+        let converts = kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
+        // Below a second the number of seconds is 0, which other errors give too.
+        let counts_seconds = expected.abs() >= MILLISECONDS && (got - expected / MILLISECONDS).abs() < 1.0;
+        let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
+        converts && (counts_seconds || takes_seconds)
+    }
+}
+
+/// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.
+fn amount(literal: &str) -> Option<f64> {
+    let value = match literal.split_once('#') {
+        Some((prefix, value)) if !prefix.starts_with(|first: char| first.is_ascii_digit()) => value,
+        _ => literal,
+    };
+    let plain = value.trim_start_matches(['-', '+', ' ']).replace('_', "");
+    match plain.split_once('#') {
+        Some((base, digits)) => {
+            let base = base.parse().ok().filter(|base| matches!(base, 2 | 8 | 16))?;
+            Some(u64::from_str_radix(digits, base).ok()? as f64)
+        }
+        None => {
+            let is_unit = |unit: char| unit.is_ascii_lowercase();
+            plain.trim_end_matches(is_unit).parse().ok()
+        }
+    }
+}

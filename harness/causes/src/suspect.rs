@@ -1,0 +1,100 @@
+//! Which line of a small program most probably matters, where the engine names none.
+
+use crate::lines::{LinePlace, place_of, special_section};
+use crate::program::ReadProgram;
+use crate::words::{elementary, has_word, tokens, words};
+use stickler_run::Fact;
+use stickler_syntax::token::{Token, TokenKind};
+
+/// Returns the line of a small program that an engine does not implement, by what it says: a statement with a variable that the
+/// message quotes, best with a part of it, or else the first of the statements with most to them, since calls of a body stand behind it.
+pub(crate) fn unimplemented(program: &ReadProgram<'_, '_>, got: &[Fact]) -> u32 {
+    let statements = statements(program);
+    let text = |number: u32| program.line_text(number).unwrap_or_default();
+    let message = got.iter().find_map(|fact| match fact {
+        Fact::NotImplemented { reason, .. } => Some(reason.as_str()),
+        _ => None,
+    });
+    let is_part = |sign: &str| matches!(sign, "." | "[" | "%");
+    for name in message.unwrap_or_default().split('\'').skip(1).step_by(2) {
+        let has_part = |number: &u32| {
+            let words = words(text(*number));
+            let mut pairs = words.windows(2);
+            pairs.any(|pair| pair[0].eq_ignore_ascii_case(name) && is_part(pair[1]))
+        };
+        let has_name = |number: &u32| has_word(text(*number), name);
+        let mut found = statements.iter().copied();
+        if let Some(line) = found.clone().find(has_part).or_else(|| found.find(has_name)) {
+            return line;
+        }
+    }
+    // A part of a variable or a call may be missing rather than a condition.
+    let much = |number: u32| {
+        let has_more = words(text(number))
+            .iter()
+            .any(|sign| is_part(sign) || *sign == "(");
+        (has_more, weight(text(number)))
+    };
+    let most = statements.iter().map(|number| much(*number)).max();
+    let first = statements.into_iter().find(|number| Some(much(*number)) == most);
+    first.unwrap_or_else(|| culprit(program))
+}
+
+/// Returns the last of the lines with most to them, since a plain assignment may be there only because a program needs a statement;
+/// before a plain assignment a declaration in a section that not every program has.
+pub(crate) fn culprit(program: &ReadProgram<'_, '_>) -> u32 {
+    let weighed = |(line, number): &(&str, u32)| match weight(line) {
+        1 if special_section(program, *number).is_some() => 3,
+        least @ (1 | 2) => least,
+        most => most + 1,
+    };
+    let lines = program.text.lines().zip(1..);
+    let heaviest = lines.filter(|(line, _)| weight(line) > 0).max_by_key(weighed);
+    heaviest.map_or_else(|| program.last_statement(), |(_, number)| number)
+}
+
+/// Returns whether a line says something: one with a semicolon alone does where there is no other statement.
+pub(crate) fn is_telling(program: &ReadProgram<'_, '_>, number: u32) -> bool {
+    let line = program.line_text(number).unwrap_or_default();
+    let is_told = !line.trim_matches([' ', '\t', ';']).is_empty();
+    is_told || line.trim() == ";" && statements(program).is_empty()
+}
+
+/// Returns the lines of statements of a program that are no frame.
+pub(crate) fn statements(program: &ReadProgram<'_, '_>) -> Vec<u32> {
+    let lines = program.text.lines().zip(1..);
+    let stated = lines.filter(|(_, number)| matches!(place_of(program, *number), LinePlace::Statement));
+    stated
+        .filter(|(line, _)| weight(line) > 0)
+        .map(|(_, number)| number)
+        .collect()
+}
+
+/// Returns how much there is to a line: nothing to a frame, little to a plain assignment.
+pub(crate) fn weight(line: &str) -> u8 {
+    use TokenKind::*;
+    let all = tokens(line);
+    let begins = all.first().map_or(Semicolon, |first| first.kind);
+    let is_statement = matches!(
+        begins,
+        If | Elsif | Case | For | While | Repeat | Until | Return | Exit | True | False
+    );
+    if all.iter().all(|token| token.kind == Semicolon) || begins.is_keyword() && !is_statement {
+        return 0;
+    }
+    let is_plain = |token: &Token| {
+        matches!(
+            token.kind,
+            Assign | Colon | Comma | Semicolon | True | False | Name | Integer
+        )
+    };
+    let is_type = all
+        .first()
+        .is_some_and(|first| elementary(first.span.text(line)).is_some());
+    match all.iter().all(is_plain) {
+        _ if is_type => 0,
+        true if all.iter().any(|token| token.kind == Assign) => 2,
+        true => 1,
+        false => 3,
+    }
+}
