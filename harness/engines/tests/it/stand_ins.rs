@@ -85,8 +85,10 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
                 memory: number("memory").unwrap_or(LIMITS.memory),
                 ..LIMITS
             };
-            let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/adapters/unruly.sh");
-            let started = ProcessEngine::start(&format!("sh '{script}'"), limits);
+            let unruly = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/adapters/unruly.sh");
+            let own = folder.join("adapter");
+            let script = if own.is_file() { own } else { unruly };
+            let started = ProcessEngine::start(&format!("sh '{}'", script.display()), limits);
             started.map(|engine| Box::new(engine) as Box<dyn Engine>)
         }
     };
@@ -127,6 +129,10 @@ fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
             }
         };
         let outcome = match asked.verb.as_str() {
+            "name" => {
+                check(row, &engine.identity().name);
+                continue;
+            }
             "identity" => {
                 let identity = engine.identity();
                 let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
