@@ -25,7 +25,7 @@ impl Verb {
 }
 
 /// Returns a request as one line with its line feed.
-pub(super) fn line(request: &Request) -> Vec<u8> {
+pub(crate) fn line(request: &Request) -> Vec<u8> {
     // A request holds nothing but texts and numbers, which always have a form in JSON.
     let mut line = serde_json::to_vec(request).unwrap_or_default();
     line.push(b'\n');
