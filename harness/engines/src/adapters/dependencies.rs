@@ -281,31 +281,57 @@ mod tests {
         script: "no-such-compiler",
     };
 
+    /// Returns the paths that name the dependency on line 4 of a file.
+    fn named(path: &Path) -> DependencyPaths {
+        DependencyPaths::default().named("compiler", path.to_owned(), "stickler.toml:4".to_owned())
+    }
+
     #[test]
-    fn a_missing_program_is_named_with_all_that_could_say_where_it_is() {
-        let paths = DependencyPaths::default();
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        for part in [
-            "`no-such-compiler`",
-            "STICKLER_NO_SUCH_COMPILER",
-            "`compiler = \"…\"` under `[engines.mine]` in stickler.toml",
+    fn what_is_missing_or_does_not_fit_is_told_with_where_it_is_written() {
+        let folder = Folder::new().unwrap();
+        let file = folder.write("compiler", "").unwrap();
+        let program: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.program(DEPENDENCY);
+        let script: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.script(DEPENDENCY);
+        let inside: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.folder(DEPENDENCY, &[]);
+        let table = "by `compiler = \"…\"` under `[engines.mine]` in stickler.toml";
+        let variable = format!("by STICKLER_NO_SUCH_COMPILER, or {table}");
+        let nowhere = "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there";
+        for (paths, find, part) in [
+            (
+                DependencyPaths::default(),
+                program,
+                "there is no `no-such-compiler` on PATH",
+            ),
+            (DependencyPaths::default(), program, &*variable),
+            (
+                DependencyPaths::default().without_variables(),
+                program,
+                &*format!("say where it is {table}"),
+            ),
+            (
+                DependencyPaths::default(),
+                inside,
+                "no-such-compiler was not found",
+            ),
+            (named(Path::new("/no/such/file")), program, nowhere),
+            (named(folder.path()), script, ", which is a folder; name the file"),
+            (named(&file), inside, ", which is a file; name the folder"),
+            #[cfg(unix)]
+            (named(&file), program, "is not executable; allow it by `chmod +x`"),
         ] {
+            let error = find(&mut DependencySearch::new("mine", &paths)).unwrap_err();
             assert!(error.contains(part), "{error}");
         }
-        let paths = paths.without_variables();
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert!(!error.contains("STICKLER_NO_SUCH_COMPILER"), "{error}");
     }
 
     #[test]
     fn what_is_named_counts_before_path_and_is_kept_with_where_it_is_written() {
         let folder = Folder::new().unwrap();
         let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
-        let paths = DependencyPaths::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
+        let paths = named(&there);
         // `sh` is on PATH wherever there is a shell.
         let dependency = Dependency {
             name: "sh",
@@ -313,69 +339,26 @@ mod tests {
         };
         let mut search = DependencySearch::new("mine", &paths);
         assert_eq!(search.script(dependency), Ok(there.clone()));
-        let by = FoundBy::Configuration("stickler.toml:4".to_owned());
         let located = FoundDependency {
             key: "compiler",
             path: there,
-            by,
+            by: FoundBy::Configuration("stickler.toml:4".to_owned()),
         };
         assert_eq!(search.into_located(), [located]);
     }
 
     #[test]
-    fn what_is_named_and_not_there_is_told_with_where_it_is_written() {
-        let nowhere = PathBuf::from("/no/such/file");
-        let paths = DependencyPaths::default().named("compiler", nowhere, "stickler.toml:4".to_owned());
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert_eq!(
-            error,
-            "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there"
-        );
-    }
-
-    #[test]
-    fn a_folder_in_place_of_a_file_and_a_file_in_place_of_a_folder_are_told_as_such() {
-        let folder = Folder::new().unwrap();
-        let file = folder.write("compiler", "").unwrap();
-        let search = |path: &Path| {
-            let named = path.to_owned();
-            let paths = DependencyPaths::default().named("compiler", named, "stickler.toml:4".to_owned());
-            let mut search = DependencySearch::new("mine", &paths);
-            (search.script(DEPENDENCY), search.folder(DEPENDENCY, &[]))
-        };
-        let error = search(folder.path()).0.unwrap_err();
-        assert!(error.ends_with(", which is a folder; name the file"), "{error}");
-        let error = search(&file).1.unwrap_err();
-        assert!(error.ends_with(", which is a file; name the folder"), "{error}");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_program_that_may_not_be_executed_is_told_and_passed_over_on_path() {
-        let folder = Folder::new().unwrap();
-        let file = folder.write("no-such-compiler", "").unwrap();
-        let paths = DependencyPaths::default().named("compiler", file, "stickler.toml:4".to_owned());
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert!(error.contains("is not executable"), "{error}");
-        let path = env::join_paths([folder.path()]).unwrap();
-        assert_eq!(on_path("no-such-compiler", Some(&path)), None);
-    }
-
-    #[test]
-    fn a_program_is_found_on_path() {
+    fn a_program_is_found_on_path_where_it_may_be_executed() {
         let folder = Folder::new().unwrap();
         let file = format!("compiler{}", env::consts::EXE_SUFFIX);
         let there = folder.write(&file, "").unwrap();
+        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
+            assert_eq!(on_path("compiler", Some(&path)), None);
             std::fs::set_permissions(&there, std::fs::Permissions::from_mode(0o700)).unwrap();
         }
-        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
         assert_eq!(on_path("compiler", Some(&path)), Some(there));
         assert_eq!(on_path("compiler", None), None);
     }
@@ -386,8 +369,7 @@ mod tests {
         let there = folder.path().to_owned();
         let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
         let paths = DependencyPaths::default();
-        let mut search = DependencySearch::new("mine", &paths);
-        assert_eq!(search.folder(DEPENDENCY, &candidates), Ok(there));
-        assert!(search.folder(DEPENDENCY, &[]).is_err());
+        let found = DependencySearch::new("mine", &paths).folder(DEPENDENCY, &candidates);
+        assert_eq!(found, Ok(there));
     }
 }

@@ -194,6 +194,11 @@ fn ironplc() {
 }
 
 #[test]
+fn matiec() {
+    run("matiec.md");
+}
+
+#[test]
 fn rusty() {
     run("rusty.md");
 }

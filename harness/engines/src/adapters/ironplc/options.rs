@@ -10,38 +10,17 @@ use stickler_types::{Dialect, DialectName};
 const PLAIN: &str = "iec61131-3-ed2";
 
 /// The features of the preset `iec61131-3-ed3`.
-const EDITION_3: [&str; 3] = [
-    "--allow-long-time-types",
-    "--allow-ref-to",
-    "--allow-partial-access-syntax",
-];
+const EDITION_3: &str = "--allow-long-time-types --allow-ref-to --allow-partial-access-syntax";
 
 /// The features of the preset `rusty`.
-const RUSTY: [&str; 23] = [
-    "--allow-c-style-comments",
-    "--allow-missing-semicolon",
-    "--allow-top-level-var-global",
-    "--allow-constant-type-params",
-    "--allow-empty-var-blocks",
-    "--allow-time-as-function-name",
-    "--allow-ref-to",
-    "--allow-ref-arithmetic",
-    "--allow-ref-stack-variables",
-    "--allow-ref-type-punning",
-    "--allow-int-to-bool-initializer",
-    "--allow-sizeof",
-    "--allow-system-uptime-global",
-    "--allow-cross-family-widening",
-    "--allow-partial-access-syntax",
-    "--allow-pragmas",
-    "--allow-short-circuit-operators",
-    "--allow-mixed-located-var-declarations",
-    "--allow-constant-initializer-expressions",
-    "--allow-bit-string-case-labels",
-    "--allow-paren-string-length",
-    "--allow-struct-initializer-expressions",
-    "--allow-fb-inheritance",
-];
+const RUSTY: &str = "--allow-c-style-comments --allow-missing-semicolon --allow-top-level-var-global \
+    --allow-constant-type-params --allow-empty-var-blocks --allow-time-as-function-name --allow-ref-to \
+    --allow-ref-arithmetic --allow-ref-stack-variables --allow-ref-type-punning \
+    --allow-int-to-bool-initializer --allow-sizeof --allow-system-uptime-global \
+    --allow-cross-family-widening --allow-partial-access-syntax --allow-pragmas \
+    --allow-short-circuit-operators --allow-mixed-located-var-declarations \
+    --allow-constant-initializer-expressions --allow-bit-string-case-labels --allow-paren-string-length \
+    --allow-struct-initializer-expressions --allow-fb-inheritance";
 
 /// Returns the arguments behind `--dialect` for a dialect: the name of the preset, and the features that the definition of the
 /// dialect adds to it. Features can only be added, so a preset without one of its own is the plain one with all others.
@@ -49,16 +28,17 @@ const RUSTY: [&str; 23] = [
 /// # Errors
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
 pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome> {
-    let (preset, features): (_, &[&str]) = match dialect.base() {
-        DialectName::IRONPLC_ED2 => (PLAIN, &[]),
-        DialectName::IRONPLC_ED3 => ("iec61131-3-ed3", &EDITION_3),
-        DialectName::IRONPLC_RUSTY => ("rusty", &RUSTY),
+    let (preset, features) = match dialect.base() {
+        DialectName::IRONPLC_ED2 => (PLAIN, ""),
+        DialectName::IRONPLC_ED3 => ("iec61131-3-ed3", EDITION_3),
+        DialectName::IRONPLC_RUSTY => ("rusty", RUSTY),
         _ => {
             return Err(Outcome::Unsupported {
                 reason: format!("it does not speak {dialect}"),
             });
         }
     };
+    let features: Vec<&str> = features.split_whitespace().collect();
     let stated = dialect.definition().map(stated).unwrap_or_default();
     let is_off = |feature: &str| stated.contains(&(feature, false));
     let added = stated
@@ -125,7 +105,7 @@ mod tests {
             ["iec61131-3-ed2", "--allow-long-time-types", "--allow-ref-to"]
         );
         let without = of("options-rusty", DialectName::IRONPLC_RUSTY, WIDENING, false);
-        assert_eq!(without.len(), RUSTY.len());
+        assert_eq!(without.len(), RUSTY.split_whitespace().count());
         assert!(!without.contains(&"--allow-cross-family-widening"));
         assert_eq!(
             of("options-same", DialectName::IRONPLC_ED2, WIDENING, false),
