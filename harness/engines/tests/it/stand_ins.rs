@@ -51,16 +51,13 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
     let engine = match Compiler::from_name(kind) {
         Some(compiler) => {
             let named = |paths: DependencyPaths, dependency: &stickler_engines::Dependency| {
-                let path = folder.join(dependency.key);
+                let path = folder.join(&dependency.key);
                 match path.is_file() {
-                    true => paths.named(dependency.key, path, "a test".to_owned()),
+                    true => paths.named(&dependency.key, path, "a test".to_owned()),
                     false => paths,
                 }
             };
-            let paths = compiler
-                .dependencies()
-                .iter()
-                .fold(DependencyPaths::default(), named);
+            let paths = compiler.dependencies().fold(DependencyPaths::default(), named);
             compiler.seek(kind, kind, &paths.without_variables()).engine
         }
         None if kind == "described" => {
