@@ -124,8 +124,7 @@ fn places(
     }
     let known: Vec<&str> = compiler
         .dependencies()
-        .iter()
-        .map(|dependency| dependency.key)
+        .map(|dependency| dependency.key.as_str())
         .collect();
     for (key, value) in keys.iter() {
         match key.get_ref().as_ref() {

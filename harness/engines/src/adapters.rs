@@ -7,6 +7,7 @@
 mod adapter;
 mod builder;
 mod command;
+mod compilers;
 mod dependencies;
 mod described;
 mod driver;
@@ -76,24 +77,13 @@ impl Compiler {
 
     /// Returns the address of the compiler's project, which says how it is installed.
     #[must_use]
-    pub const fn project(self) -> &'static str {
-        match self {
-            Compiler::Ironplc => "https://www.ironplc.com",
-            Compiler::Matiec => "https://github.com/beremiz/matiec",
-            Compiler::Rusty => "https://github.com/PLC-lang/rusty",
-            Compiler::Strucpp => "https://github.com/Autonomy-Logic/STruCpp",
-        }
+    pub fn project(self) -> &'static str {
+        &self.data().project
     }
 
     /// Returns the programs and folders that the compiler needs.
-    #[must_use]
-    pub const fn dependencies(self) -> &'static [Dependency] {
-        match self {
-            Compiler::Ironplc => ironplc::DEPENDENCIES,
-            Compiler::Matiec => matiec::DEPENDENCIES,
-            Compiler::Rusty => rusty::DEPENDENCIES,
-            Compiler::Strucpp => strucpp::DEPENDENCIES,
-        }
+    pub fn dependencies(self) -> impl Iterator<Item = &'static Dependency> {
+        self.data().tools.iter().filter(|tool| tool.can_be_named())
     }
 
     /// Returns the files and commands by which a person runs a program on this compiler without Stickler. The compiler need not

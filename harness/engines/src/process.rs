@@ -20,7 +20,7 @@ use crate::{Engine, EngineError, Identity, Session};
 pub(crate) use command_line::CommandLine;
 pub(crate) use connection::{Connection, Failure};
 pub(crate) use folder::Folder;
-pub(crate) use message::excerpt;
+pub(crate) use message::{excerpt, line};
 use session::ProcessSession;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};

@@ -7,10 +7,10 @@
 mod reply;
 mod smoke;
 
-use crate::process::{CommandLine, Connection, Failure, ProcessLimits};
-use crate::protocol::{ObserveMessage, ProgramRequest, Reply, Request, RunMessage};
+use crate::process::{CommandLine, Connection, Failure, ProcessLimits, line};
+use crate::protocol::{ProgramRequest, Reply, Request, RunMessage};
 use crate::{Ability, EngineError, Identity, Outcome};
-use smoke::{Ask, PLAIN, QUESTIONS, SmokeExpectation, SmokeQuestion};
+use smoke::{Ask, SmokeExpectation, SmokeQuestion, SmokeSet};
 use std::path::Path;
 use stickler_types::DialectName;
 
@@ -78,14 +78,20 @@ pub fn validate(
         None => command,
     };
     let (connection, identity) = command.greet(&limits)?;
+    let smoke = SmokeSet::read().map_err(|reason| EngineError::NotStarted {
+        engine: identity.name.clone(),
+        reason,
+    })?;
     let mut conversation = Conversation {
+        smoke: &smoke,
         command: &command,
         limits: &limits,
         identity: &identity,
         connection: Some(connection),
         id: 0,
     };
-    let mut checks: Vec<Check> = QUESTIONS
+    let mut checks: Vec<Check> = smoke
+        .questions
         .iter()
         .map(|question| conversation.check(question))
         .collect();
@@ -99,6 +105,7 @@ pub fn validate(
 
 /// A conversation with the adapter, which is opened anew after each failure.
 struct Conversation<'v> {
+    smoke: &'v SmokeSet,
     command: &'v CommandLine,
     limits: &'v ProcessLimits,
     identity: &'v Identity,
@@ -113,13 +120,15 @@ impl Conversation<'_> {
             .iter()
             .find(|ability| !self.identity.can(**ability));
         if let Some(ability) = lacking {
-            return skipped(question.rule, *ability);
+            return skipped(&question.rule, *ability);
         }
         self.id += 1;
-        let dialect = self.identity.dialects[0];
-        let (line, verb) = request(&question.ask, self.id, dialect);
-        let types = observed(&question.ask);
-        self.ask(question.rule.to_owned(), line, verb, &question.expect, &types)
+        let (line, verb) = self.request(&question.ask);
+        let types = match &question.ask {
+            Ask::Run(run) => run.observed().collect(),
+            _ => Vec::new(),
+        };
+        self.ask(question.rule.clone(), line, verb, &question.expect, &types)
     }
 
     /// Checks a plain program in another dialect.
@@ -129,8 +138,8 @@ impl Conversation<'_> {
             return skipped(&rule, Ability::Check);
         }
         self.id += 1;
-        let (line, verb) = request(&Ask::Check(PLAIN), self.id, dialect);
-        self.ask(rule, line, verb, &SmokeExpectation::Accepted, &[])
+        let line = self.check_of_plain(dialect.as_str());
+        self.ask(rule, line, "check", &SmokeExpectation::Accepted, &[])
     }
 
     /// Checks whether a second process can run beside the first: a run has one for each worker.
@@ -140,12 +149,12 @@ impl Conversation<'_> {
             Ok((second, _)) => {
                 let first = self.connection.replace(second);
                 self.id += 1;
-                let (asked, verb) = request(&Ask::Check(PLAIN), self.id, self.identity.dialects[0]);
+                let asked = self.check_of_plain(self.identity.dialects[0].as_str());
                 let expect = match self.identity.can(Ability::Check) {
                     true => SmokeExpectation::Accepted,
                     false => SmokeExpectation::Refused,
                 };
-                let check = self.ask(rule, asked, verb, &expect, &[]);
+                let check = self.ask(rule, asked, "check", &expect, &[]);
                 // Whether a process ends at `bye` is judged by the second; a process that is killed may leave folders behind.
                 if let Some(first) = first {
                     first.leave(line(&Request::Bye));
@@ -168,6 +177,48 @@ impl Conversation<'_> {
         }
     }
 
+    fn program(&self, dialect: &str, name: &str) -> ProgramRequest {
+        ProgramRequest {
+            id: self.id,
+            dialect: dialect.to_owned(),
+            source: self.smoke.program(name).to_owned(),
+        }
+    }
+
+    fn check_of_plain(&self, dialect: &str) -> Vec<u8> {
+        line(&Request::Check(self.program(dialect, SmokeSet::PLAIN)))
+    }
+
+    /// Returns the line of a question, and the word for its verb.
+    fn request(&self, ask: &Ask) -> (Vec<u8>, &'static str) {
+        let dialect = self.identity.dialects[0].as_str();
+        match ask {
+            Ask::Check(name) => (line(&Request::Check(self.program(dialect, name))), "check"),
+            Ask::Render(name) => (line(&Request::Render(self.program(dialect, name))), "render"),
+            Ask::NoDialect => (self.check_of_plain("no-dialect"), "check"),
+            Ask::FurtherKey => {
+                let source = self.smoke.program(SmokeSet::PLAIN);
+                let further = serde_json::json!({
+                    "type": "check", "id": self.id, "dialect": dialect, "source": source, "colour": {"of": ["green"]}
+                });
+                (format!("{further}\n").into_bytes(), "check")
+            }
+            Ask::Line(text) => (format!("{text}\n").into_bytes(), "a line"),
+            Ask::Run(run) => {
+                let message = RunMessage {
+                    id: self.id,
+                    dialect: dialect.to_owned(),
+                    source: self.smoke.program(&run.program).to_owned(),
+                    scans: run.scans,
+                    observe: run.observe(),
+                    clock: Vec::new(),
+                    set: Vec::new(),
+                };
+                (line(&Request::Run(message)), "run")
+            }
+        }
+    }
+
     /// Sends a line and judges the answer.
     fn ask(
         &mut self,
@@ -175,7 +226,7 @@ impl Conversation<'_> {
         sent: Vec<u8>,
         verb: &str,
         expect: &SmokeExpectation,
-        types: &[(String, &str)],
+        types: &[(&str, &str)],
     ) -> Check {
         let shown = String::from_utf8_lossy(&sent).trim_end().to_owned();
         let mut check = match self.exchange(sent) {
@@ -221,7 +272,7 @@ impl Conversation<'_> {
         line: &[u8],
         verb: &str,
         expect: &SmokeExpectation,
-        types: &[(String, &str)],
+        types: &[(&str, &str)],
     ) -> Check {
         let received = Some(String::from_utf8_lossy(line).trim_end().to_owned());
         let (judgement, problem, notes) = match reply::read(line) {
@@ -283,68 +334,4 @@ fn skipped(rule: &str, ability: Ability) -> Check {
         problem: Some(format!("it does not claim the ability `{ability}`")),
         ..right(rule.to_owned())
     }
-}
-
-fn line(request: &Request) -> Vec<u8> {
-    // A request holds nothing but texts and numbers, which always have a form in JSON.
-    let mut line = serde_json::to_vec(request).unwrap_or_default();
-    line.push(b'\n');
-    line
-}
-
-/// Returns the line of a question, and the word for its verb.
-fn request(ask: &Ask, id: u64, dialect: DialectName) -> (Vec<u8>, &'static str) {
-    let program = |dialect: &str, source: &str| ProgramRequest {
-        id,
-        dialect: dialect.to_owned(),
-        source: source.to_owned(),
-    };
-    match ask {
-        Ask::Check(source) => (line(&Request::Check(program(dialect.as_str(), source))), "check"),
-        Ask::Render(source) => (
-            line(&Request::Render(program(dialect.as_str(), source))),
-            "render",
-        ),
-        Ask::NoDialect => (line(&Request::Check(program("no-dialect", PLAIN))), "check"),
-        Ask::FurtherKey => {
-            let further = serde_json::json!({
-                "type": "check", "id": id, "dialect": dialect.as_str(), "source": PLAIN, "colour": {"of": ["green"]}
-            });
-            (format!("{further}\n").into_bytes(), "check")
-        }
-        Ask::Line(text) => (format!("{text}\n").into_bytes(), "a line"),
-        Ask::Run {
-            source,
-            scans,
-            observe,
-        } => {
-            let observe = observe.iter().map(|(name, type_name, after)| ObserveMessage {
-                name: (*name).to_owned(),
-                type_name: (*type_name).to_owned(),
-                after: *after,
-            });
-            let message = RunMessage {
-                id,
-                dialect: dialect.as_str().to_owned(),
-                source: (*source).to_owned(),
-                scans: *scans,
-                observe: observe.collect(),
-                clock: Vec::new(),
-                set: Vec::new(),
-            };
-            (line(&Request::Run(message)), "run")
-        }
-    }
-}
-
-/// Returns the type of each observed value, by its key.
-fn observed(ask: &Ask) -> Vec<(String, &'static str)> {
-    let Ask::Run { observe, .. } = ask else {
-        return Vec::new();
-    };
-    let key = |(name, type_name, after): &smoke::SmokeVariable| {
-        let key = after.map_or((*name).to_owned(), |scan| format!("{name}@{scan}"));
-        (key, *type_name)
-    };
-    observe.iter().map(key).collect()
 }

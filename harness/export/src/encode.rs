@@ -5,7 +5,7 @@
 //! arithmetic is, the page comes to its end.
 
 use crate::encoding::{INFINITE_EXPONENT, NAN_EXPONENT, REST_SIGN};
-use std::fmt::Write;
+use std::fmt::{Display, Write};
 use stickler_types::{ElementaryType, Family};
 
 /// Returns the variable of a page in which the value of a type is taken apart.
@@ -121,6 +121,14 @@ fn bit_string(ty: ElementaryType) -> String {
     text
 }
 
+/// Fills the places `{name}` of a template.
+fn filled(template: &str, values: &[(&str, &dyn Display)]) -> String {
+    let fill = |text: String, (name, value): &(&str, &dyn Display)| {
+        text.replace(&format!("{{{name}}}"), &value.to_string())
+    };
+    values.iter().fold(template.to_owned(), fill)
+}
+
 /// Returns the statements for a real type: doubling and halving, which are exact, give a number from 1 up to 2, which is then taken
 /// apart by binary digits.
 fn real(ty: ElementaryType) -> String {
@@ -131,49 +139,28 @@ fn real(ty: ElementaryType) -> String {
         ElementaryType::Real => (8, 10, &[24]),
         _ => (64, 68, &[29, 24]),
     };
-    let mut digits = String::new();
-    for (number, count) in pieces.iter().enumerate() {
-        let signed = if number == 0 {
-            "stickler_sign * stickler_sum"
-        } else {
-            "stickler_sum"
+    let digits = pieces.iter().enumerate().map(|(number, count)| {
+        let signed = match number {
+            0 => "stickler_sign * stickler_sum",
+            _ => "stickler_sum",
         };
-        let _ = write!(
+        let digits = include_str!("encode/real_digits.st");
+        filled(
             digits,
-            "    stickler_sum := 0;
-    FOR stickler_count := 1 TO {count} DO
-        stickler_sum := stickler_sum + stickler_sum;
-        IF {x} >= {t}#1.0 THEN {x} := {x} - {t}#1.0; stickler_sum := stickler_sum + 1; END_IF;
-        {x} := {x} + {x};
-    END_FOR;
-    results[stickler_place + {}] := {signed};
-",
-            3 + number
-        );
-    }
-    format!(
-        "stickler_sign := 1;
-IF {x} < {t}#0.0 THEN {x} := {t}#0.0 - {x}; stickler_sign := -1; END_IF;
-IF NOT ({x} = {x}) THEN
-    results[stickler_place + 2] := {NAN_EXPONENT};
-ELSIF ({x} > {t}#1.0) AND ({x} * {t}#0.5 = {x}) THEN
-    results[stickler_place + 2] := {INFINITE_EXPONENT};
-    results[stickler_place + 3] := stickler_sign;
-ELSE
-    stickler_exponent := 0;
-    IF {x} > {t}#0.0 THEN
-        FOR stickler_count := 1 TO {up} DO
-            IF {x} < {t}#1.0 THEN {x} := {x} * {t}#65536.0; stickler_exponent := stickler_exponent - 16; END_IF;
-        END_FOR;
-        FOR stickler_count := 1 TO {down} DO
-            IF {x} >= {t}#65536.0 THEN {x} := {x} / {t}#65536.0; stickler_exponent := stickler_exponent + 16; END_IF;
-        END_FOR;
-        FOR stickler_count := 1 TO 16 DO
-            IF {x} >= {t}#2.0 THEN {x} := {x} / {t}#2.0; stickler_exponent := stickler_exponent + 1; END_IF;
-        END_FOR;
-    END_IF;
-    results[stickler_place + 2] := stickler_exponent;
-{digits}END_IF;"
+            &[("count", count), ("place", &(3 + number)), ("signed", &signed)],
+        )
+    });
+    filled(
+        include_str!("encode/real.st"),
+        &[
+            ("digits", &digits.collect::<String>()),
+            ("down", &down),
+            ("up", &up),
+            ("nan", &NAN_EXPONENT),
+            ("infinite", &INFINITE_EXPONENT),
+            ("x", &x),
+            ("t", &t),
+        ],
     )
 }
 
@@ -190,50 +177,26 @@ fn top(ty: ElementaryType) -> u32 {
 fn duration(ty: ElementaryType) -> String {
     let (x, t, top) = (variable(ty), ty.name(), top(ty));
     let unit = if ty == ElementaryType::Time { "1ms" } else { "1ns" };
-    let mut text = format!(
-        "stickler_sign := 1;
-IF {x} < {t}#0s THEN {x} := {t}#0s - {x}; stickler_sign := -1; END_IF;
-{x}_parts[0] := {t}#{unit};
-stickler_exponent := 0;
-FOR stickler_count := 1 TO {top} DO
-    IF stickler_exponent = stickler_count - 1 THEN
-        IF {x} >= {x}_parts[stickler_exponent] THEN
-            IF {x} - {x}_parts[stickler_exponent] >= {x}_parts[stickler_exponent] THEN
-                {x}_parts[stickler_count] := {x}_parts[stickler_exponent] + {x}_parts[stickler_exponent];
-                stickler_exponent := stickler_count;
-            END_IF;
-        END_IF;
-    END_IF;
-END_FOR;
-"
-    );
-    for number in 0..3 {
-        let lowest = 48 - number * 24;
+    let piece = |number: u32| {
+        let (lowest, place) = (48 - number * 24, 3 + number);
         let highest = (lowest + 23).min(top);
-        if lowest > top {
-            let _ = writeln!(text, "results[stickler_place + {}] := 0;", 3 + number);
-            continue;
+        match lowest > top {
+            true => format!("results[stickler_place + {place}] := 0;\n"),
+            false => filled(
+                include_str!("encode/duration_piece.st"),
+                &[("highest", &highest), ("lowest", &lowest), ("place", &place)],
+            ),
         }
-        let _ = write!(
-            text,
-            "stickler_sum := 0;
-FOR stickler_count := {highest} TO {lowest} BY -1 DO
-    stickler_sum := stickler_sum + stickler_sum;
-    IF stickler_count <= stickler_exponent THEN
-        IF {x} >= {x}_parts[stickler_count] THEN
-            {x} := {x} - {x}_parts[stickler_count];
-            stickler_sum := stickler_sum + 1;
-        END_IF;
-    END_IF;
-END_FOR;
-results[stickler_place + {}] := stickler_sum;
-",
-            3 + number
-        );
-    }
-    let _ = write!(
-        text,
-        "IF {x} <> {t}#0s THEN stickler_sign := {REST_SIGN}; END_IF;\nresults[stickler_place + 2] := stickler_sign;"
-    );
-    text
+    };
+    filled(
+        include_str!("encode/duration.st"),
+        &[
+            ("pieces", &(0..3).map(piece).collect::<String>()),
+            ("unit", &unit),
+            ("top", &top),
+            ("rest", &REST_SIGN),
+            ("x", &x),
+            ("t", &t),
+        ],
+    )
 }

@@ -160,58 +160,22 @@ fn duration(ty: ElementaryType, numbers: &[i32]) -> DecodedValue {
 mod tests {
     use super::*;
 
-    fn reported(ty: &str, numbers: &[i32]) -> String {
-        let ty = ElementaryType::from_name(ty).expect("a type");
-        assert_eq!(numbers.len(), ValueEncoding::Numbers(ty).pieces());
-        match decode(ty, numbers) {
-            DecodedValue::Value(value) => value.to_string(),
-            other => format!("{other:?}"),
-        }
-    }
-
     #[test]
     fn numbers_stand_for_values() {
-        for (ty, numbers, expected) in [
-            ("BOOL", &[1][..], "BOOL#TRUE"),
-            ("BOOL", &[2], "Invalid"),
-            ("SINT", &[-128], "SINT#-128"),
-            ("SINT", &[128], "Invalid"),
-            ("DINT", &[i32::MIN], "DINT#-2147483648"),
-            ("WORD", &[65535], "WORD#16#FFFF"),
-            ("UDINT", &[255, 0xFF_FFFF], "UDINT#4294967295"),
-            ("UDINT", &[0, 1 << 24], "Invalid"),
-            ("LINT", &[-32768, 0, 0], "LINT#-9223372036854775808"),
-            ("LINT", &[-1, 0xFF_FFFF, 0xFF_FFFF], "LINT#-1"),
-            (
-                "LWORD",
-                &[0x1234, 0x56_789A, 0xBC_DEF0],
-                "LWORD#16#123456789ABCDEF0",
-            ),
-            ("REAL", &[0, 1 << 23], "REAL#1.0"),
-            ("REAL", &[1, -(3 << 22)], "REAL#-3.0"),
-            ("REAL", &[-149, 1 << 23], "REAL#1.0E-45"),
-            ("REAL", &[0, 0], "REAL#0.0"),
-            ("REAL", &[0, 1], "Invalid"),
-            ("REAL", &[NAN_EXPONENT, 0], "REAL#NaN"),
-            ("REAL", &[INFINITE_EXPONENT, -1], "REAL#-Infinity"),
-            (
-                "LREAL",
-                &[1023, (1 << 29) - 1, (1 << 24) - 1],
-                "LREAL#1.7976931348623157E308",
-            ),
-            ("LREAL", &[-1074, 1 << 28, 0], "LREAL#5.0E-324"),
-            ("LREAL", &[-1, -(1 << 28), 0], "LREAL#-0.5"),
-            ("TIME", &[1, 0, 0, 1500], "TIME#1500ms"),
-            ("TIME", &[-1, 0, 1, 0], "TIME#-16777216ms"),
-            ("TIME", &[REST_SIGN, 0, 0, 0], "Unknown"),
-            ("TIME", &[0, 0, 0, 0], "Invalid"),
-            (
-                "LTIME",
-                &[1, 32767, 0xFF_FFFF, 0xFF_FFFF],
-                "LTIME#9223372036854775807ns",
-            ),
-        ] {
-            assert_eq!(reported(ty, numbers), expected, "{ty} {numbers:?}");
+        for row in include_str!("encoding.txt").lines().skip(1) {
+            let (encoded, expected) = row.split_once(": ").expect("a colon");
+            let (ty, numbers) = encoded.split_once(' ').expect("a type and numbers");
+            let ty = ElementaryType::from_name(ty).expect("a type");
+            let numbers: Vec<i32> = numbers
+                .split(' ')
+                .map(|number| number.parse().expect("a DINT"))
+                .collect();
+            assert_eq!(numbers.len(), ValueEncoding::Numbers(ty).pieces(), "{row}");
+            let found = match decode(ty, &numbers) {
+                DecodedValue::Value(value) => value.to_string(),
+                other => format!("{other:?}"),
+            };
+            assert_eq!(found, expected, "{row}");
         }
     }
 }

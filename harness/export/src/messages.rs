@@ -203,49 +203,30 @@ mod tests {
     }
 
     #[test]
-    fn messages_are_led_back_in_every_form() {
-        let lists = [
-            "[ERROR]  Untitled: stickler_page_1 [Device: PLC Logic: Application](Line 1, Column 5 (Impl)): C0046: not defined\n\
-             [ERROR]  Untitled: stickler_page_1 [Device](Line 2, Column 5 (Impl)): C0032: Cannot convert\n\
-             [WARNING]  Untitled: stickler_page_1 [Device](Line 3, Column 5 (Impl)): C0195: Implicit conversion\n\
-             [ERROR]  Untitled: stickler_page_1 [Device](Line 4, Column 5 (Impl)): C0046: not defined\n",
-            "page-001.st:7-4..7-9: error: a\npage-001.st:8-4..8-9: error: b\npage-001.st:10-4..10-9: error: not implicit\n",
-            "error[P4007]: a\n  --> pages/page-001.st:7:5\n  |\nerror[P4035]: b\n  --> pages/page-001.st:8:5\n\
-             error[P4007]: c\n  --> pages/page-001.st:10:5\n",
-            "Error\tpage-001.st(7,5)\ta\nError\tpage-001.st(4,5)\tb\nError\tpage-001.st(10,5)\tc\n",
-            "Fehler\tstickler_page_1\t7\ta\nFehler\tstickler_page_1\t8\tb\nFehler\tstickler_page_1\t10\tc\n",
-            "stickler_page_1, Zeile 7: a\nstickler_page_1, Zeile 8: b\nstickler_page_1, Zeile 10: c\n",
-        ];
-        for list in lists {
-            let MessageList::Complete(cases) = reported(list) else {
-                panic!("{list}: {:?}", reported(list))
-            };
-            assert!(cases[0].is_some() && cases[1].is_none(), "{list}: {cases:?}");
+    fn lists_are_read_in_every_form() {
+        for section in include_str!("messages.md").split("\n## ").skip(1) {
+            let (heading, blocks) = section.split_once('\n').expect("a heading");
+            let (_, expected) = heading.split_once(": ").expect("what it tells");
+            for text in blocks.split("```text\n").skip(1) {
+                let (text, _) = text.split_once("```").expect("an end");
+                let told = match reported(text) {
+                    MessageList::Missing => "missing".to_owned(),
+                    MessageList::Truncated(None) => "truncated".to_owned(),
+                    MessageList::Truncated(Some(case)) => format!("truncated after {case}"),
+                    MessageList::Complete(cases) => {
+                        let case = |message: &Option<String>| match message {
+                            None => "accepted".to_owned(),
+                            Some(message) if expected.contains("rejected: ") => {
+                                format!("rejected: {message}")
+                            }
+                            Some(_) => "rejected".to_owned(),
+                        };
+                        cases.iter().map(case).collect::<Vec<_>>().join(", ")
+                    }
+                };
+                assert_eq!(told, expected, "{heading}\n{text}");
+            }
         }
-    }
-
-    #[test]
-    fn a_list_without_both_ends_says_nothing() {
-        assert_eq!(
-            reported("stickler_page_1, line 7: a\nstickler_page_1, line 9: b\n"),
-            MessageList::Truncated(Some(1))
-        );
-        assert_eq!(
-            reported("stickler_page_1, line 10: a\n"),
-            MessageList::Truncated(None)
-        );
-        assert_eq!(reported("0 errors\n"), MessageList::Missing);
-        assert_eq!(reported("stickler_page_2, line 7: a\n"), MessageList::Missing);
-    }
-
-    #[test]
-    fn the_rows_of_a_watch_list_are_no_messages() {
-        let rows = "Device.Application.stickler_page_1.results[4]\tDINT\t7\t\t\n\"stickler_page_1_DB\".results[5]\t\tDEC+/-\t10\n";
-        assert_eq!(reported(rows), MessageList::Missing);
-        assert_eq!(
-            reported("stickler_page_1, line 10: results[4] is none\n"),
-            MessageList::Truncated(None)
-        );
     }
 
     #[test]
@@ -257,15 +238,5 @@ mod tests {
         };
         let list = [at("error", 7), at("warning[P1]", 8), at("error", 10)].concat();
         assert_eq!(reported(&list), MessageList::Complete(vec![None, None]));
-    }
-
-    #[test]
-    fn what_is_wrong_may_stand_above_its_place() {
-        let MessageList::Complete(cases) = reported(
-            "error: a\n --> page-001.st:7:1\nerror: b\n --> page-001.st:5:1\nerror: c\n --> page-001.st:10:1\n",
-        ) else {
-            panic!("it is whole")
-        };
-        assert_eq!(cases, [None, Some("error: b".to_owned())]);
     }
 }

@@ -42,29 +42,6 @@ pub enum Reason {
     RejectedUnits,
 }
 
-impl Reason {
-    /// Every reason, in the order in which reports list them.
-    pub const ALL: [Reason; 17] = [
-        Reason::Rejected,
-        Reason::Open,
-        Reason::Named,
-        Reason::Sampled,
-        Reason::Scans,
-        Reason::Fault,
-        Reason::Rendered,
-        Reason::Shares,
-        Reason::NoProgram,
-        Reason::SeveralPrograms,
-        Reason::Returns,
-        Reason::Section,
-        Reason::NegativeZero,
-        Reason::Unseen,
-        Reason::Unreadable,
-        Reason::Warned,
-        Reason::RejectedUnits,
-    ];
-}
-
 impl fmt::Display for Reason {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {

@@ -5,7 +5,7 @@ use std::path::Path;
 use stickler_configuration::{ConfigurationFile, EngineEntry, EngineKind};
 use stickler_engines::{Compiler, DependencyPaths};
 
-use super::{mistake, read};
+use super::read;
 
 #[test]
 fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
@@ -72,70 +72,6 @@ fn the_file_of_a_folder_above_counts_and_none_is_none() {
     let empty = read("").unwrap();
     assert_eq!(empty.engines().count(), 0);
     assert!(empty.path().is_some());
-}
-
-#[test]
-fn a_mistake_is_told_with_its_place_and_what_was_meant() {
-    for (text, reported) in [
-        (
-            "[engine.mine]\n",
-            "stickler.toml:1:2: unknown key `engine` of the file; did you mean `engines`?",
-        ),
-        (
-            "engines = 5\n",
-            "stickler.toml:1:11: `engines` must be a table, and this is of type integer",
-        ),
-        (
-            "[engines.matiec]\nic2c = \"/x\"\n",
-            "stickler.toml:2:1: unknown key `ic2c` of `[engines.matiec]`, which has the adapter `matiec`; did you mean `iec2c`?",
-        ),
-        (
-            "[engines.matiec]\niec2c = 5\n",
-            "stickler.toml:2:9: `iec2c` must be a text in quotes, and this is of type integer",
-        ),
-        (
-            "[engines.mine]\nadapter = \"iron\"\n",
-            "stickler.toml:2:11: there is no adapter `iron`; there are `ironplc`, `matiec`, `rusty` and `strucpp`",
-        ),
-        (
-            "[engines.mine]\ncommand = \"x\"\ncommands = \"y\"\n",
-            "stickler.toml:3:1: unknown key `commands` of `[engines.mine]`; did you mean `command`?",
-        ),
-        (
-            "[engines.mine]\ncomand = \"x\"\n",
-            "stickler.toml:2:1: unknown key `comand` of `[engines.mine]`; did you mean `command`?",
-        ),
-        (
-            "[engines.mine]\ncheck = \"st {fiel}\"\n",
-            "stickler.toml:2:9: `{fiel}` stands for nothing; there are `{file}`, `{dialect}`, `{folder}`, `{scans}`, `{here}`",
-        ),
-        (
-            "[engines.mine]\ncheck = \"st\"\ndialects.matiec = \"\"\nrun = \"st\"\n",
-            "stickler.toml:4:1: `run` needs a `value`: how a value is printed, as in '^(?<name>\\w+) = (?<value>.*)$' (of \
-             `[engines.mine]`)",
-        ),
-        (
-            "[engines.reference]\n",
-            "stickler.toml:1:10: `reference` is the engine that is always there; give this one another name",
-        ),
-    ] {
-        assert_eq!(mistake(text), reported);
-    }
-    for (text, part) in [
-        ("[engines.\"a b\"]\n", "`a b` cannot be the name of an engine"),
-        ("[engines.mine]\n", "does not say what the engine is"),
-        ("[engines.mine\n", "stickler.toml:1:"),
-        // Those that other tests define may follow.
-        (
-            "[engines.mine]\ncheck = \"st\"\n[engines.mine.dialects]\nmatic = \"\"\n",
-            "stickler.toml:4:1: unknown dialect `matic`; the dialects are `ironplc-ed2`, `ironplc-ed3`, `ironplc-rusty`, \
-             `matiec`",
-        ),
-        ("[engines.mine]\ncommand = 1\n", "stickler.toml:2:11: "),
-    ] {
-        let reported = mistake(text);
-        assert!(reported.contains(part), "{reported}");
-    }
 }
 
 #[test]

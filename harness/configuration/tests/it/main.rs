@@ -4,6 +4,7 @@ mod dialects;
 mod file;
 
 use std::fs;
+use std::path::Path;
 use stickler_configuration::ConfigurationFile;
 
 /// Returns the configuration of a temporary folder whose file has this text.
@@ -15,4 +16,40 @@ fn read(text: &str) -> Result<ConfigurationFile, String> {
 
 fn mistake(text: &str) -> String {
     read(text).unwrap_err()
+}
+
+/// Tells whether a message is as expected; `…` stands for anything.
+fn fits(expected: &str, mut message: &str) -> bool {
+    let mut parts = expected.split('…');
+    let Some(rest) = message.strip_prefix(parts.next().unwrap_or_default()) else {
+        return false;
+    };
+    message = rest;
+    let found = parts.clone().all(|part| match message.split_once(part) {
+        Some((_, rest)) => {
+            message = rest;
+            true
+        }
+        None => false,
+    });
+    found && (message.is_empty() || expected.ends_with('…'))
+}
+
+/// Reads each file of `tests/mistakes/*.md`, behind which stands what must be told.
+#[test]
+fn a_mistake_is_told_with_its_place_and_what_was_meant() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/mistakes");
+    let mut failures = Vec::new();
+    for name in ["dialects.md", "engines.md"] {
+        let text = fs::read_to_string(folder.join(name)).unwrap();
+        for part in text.split("```toml\n").skip(1) {
+            let (file, behind) = part.split_once("```\n").unwrap();
+            let expected = behind.trim().strip_prefix("> ").unwrap();
+            let message = mistake(file);
+            if !fits(&format!("stickler.toml:{expected}"), &message) {
+                failures.push(format!("{name}:\n{file}> {expected}\ngives\n> {message}\n"));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "\n{}", failures.join("\n"));
 }

@@ -1,6 +1,5 @@
 //! Builds the output of a compiler under test together with a driver, by a C or C++ compiler.
 
-use super::dependencies::{Dependency, DependencySearch};
 use super::fingerprint::Fingerprint;
 use super::locate::{call, first_error};
 use super::recipe::{Purpose, Recipe, Workplace};
@@ -9,35 +8,18 @@ use crate::process::{Ended, Folder};
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// A C compiler.
-pub(super) const CC: Dependency = Dependency {
-    key: "cc",
-    variable: "STICKLER_CC",
-    name: "cc",
-    script: "cc",
-};
-
-/// A C++ compiler.
-pub(super) const CXX: Dependency = Dependency {
-    key: "cxx",
-    variable: "STICKLER_CXX",
-    name: "c++",
-    script: "c++",
-};
-
-/// The language that a compiler under test writes.
+/// The language that a compiler under test writes, for a C or a C++ compiler.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Language {
-    /// C, for [`CC`].
+    /// C.
     C,
-    /// C++, for [`CXX`].
+    /// C++.
     Cpp,
 }
 
 /// The differences between the two languages.
 struct TargetLanguage {
     name: &'static str,
-    compiler: Dependency,
     options: &'static [&'static str],
     header: &'static str,
     header_kind: &'static str,
@@ -50,14 +32,12 @@ impl Language {
         match self {
             Language::C => TargetLanguage {
                 name: "C",
-                compiler: CC,
                 options: &["-O0", "-w"],
                 header: "stickler.h",
                 header_kind: "c-header",
             },
             Language::Cpp => TargetLanguage {
                 name: "C++",
-                compiler: CXX,
                 options: &["-std=c++17", "-O0", "-w"],
                 header: "stickler.hpp",
                 header_kind: "c++-header",
@@ -105,12 +85,12 @@ pub(super) struct Builder {
 }
 
 impl Builder {
-    /// Finds a compiler and compiles `text`, which includes headers of the folder `headers`.
+    /// Compiles `text` with a compiler, which includes headers of the folder `headers`.
     ///
     /// # Errors
     /// A fragment that says what is missing or does not work.
-    pub(super) fn find(
-        search: &mut DependencySearch<'_>,
+    pub(super) fn new(
+        compiler: PathBuf,
         language: Language,
         headers: PathBuf,
         text: &str,
@@ -118,7 +98,7 @@ impl Builder {
         let words = language.words();
         let builder = Builder {
             language,
-            compiler: search.program(words.compiler)?,
+            compiler,
             headers,
             prepared: Folder::new()?,
         };
@@ -136,11 +116,6 @@ impl Builder {
             builder.headers.display(),
             first_error(&ended)
         ))
-    }
-
-    /// Returns the path of the compiler.
-    pub(super) fn compiler(&self) -> &Path {
-        &self.compiler
     }
 
     /// Returns a digest of everything that decides what the compiler builds; `None` where that cannot be known.

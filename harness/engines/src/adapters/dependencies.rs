@@ -1,6 +1,7 @@
 //! Finds the programs and folders that a compiler needs: by an environment variable, by `stickler.toml`, or on PATH.
 
 use crate::reproduction::ReproductionTool;
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::env;
 use std::ffi::OsStr;
@@ -8,35 +9,56 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// A program or a folder that an adapter needs.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Dependency {
     /// The key of the dependency in a table `[engines.NAME]` of `stickler.toml`.
-    pub key: &'static str,
+    pub key: String,
     /// The environment variable that holds the path of the dependency.
-    pub variable: &'static str,
+    pub variable: String,
     /// The name of a program on PATH, or the description of a folder.
-    pub name: &'static str,
+    pub name: String,
     /// The usual path of the dependency, as a shell expands it between double quotes.
-    pub script: &'static str,
+    pub script: String,
+    #[serde(default)]
+    kind: DependencyKind,
+    /// Where a folder may be, from the folder of the compiler.
+    #[serde(default)]
+    beside: Vec<String>,
+}
+
+/// What a dependency is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum DependencyKind {
+    /// A program.
+    #[default]
+    Program,
+    /// A file that another program reads and executes.
+    File,
+    /// A folder.
+    Folder,
+    /// A part of another dependency, which nobody names.
+    Part,
 }
 
 impl Dependency {
     /// Returns the name of the variable that holds the path of the dependency in the scripts of
     /// [reproductions](crate::Reproduction), which do not know Stickler.
-    pub(super) fn shell_variable(&self) -> &'static str {
-        self.variable.strip_prefix("STICKLER_").unwrap_or(self.variable)
+    pub(super) fn shell_variable(&self) -> &str {
+        self.variable.strip_prefix("STICKLER_").unwrap_or(&self.variable)
     }
 
-    /// Returns the variable of scripts with the path of the dependency on this machine.
-    pub(super) fn at(&self, path: &Path) -> (String, PathBuf) {
-        (self.shell_variable().to_owned(), path.to_owned())
+    /// Tells whether a person can name the path of the dependency.
+    pub(super) fn can_be_named(&self) -> bool {
+        self.kind != DependencyKind::Part
     }
 
     /// Returns the variable of scripts with the usual path of the dependency.
     pub(super) fn usual(&self) -> ReproductionTool {
         ReproductionTool {
             variable: self.shell_variable().to_owned(),
-            default: self.script.to_owned(),
+            default: self.script.clone(),
         }
     }
 }
@@ -134,11 +156,29 @@ impl<'p> DependencySearch<'p> {
         self.located
     }
 
-    /// Finds a program.
+    /// Finds a dependency of the `compiler` at this path; `None` for a part of another one.
     ///
     /// # Errors
     /// A fragment that says what is missing and how to name it, or that it cannot be started.
-    pub(super) fn program(&mut self, dependency: Dependency) -> Result<PathBuf, String> {
+    pub(super) fn find(
+        &mut self,
+        dependency: &'static Dependency,
+        compiler: &Path,
+    ) -> Result<Option<PathBuf>, String> {
+        match dependency.kind {
+            DependencyKind::Program => self.program(dependency).map(Some),
+            DependencyKind::File => self.script(dependency).map(Some),
+            DependencyKind::Folder => {
+                let folder = compiler.parent().unwrap_or(Path::new(""));
+                let candidates: Vec<PathBuf> =
+                    dependency.beside.iter().map(|path| folder.join(path)).collect();
+                self.folder(dependency, &candidates).map(Some)
+            }
+            DependencyKind::Part => Ok(None),
+        }
+    }
+
+    fn program(&mut self, dependency: &'static Dependency) -> Result<PathBuf, String> {
         let path = self.script(dependency)?;
         match may_be_executed(&path) {
             true => Ok(path),
@@ -149,16 +189,12 @@ impl<'p> DependencySearch<'p> {
         }
     }
 
-    /// Finds a file that another program reads and executes.
-    ///
-    /// # Errors
-    /// A fragment that says what is missing and how to name it.
-    pub(super) fn script(&mut self, dependency: Dependency) -> Result<PathBuf, String> {
+    fn script(&mut self, dependency: &'static Dependency) -> Result<PathBuf, String> {
         if let Some((path, by)) = self.named_path(dependency) {
             let path = existing(&path, &by, dependency, Path::is_file)?;
             return Ok(self.keep(dependency, path, by));
         }
-        let found = on_path(dependency.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
+        let found = on_path(&dependency.name, env::var_os("PATH").as_deref()).ok_or_else(|| {
             format!(
                 "there is no `{}` on PATH; install it, or {}",
                 dependency.name,
@@ -169,14 +205,7 @@ impl<'p> DependencySearch<'p> {
     }
 
     /// Finds a folder; where no path was named, the first of `candidates` that exists.
-    ///
-    /// # Errors
-    /// A fragment that says what is missing and how to name it.
-    pub(super) fn folder(
-        &mut self,
-        dependency: Dependency,
-        candidates: &[PathBuf],
-    ) -> Result<PathBuf, String> {
+    fn folder(&mut self, dependency: &'static Dependency, candidates: &[PathBuf]) -> Result<PathBuf, String> {
         if let Some((path, by)) = self.named_path(dependency) {
             let path = existing(&path, &by, dependency, Path::is_dir)?;
             return Ok(self.keep(dependency, path, by));
@@ -193,22 +222,22 @@ impl<'p> DependencySearch<'p> {
     }
 
     /// Returns the path that a person named, and the way in which it was named.
-    fn named_path(&self, dependency: Dependency) -> Option<(PathBuf, FoundBy)> {
+    fn named_path(&self, dependency: &'static Dependency) -> Option<(PathBuf, FoundBy)> {
         let variable = match self.paths.without_variables {
             true => None,
             // Some pipelines set a variable to an empty text to say that there is none.
-            false => env::var_os(dependency.variable).filter(|path| !path.is_empty()),
+            false => env::var_os(&dependency.variable).filter(|path| !path.is_empty()),
         };
-        let named = self.paths.named.get(dependency.key);
+        let named = self.paths.named.get(&dependency.key);
         variable
-            .map(|path| (PathBuf::from(path), FoundBy::Variable(dependency.variable)))
+            .map(|path| (PathBuf::from(path), FoundBy::Variable(&dependency.variable)))
             .or_else(|| {
                 named.map(|named| (named.path.clone(), FoundBy::Configuration(named.written.clone())))
             })
     }
 
-    fn how_to_name(&self, dependency: Dependency) -> String {
-        let (engine, key) = (self.engine, dependency.key);
+    fn how_to_name(&self, dependency: &Dependency) -> String {
+        let (engine, key) = (self.engine, &dependency.key);
         let table = format!("by `{key} = \"…\"` under `[engines.{engine}]` in stickler.toml");
         match self.paths.without_variables {
             true => format!("say where it is {table}"),
@@ -216,9 +245,9 @@ impl<'p> DependencySearch<'p> {
         }
     }
 
-    fn keep(&mut self, dependency: Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
+    fn keep(&mut self, dependency: &'static Dependency, path: PathBuf, by: FoundBy) -> PathBuf {
         self.located.push(FoundDependency {
-            key: dependency.key,
+            key: &dependency.key,
             path: path.clone(),
             by,
         });
@@ -229,7 +258,7 @@ impl<'p> DependencySearch<'p> {
 fn existing(
     path: &Path,
     by: &FoundBy,
-    dependency: Dependency,
+    dependency: &Dependency,
     is: fn(&Path) -> bool,
 ) -> Result<PathBuf, String> {
     // The programs run in folders of their own, where a relative path would lead elsewhere.
@@ -274,108 +303,91 @@ mod tests {
     use super::*;
     use crate::process::Folder;
 
-    const DEPENDENCY: Dependency = Dependency {
-        key: "compiler",
-        variable: "STICKLER_NO_SUCH_COMPILER",
-        name: "no-such-compiler",
-        script: "no-such-compiler",
-    };
+    fn dependency(name: &str) -> &'static Dependency {
+        Box::leak(Box::new(Dependency {
+            key: "compiler".to_owned(),
+            variable: "STICKLER_NO_SUCH_COMPILER".to_owned(),
+            name: name.to_owned(),
+            script: name.to_owned(),
+            kind: DependencyKind::Program,
+            beside: Vec::new(),
+        }))
+    }
+
+    /// Returns the paths that name the dependency on line 4 of a file.
+    fn named(path: &Path) -> DependencyPaths {
+        DependencyPaths::default().named("compiler", path.to_owned(), "stickler.toml:4".to_owned())
+    }
 
     #[test]
-    fn a_missing_program_is_named_with_all_that_could_say_where_it_is() {
-        let paths = DependencyPaths::default();
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        for part in [
-            "`no-such-compiler`",
-            "STICKLER_NO_SUCH_COMPILER",
-            "`compiler = \"…\"` under `[engines.mine]` in stickler.toml",
+    fn what_is_missing_or_does_not_fit_is_told_with_where_it_is_written() {
+        let folder = Folder::new().unwrap();
+        let file = folder.write("compiler", "").unwrap();
+        let program: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.program(dependency("no-such-compiler"));
+        let script: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.script(dependency("no-such-compiler"));
+        let inside: fn(&mut DependencySearch<'_>) -> Result<PathBuf, String> =
+            |search| search.folder(dependency("no-such-compiler"), &[]);
+        let table = "by `compiler = \"…\"` under `[engines.mine]` in stickler.toml";
+        let variable = format!("by STICKLER_NO_SUCH_COMPILER, or {table}");
+        let nowhere = "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there";
+        for (paths, find, part) in [
+            (
+                DependencyPaths::default(),
+                program,
+                "there is no `no-such-compiler` on PATH",
+            ),
+            (DependencyPaths::default(), program, &*variable),
+            (
+                DependencyPaths::default().without_variables(),
+                program,
+                &*format!("say where it is {table}"),
+            ),
+            (
+                DependencyPaths::default(),
+                inside,
+                "no-such-compiler was not found",
+            ),
+            (named(Path::new("/no/such/file")), program, nowhere),
+            (named(folder.path()), script, ", which is a folder; name the file"),
+            (named(&file), inside, ", which is a file; name the folder"),
+            #[cfg(unix)]
+            (named(&file), program, "is not executable; allow it by `chmod +x`"),
         ] {
+            let error = find(&mut DependencySearch::new("mine", &paths)).unwrap_err();
             assert!(error.contains(part), "{error}");
         }
-        let paths = paths.without_variables();
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert!(!error.contains("STICKLER_NO_SUCH_COMPILER"), "{error}");
     }
 
     #[test]
     fn what_is_named_counts_before_path_and_is_kept_with_where_it_is_written() {
         let folder = Folder::new().unwrap();
         let there = folder.write("compiler", "").unwrap().canonicalize().unwrap();
-        let paths = DependencyPaths::default().named("compiler", there.clone(), "stickler.toml:4".to_owned());
+        let paths = named(&there);
         // `sh` is on PATH wherever there is a shell.
-        let dependency = Dependency {
-            name: "sh",
-            ..DEPENDENCY
-        };
         let mut search = DependencySearch::new("mine", &paths);
-        assert_eq!(search.script(dependency), Ok(there.clone()));
-        let by = FoundBy::Configuration("stickler.toml:4".to_owned());
+        assert_eq!(search.script(dependency("sh")), Ok(there.clone()));
         let located = FoundDependency {
             key: "compiler",
             path: there,
-            by,
+            by: FoundBy::Configuration("stickler.toml:4".to_owned()),
         };
         assert_eq!(search.into_located(), [located]);
     }
 
     #[test]
-    fn what_is_named_and_not_there_is_told_with_where_it_is_written() {
-        let nowhere = PathBuf::from("/no/such/file");
-        let paths = DependencyPaths::default().named("compiler", nowhere, "stickler.toml:4".to_owned());
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert_eq!(
-            error,
-            "stickler.toml:4 names `/no/such/file` for no-such-compiler, which is not there"
-        );
-    }
-
-    #[test]
-    fn a_folder_in_place_of_a_file_and_a_file_in_place_of_a_folder_are_told_as_such() {
-        let folder = Folder::new().unwrap();
-        let file = folder.write("compiler", "").unwrap();
-        let search = |path: &Path| {
-            let named = path.to_owned();
-            let paths = DependencyPaths::default().named("compiler", named, "stickler.toml:4".to_owned());
-            let mut search = DependencySearch::new("mine", &paths);
-            (search.script(DEPENDENCY), search.folder(DEPENDENCY, &[]))
-        };
-        let error = search(folder.path()).0.unwrap_err();
-        assert!(error.ends_with(", which is a folder; name the file"), "{error}");
-        let error = search(&file).1.unwrap_err();
-        assert!(error.ends_with(", which is a file; name the folder"), "{error}");
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn a_program_that_may_not_be_executed_is_told_and_passed_over_on_path() {
-        let folder = Folder::new().unwrap();
-        let file = folder.write("no-such-compiler", "").unwrap();
-        let paths = DependencyPaths::default().named("compiler", file, "stickler.toml:4".to_owned());
-        let error = DependencySearch::new("mine", &paths)
-            .program(DEPENDENCY)
-            .unwrap_err();
-        assert!(error.contains("is not executable"), "{error}");
-        let path = env::join_paths([folder.path()]).unwrap();
-        assert_eq!(on_path("no-such-compiler", Some(&path)), None);
-    }
-
-    #[test]
-    fn a_program_is_found_on_path() {
+    fn a_program_is_found_on_path_where_it_may_be_executed() {
         let folder = Folder::new().unwrap();
         let file = format!("compiler{}", env::consts::EXE_SUFFIX);
         let there = folder.write(&file, "").unwrap();
+        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
         #[cfg(unix)]
         {
             use std::os::unix::fs::PermissionsExt;
+            assert_eq!(on_path("compiler", Some(&path)), None);
             std::fs::set_permissions(&there, std::fs::Permissions::from_mode(0o700)).unwrap();
         }
-        let path = env::join_paths([Path::new("/no/such/folder"), folder.path()]).unwrap();
         assert_eq!(on_path("compiler", Some(&path)), Some(there));
         assert_eq!(on_path("compiler", None), None);
     }
@@ -386,8 +398,7 @@ mod tests {
         let there = folder.path().to_owned();
         let candidates = [PathBuf::from("/no/such/folder"), there.clone()];
         let paths = DependencyPaths::default();
-        let mut search = DependencySearch::new("mine", &paths);
-        assert_eq!(search.folder(DEPENDENCY, &candidates), Ok(there));
-        assert!(search.folder(DEPENDENCY, &[]).is_err());
+        let found = DependencySearch::new("mine", &paths).folder(dependency("no-such-compiler"), &candidates);
+        assert_eq!(found, Ok(there));
     }
 }

@@ -25,6 +25,7 @@ use crate::{
 };
 use call::{DescribedCall, Execution};
 pub use description::Description;
+pub(super) use description::Parsed;
 pub(super) use pattern::DiagnosticPattern;
 use regex_lite::Regex;
 use std::collections::BTreeMap;

@@ -3,6 +3,7 @@
 //! A driver of one program is what a person gets to reproduce it, and what an adapter builds and runs itself. One of several
 //! programs is the same for each, and runs each in a process of its own.
 
+use super::Compiler;
 use super::builder::Language;
 use super::locate::{failed, faulted};
 use super::recipe::{Purpose, Recipe, Workplace};
@@ -76,8 +77,8 @@ pub(super) struct Driver<'r> {
     pub(super) head: String,
     /// The programs, in order.
     pub(super) programs: Vec<DrivenProgram<'r>>,
-    /// Words on stderr at the end of a program that stopped at a fault.
-    pub(super) faults: &'static [(&'static str, Fault)],
+    /// The compiler that translated the programs.
+    pub(super) compiler: Compiler,
 }
 
 /// The file of a driver, and its text.
@@ -182,9 +183,9 @@ impl Driver<'_> {
             let values = values::values(&ended.stdout, &program.request, &program.kinds).map_err(failed)?;
             return Ok(Outcome::executed(values));
         }
-        let listed = self.faults.iter().find(|(words, _)| ended.stderr.contains(words));
-        listed
-            .map(|(_, fault)| faulted(*fault, Vec::new()))
+        let fault = self.compiler.data().fault(&ended.stderr);
+        fault
+            .map(|fault| faulted(fault, Vec::new()))
             .ok_or_else(|| unusable(ended.crashed()))
     }
 }

@@ -12,40 +12,23 @@ mod options;
 mod readback;
 mod texts;
 
+use super::Compiler;
 use super::adapter::{Adapter, AdapterEngine};
-use super::dependencies::{Dependency, DependencySearch};
+use super::compilers::{last_word, path};
+use super::dependencies::DependencySearch;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, failed, faulted, unsupported};
+use super::locate::{failed, faulted, unsupported};
 use super::probe_variable::{translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::source::{main_program, observed_scans};
-use crate::process::{Ended, Folder};
-use crate::{
-    Ability, Diagnostic, Grade, Identity, NamedValue, NoReproduction, Outcome, Reproduction, RunRequest,
-};
+use crate::process::Ended;
+use crate::{Ability, Diagnostic, NamedValue, NoReproduction, Outcome, Reproduction, RunRequest};
 use dump::Dump;
 use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
 use std::path::PathBuf;
 use stickler_types::{DialectName, Fault};
 use texts::ReadableTexts;
-
-const COMPILER: Dependency = Dependency {
-    key: "ironplcc",
-    variable: "STICKLER_IRONPLCC",
-    name: "ironplcc",
-    script: "ironplcc",
-};
-
-const MACHINE: Dependency = Dependency {
-    key: "ironplcvm",
-    variable: "STICKLER_IRONPLCVM",
-    name: "ironplcvm",
-    script: "ironplcvm",
-};
-
-/// The dependencies of the adapter.
-pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, MACHINE];
 
 /// The bytecode that the compiler writes.
 const BYTECODE: &str = "program.iplc";
@@ -56,9 +39,13 @@ const BYTECODE: &str = "program.iplc";
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
 fn compilation(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
     let options = options(dialect)?.join(" ");
-    let line = format!("{{IRONPLCC}} compile --dialect {options} {PROGRAM} -o {BYTECODE}");
     let recipe = Recipe::of(PROGRAM, text).makes(&[BYTECODE]);
-    Ok(recipe.step(DEPENDENCIES, Purpose::Translate, &line))
+    Ok(recipe.step(
+        Compiler::Ironplc,
+        Purpose::Translate,
+        "compile",
+        &[("options", &options)],
+    ))
 }
 
 /// Returns the recipe that compiles the text of a request and runs it anew for each scan after which a value is observed.
@@ -73,8 +60,8 @@ fn execution(request: &RunRequest<'_>, text: &str, readbacks: &Readbacks) -> Res
             1 => recipe,
             _ => recipe.shell(&[], format!("echo 'After scan {scans}:'")),
         };
-        let line = format!("{{IRONPLCVM}} run {BYTECODE} --scans {scans} --dump-vars");
-        recipe.step(DEPENDENCIES, Purpose::Execute(Some(scans)), &line)
+        let values = [("scans", &*scans.to_string())];
+        recipe.step(Compiler::Ironplc, Purpose::Execute(Some(scans)), "run", &values)
     }))
 }
 
@@ -84,8 +71,13 @@ fn execution(request: &RunRequest<'_>, text: &str, readbacks: &Readbacks) -> Res
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
 fn rendering(dialect: DialectName, text: &str) -> Result<Recipe, Outcome> {
     let options = options(dialect)?.join(" ");
-    let line = format!("{{IRONPLCC}} echo --dialect {options} {PROGRAM}");
-    Ok(Recipe::of(PROGRAM, text).step(DEPENDENCIES, Purpose::Translate, &line))
+    let recipe = Recipe::of(PROGRAM, text);
+    Ok(recipe.step(
+        Compiler::Ironplc,
+        Purpose::Translate,
+        "render",
+        &[("options", &options)],
+    ))
 }
 
 /// The adapter: the compiler and its virtual machine.
@@ -104,25 +96,22 @@ impl Ironplc {
         called: &str,
         search: &mut DependencySearch<'_>,
     ) -> Result<AdapterEngine<Ironplc>, String> {
-        let compiler = search.program(COMPILER)?;
-        let machine = search.program(MACHINE)?;
-        let version = locate::version(&compiler, &["version"], &Folder::new()?)?;
+        let (mut identity, tools) = Compiler::Ironplc.data().find(called, search, last_word)?;
+        let compiler = path(&tools, "IRONPLCC");
+        let defined = DialectName::defined().into_iter();
+        let extends = |dialect: &DialectName| identity.dialects.contains(&dialect.base());
+        let defined: Vec<DialectName> = defined.filter(extends).collect();
+        identity.dialects.extend(defined);
+        identity.lacks = codes::lacking(&compiler);
+        let adapter = Ironplc {
+            compiler,
+            machine: path(&tools, "IRONPLCVM"),
+            texts: ReadableTexts::default(),
+        };
         Ok(AdapterEngine {
-            identity: Identity {
-                name: called.to_owned(),
-                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                dialects: dialects(),
-                abilities: vec![Ability::Check, Ability::Execute, Ability::Render, Ability::Scans],
-                // The registry's codes are those of this compiler.
-                grade: Grade::Code,
-                lacks: codes::lacking(&compiler),
-            },
-            tools: vec![COMPILER.at(&compiler), MACHINE.at(&machine)],
-            adapter: Ironplc {
-                compiler,
-                machine,
-                texts: ReadableTexts::default(),
-            },
+            identity,
+            tools,
+            adapter,
         })
     }
 }
@@ -144,7 +133,7 @@ impl Adapter for Ironplc {
             }
             (Ability::Check, _) | (_, None) => compilation(dialect, source)?.accepted(),
         };
-        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
+        Ok(recipe.on(Compiler::Ironplc))
     }
 
     /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
@@ -178,18 +167,6 @@ impl Adapter for Ironplc {
             _ => Ok(rejected(&ended)),
         }
     }
-}
-
-/// Returns the dialects that the compiler speaks: its presets, and the defined dialects that extend one.
-fn dialects() -> Vec<DialectName> {
-    let presets = [
-        DialectName::IRONPLC_ED2,
-        DialectName::IRONPLC_ED3,
-        DialectName::IRONPLC_RUSTY,
-    ];
-    let defined = DialectName::defined().into_iter();
-    let defined = defined.filter(|dialect| presets.contains(&dialect.base()));
-    presets.into_iter().chain(defined).collect()
 }
 
 /// Checks that a request needs nothing between scans.
@@ -332,7 +309,7 @@ fn execute(workplace: &Workplace<'_>, recipe: &Recipe, scans: u32) -> Result<Exe
     let ended = workplace.step(recipe, Purpose::Execute(Some(scans)), &[])?;
     match ended.code()? {
         0 => Ok(ExecutionEnd::Finished(ended.stdout)),
-        1 => match fault(&ended.stderr) {
+        1 => match Compiler::Ironplc.data().fault(&ended.stderr) {
             Some(fault) => Ok(ExecutionEnd::Faulted(fault, ended.stdout)),
             None => Err(failed(format!(
                 "it stopped for a reason that no fault is named after: {}",
@@ -340,18 +317,5 @@ fn execute(workplace: &Workplace<'_>, recipe: &Recipe, scans: u32) -> Result<Exe
             ))),
         },
         _ => Err(ended.crashed()),
-    }
-}
-
-/// Returns the fault of a trap.
-///
-/// Basis: ironplc: problem codes of the virtual machine.
-fn fault(stderr: &str) -> Option<Fault> {
-    let code = stderr.find("V4").and_then(|at| stderr.get(at..at + 5))?;
-    match code {
-        "V4001" => Some(Fault::DivisionByZero),
-        "V4003" => Some(Fault::StepLimit),
-        "V4005" => Some(Fault::SubscriptRange),
-        _ => None,
     }
 }

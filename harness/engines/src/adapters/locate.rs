@@ -1,22 +1,12 @@
 //! Calls the programs of a compiler, and describes their errors.
 
 use crate::process::{Ended, Folder, ToolLimits, run_tool};
-use crate::{EngineError, Identity, NamedValue, Outcome, process};
+use crate::{EngineError, Identity, NamedValue, Outcome};
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
 use std::path::Path;
 use std::time::Duration;
 use stickler_types::{DialectName, Fault};
-
-/// Returns the version that a program reports: the first line of its output that is not blank.
-///
-/// # Errors
-/// A fragment that says why there is no version.
-pub(super) fn version(program: &Path, arguments: &[&str], folder: &Folder) -> Result<String, String> {
-    let ended = process::run_tool(program, arguments, folder.path(), &ToolLimits::default())
-        .map_err(|outcome| format!("`{}`: {outcome}", program.display()))?;
-    said(&ended).ok_or_else(|| format!("`{}` does not say its version", program.display()))
-}
 
 /// Returns the first line of a program's output that is not blank.
 pub(super) fn said(ended: &Ended) -> Option<String> {

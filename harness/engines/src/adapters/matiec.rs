@@ -10,24 +10,23 @@ mod diagnostics;
 mod driver;
 mod pack;
 
+use super::Compiler;
 use super::adapter::{Adapter, AdapterEngine};
-use super::builder::{self, Builder, Language};
-use super::dependencies::{Dependency, DependencySearch};
+use super::builder::{Builder, Language};
+use super::compilers::{last_word, path};
+use super::dependencies::DependencySearch;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, speaks, unsupported};
+use super::locate::{speaks, unsupported};
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::rename::library_words;
 use super::reproduction::reproduce;
 use super::source::{MainProgram, main_program, words_of};
-use crate::process::Folder;
-use crate::{
-    Ability, Diagnostic, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
-};
+use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
 use driver::{LOCATIONS, MatiecSubject, driver};
 use std::collections::HashSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 use stickler_types::DialectName;
 
@@ -48,38 +47,16 @@ fn added_configuration(request: &RunRequest<'_>, main: &MainProgram) -> String {
     }
 }
 
-const COMPILER: Dependency = Dependency {
-    key: "iec2c",
-    variable: "STICKLER_IEC2C",
-    name: "iec2c",
-    script: "iec2c",
-};
-
-const LIBRARY: Dependency = Dependency {
-    key: "lib",
-    variable: "STICKLER_MATIEC_LIB",
-    name: "the library of iec2c",
-    script: "$(dirname \"$(command -v \"$IEC2C\")\")/lib",
-};
-
-/// The dependencies of the adapter.
-pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, LIBRARY, builder::CC];
-
 /// Returns the recipe that translates a text to C.
 fn translation(text: impl Into<String>) -> Recipe {
     Recipe::of(PROGRAM, text)
         .makes(&["POUS.c", "POUS.h", LOCATIONS])
-        .step(
-            DEPENDENCIES,
-            Purpose::Translate,
-            "{IEC2C} -i -I {MATIEC_LIB} -T . program.st",
-        )
+        .step(Compiler::Matiec, Purpose::Translate, "translate", &[])
 }
 
 /// Returns the recipe that translates a text to C, builds it with a driver, and runs it.
 fn execution(text: impl Into<String>, driver: &DriverText) -> Recipe {
-    let build = "{CC} -O0 -w -I {MATIEC_LIB}/C -I . driver.c -o driver -lm";
-    translation(text).driver(DEPENDENCIES, driver, build)
+    translation(text).driver(Compiler::Matiec, driver, &[])
 }
 
 /// The adapter: the library of the compiler, and the builder of its C.
@@ -100,31 +77,19 @@ impl Matiec {
         called: &str,
         search: &mut DependencySearch<'_>,
     ) -> Result<AdapterEngine<Matiec>, String> {
-        let compiler = search.program(COMPILER)?;
-        let library = search.folder(LIBRARY, &libraries(&compiler))?;
-        let builder = Builder::find(search, Language::C, library.join("C"), driver::HEADER)?;
-        let version = locate::version(&compiler, &["-v"], &Folder::new()?)?;
+        let (identity, tools) = Compiler::Matiec.data().find(called, search, last_word)?;
+        let library = path(&tools, "MATIEC_LIB");
+        let builder = Builder::new(path(&tools, "CC"), Language::C, library.join("C"), driver::HEADER)?;
+        let adapter = Matiec {
+            library,
+            compiler: path(&tools, "IEC2C"),
+            builder,
+            taken: OnceLock::new(),
+        };
         Ok(AdapterEngine {
-            identity: Identity {
-                name: called.to_owned(),
-                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                dialects: vec![DialectName::MATIEC],
-                abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // The compiler has no diagnostic codes.
-                grade: Grade::Line,
-                lacks: Vec::new(),
-            },
-            tools: vec![
-                COMPILER.at(&compiler),
-                LIBRARY.at(&library),
-                builder::CC.at(builder.compiler()),
-            ],
-            adapter: Matiec {
-                library,
-                compiler,
-                builder,
-                taken: OnceLock::new(),
-            },
+            identity,
+            tools,
+            adapter,
         })
     }
 
@@ -134,16 +99,6 @@ impl Matiec {
         self.taken
             .get_or_init(|| library_words(&self.library, "txt", DialectName::MATIEC))
     }
-}
-
-/// Returns the places where the library may be: in the source tree, or where it is installed.
-fn libraries(compiler: &Path) -> [PathBuf; 3] {
-    let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
-    [
-        beside("lib"),
-        beside("../lib/matiec"),
-        beside("../share/matiec/lib"),
-    ]
 }
 
 impl Adapter for Matiec {
@@ -167,7 +122,7 @@ impl Adapter for Matiec {
                 &driver.text(),
             ))
         })?;
-        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
+        Ok(recipe.on(Compiler::Matiec))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {

@@ -3,6 +3,7 @@
 //! An adapter says them once. A [`Workplace`] executes them with the tools of this machine, and a [`Reproduction`] prints them for
 //! a person, who has the same tools somewhere else.
 
+use super::Compiler;
 use super::command::{CommandTemplate, Fill, Filling};
 use super::dependencies::Dependency;
 use super::driver::DriverText;
@@ -63,10 +64,22 @@ impl Recipe {
         self
     }
 
-    /// Adds the step of a command whose placeholders are variables of these tools.
-    pub(super) fn step(self, tools: &[Dependency], purpose: Purpose, line: &str) -> Recipe {
+    /// Adds the step of a command of a compiler, with values for what its adapter fills in.
+    pub(super) fn step(
+        self,
+        compiler: Compiler,
+        purpose: Purpose,
+        command: &str,
+        values: &[(&str, &str)],
+    ) -> Recipe {
+        let data = compiler.data();
+        self.line(&data.tools, purpose, &data.command(command, values))
+    }
+
+    /// Adds the step of a line whose placeholders are variables of these tools.
+    pub(super) fn line(self, tools: &[Dependency], purpose: Purpose, line: &str) -> Recipe {
         let variables: Vec<&str> = tools.iter().map(Dependency::shell_variable).collect();
-        // The lines of adapters are constants, with the names of files and options; their tests execute each.
+        // A test splits each line of each compiler.
         let command = CommandTemplate::parse(line, &variables).unwrap_or_default();
         let used: Vec<String> = command.placeholders().map(str::to_owned).collect();
         let fill = |name: &str| {
@@ -91,10 +104,10 @@ impl Recipe {
     }
 
     /// Adds a driver, and the commands that build it and run it.
-    pub(super) fn driver(self, tools: &[Dependency], driver: &DriverText, build: &str) -> Recipe {
+    pub(super) fn driver(self, compiler: Compiler, driver: &DriverText, values: &[(&str, &str)]) -> Recipe {
         self.file(driver.file, driver.text.clone())
-            .step(tools, Purpose::Build, build)
-            .step(tools, Purpose::Execute(None), "./driver")
+            .step(compiler, Purpose::Build, "build", values)
+            .line(&[], Purpose::Execute(None), "./driver")
     }
 
     /// Adds the command that says that a program was accepted, for compilers that say nothing then.
@@ -120,6 +133,11 @@ impl Recipe {
     /// Returns the steps as a person types them into a shell.
     pub(super) fn commands(self) -> Vec<String> {
         self.shown
+    }
+
+    /// Returns what a person needs to follow the recipe on a compiler.
+    pub(super) fn on(self, compiler: Compiler) -> Reproduction {
+        self.reproduction(compiler.data().tools.iter().map(Dependency::usual))
     }
 
     /// Returns what a person needs to follow the recipe; `tools` are all variables, in the order in which a script sets those
@@ -155,15 +173,21 @@ impl<'t> Workplace<'t> {
         })
     }
 
+    /// Makes a workplace beside those of sessions.
+    ///
+    /// # Errors
+    /// A fragment that says why its folder cannot be created.
+    pub(super) fn with(tools: &'t Tools) -> Result<Workplace<'t>, String> {
+        let folder = Folder::new()?;
+        Ok(Workplace { folder, tools })
+    }
+
     /// Returns another workplace with the same tools.
     ///
     /// # Errors
     /// A fragment that says why its folder cannot be created.
     pub(super) fn elsewhere(&self) -> Result<Workplace<'t>, String> {
-        Ok(Workplace {
-            folder: Folder::new()?,
-            tools: self.tools,
-        })
+        Workplace::with(self.tools)
     }
 
     /// Writes the files of a recipe, in place of those of an earlier one.

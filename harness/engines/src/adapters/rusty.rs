@@ -13,19 +13,18 @@ mod library;
 mod pack;
 mod program;
 
+use super::Compiler;
 use super::adapter::{Adapter, AdapterEngine};
-use super::builder::{self, Builder, Language};
-use super::dependencies::{Dependency, DependencySearch};
+use super::builder::{Builder, Language};
+use super::compilers::path;
+use super::dependencies::DependencySearch;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, failed, speaks, unsupported};
+use super::locate::{failed, speaks, unsupported};
 use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::rename::library_words;
 use super::reproduction::reproduce;
 use super::source::main_program;
-use crate::process::Folder;
-use crate::{
-    Ability, Diagnostic, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
-};
+use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
 use diagnostics::OutputParser;
 use driver::RustyDriver;
 use errors::{ErrorPart, LocatedDiagnostic, sorted};
@@ -33,69 +32,34 @@ use library::StandardLibrary;
 use program::PackedProgram;
 use std::collections::HashSet;
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::OnceLock;
 use stickler_types::DialectName;
 
-const COMPILER: Dependency = Dependency {
-    key: "plc",
-    variable: "STICKLER_PLC",
-    name: "plc",
-    script: "plc",
-};
-
-const DECLARATIONS: Dependency = Dependency {
-    key: "include",
-    variable: "STICKLER_RUSTY_INCLUDE",
-    name: "the folder of the declarations (`*.st`) of RuSTy's standard functions",
-    script: "$(dirname \"$(command -v \"$PLC\")\")/include",
-};
-
-const LIBRARY: Dependency = Dependency {
-    key: "lib",
-    variable: "STICKLER_RUSTY_LIB",
-    name: "the folder of RuSTy's standard library (`libiec61131std`)",
-    script: "$(dirname \"$(command -v \"$PLC\")\")/lib",
-};
-
-/// The dependencies of the adapter.
-pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, DECLARATIONS, LIBRARY, builder::CC];
-
-/// The options that make an object file without optimisation; some mistakes are only found then.
-const OBJECT: &str = "-c -O none -o program.o";
-
-/// The option that puts each diagnostic on one line. A person needs it where there is a warning for each observed value.
-const ONE_LINE: &str = "--error-format=clang";
-
-/// Returns the recipe that gives files to the compiler.
-fn compilation(files: &[(&str, &str)], options: &str) -> Recipe {
-    let names: Vec<&str> = files.iter().map(|(name, _)| *name).collect();
-    let line = format!("{{PLC}} {} -i {{RUSTY_INCLUDE}}/*.st {options}", names.join(" "));
-    let recipe = Recipe::default().step(DEPENDENCIES, Purpose::Translate, &line);
-    files
-        .iter()
-        .fold(recipe, |recipe, (name, text)| recipe.file(name, *text))
+/// Returns the recipe that gives a program to the compiler, for a command that says what it makes of it.
+fn compilation(command: &str, source: &str) -> Recipe {
+    Recipe::of(PROGRAM, source).step(Compiler::Rusty, Purpose::Translate, command, &[])
 }
 
 /// Returns the recipe that compiles programs with the functions that show their values, links them with the driver and the
 /// standard library, and runs them.
 fn execution(programs: &[PackedProgram<'_>], driver: &RustyDriver<'_>) -> Recipe {
-    let functions = driver.functions.concat();
-    let mut files: Vec<(&str, &str)> = programs
+    let names: Vec<&str> = programs
         .iter()
-        .map(|program| (&*program.file, program.text()))
+        .map(|program| &*program.file)
+        .chain([FUNCTIONS])
         .collect();
-    files.push((FUNCTIONS, &functions));
-    // The object files hold addresses of texts, which a position-independent program must not have.
-    let position = if cfg!(target_os = "linux") { " -no-pie" } else { "" };
-    let build = format!(
-        "{{CC}} -O0 -w driver.c program.o -o driver -L . -Wl,-rpath,. -liec61131std {}{position}",
-        library::NEEDED
+    let files = programs.iter().fold(Recipe::default(), |recipe, program| {
+        recipe.file(&program.file, program.text())
+    });
+    let position = if cfg!(target_os = "linux") { "-no-pie" } else { "" };
+    let compiled = files.file(FUNCTIONS, driver.functions.concat()).step(
+        Compiler::Rusty,
+        Purpose::Translate,
+        "compile",
+        &[("files", &names.join(" "))],
     );
-    let (variables, share) = library::share();
-    compilation(&files, &format!("{OBJECT} {ONE_LINE}"))
-        .shell(&variables, share)
-        .driver(DEPENDENCIES, &driver.driver.text(), &build)
+    library::share(compiled).driver(Compiler::Rusty, &driver.driver.text(), &[("position", position)])
 }
 
 /// The adapter: the compiler, its standard library, and the builder of a program from its object files.
@@ -118,43 +82,26 @@ impl Rusty {
         called: &str,
         search: &mut DependencySearch<'_>,
     ) -> Result<AdapterEngine<Rusty>, String> {
-        let compiler = search.program(COMPILER)?;
-        let beside = |path: &str| compiler.parent().unwrap_or(Path::new("")).join(path);
-        // Where it is unpacked, where it is installed, and where its source is built.
-        let include = [
-            beside("include"),
-            beside("../include/plc"),
-            beside("../../libs/stdlib/iec61131-st"),
-        ];
-        let declarations = search.folder(DECLARATIONS, &include)?;
-        let folders = [beside("lib"), beside("../lib/plc"), beside("")];
-        let library = search.folder(LIBRARY, &folders)?;
-        let builder = Builder::find(search, Language::C, declarations.clone(), driver::HEADER)?;
-        let version = locate::version(&compiler, &["--version"], &Folder::new()?)?;
+        let (identity, tools) = Compiler::Rusty.data().find(called, search, short)?;
+        let declarations = path(&tools, "RUSTY_INCLUDE");
+        let builder = Builder::new(
+            path(&tools, "CC"),
+            Language::C,
+            declarations.clone(),
+            driver::HEADER,
+        )?;
+        let adapter = Rusty {
+            compiler: path(&tools, "PLC"),
+            declarations,
+            library: StandardLibrary::new(path(&tools, "RUSTY_LIB")),
+            builder,
+            reader: OutputParser::new()?,
+            taken: OnceLock::new(),
+        };
         Ok(AdapterEngine {
-            identity: Identity {
-                name: called.to_owned(),
-                version: short(&version),
-                dialects: vec![DialectName::RUSTY],
-                abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // The compiler's codes classify mistakes otherwise than the registry does.
-                grade: Grade::Line,
-                lacks: Vec::new(),
-            },
-            tools: vec![
-                COMPILER.at(&compiler),
-                DECLARATIONS.at(&declarations),
-                LIBRARY.at(&library),
-                builder::CC.at(builder.compiler()),
-            ],
-            adapter: Rusty {
-                compiler,
-                declarations,
-                library: StandardLibrary::new(library),
-                builder,
-                reader: OutputParser::new()?,
-                taken: OnceLock::new(),
-            },
+            identity,
+            tools,
+            adapter,
         })
     }
 
@@ -208,18 +155,18 @@ impl Adapter for Rusty {
 
     fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
         speaks(DialectName::RUSTY, request.dialect)?;
-        let translation = |text: String| compilation(&[(PROGRAM, &text)], OBJECT);
+        let translation = |text: String| compilation("object", &text);
         let recipe = reproduce(request, ability, translation, |main| {
             let program = [PackedProgram::alone(request, main)?];
             Ok(execution(&program, &RustyDriver::of(&program)))
         })?;
-        Ok(recipe.reproduction(DEPENDENCIES.iter().map(Dependency::usual)))
+        Ok(recipe.on(Compiler::Rusty))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
         speaks(DialectName::RUSTY, request.dialect)?;
         let Some(main) = main_program(request) else {
-            let warnings = self.accepts(workplace, request.source, OBJECT)?;
+            let warnings = self.accepts(workplace, request.source, "object")?;
             return Ok(Outcome::Accepted { warnings });
         };
         let programs = [PackedProgram::alone(request, &main).map_err(unsupported)?];
@@ -249,7 +196,7 @@ impl Adapter for Rusty {
         source: &str,
     ) -> Result<Vec<Diagnostic>, Outcome> {
         speaks(DialectName::RUSTY, dialect)?;
-        self.accepts(workplace, source, "--check")
+        self.accepts(workplace, source, "check")
     }
 }
 
@@ -271,7 +218,7 @@ impl Rusty {
             return diagnostics::rejected(found.into_iter().map(|(_, diagnostic)| diagnostic));
         };
         // The program alone decides whether it is accepted.
-        match self.accepts(workplace, program.request.source, OBJECT) {
+        match self.accepts(workplace, program.request.source, "object") {
             Ok(_) => unsupported(format!(
                 "the functions that show its values are not accepted: {}",
                 diagnostic.message
@@ -285,10 +232,10 @@ impl Rusty {
         &self,
         workplace: &Workplace<'_>,
         source: &str,
-        options: &str,
+        command: &str,
     ) -> Result<Vec<Diagnostic>, Outcome> {
-        let recipe = compilation(&[(PROGRAM, source)], options);
-        let found = self.compile(workplace, &recipe, &[ONE_LINE.as_ref()])?;
+        let recipe = compilation(command, source);
+        let found = self.compile(workplace, &recipe, &["--error-format=clang".as_ref()])?;
         let found = sorted(found.into_iter().map(|(_, diagnostic)| diagnostic));
         match found.iter().any(Diagnostic::is_error) {
             true => Err(Outcome::rejected(found)),

@@ -10,20 +10,19 @@ mod driver;
 mod pack;
 mod translator;
 
+use super::Compiler;
 use super::adapter::{Adapter, AdapterEngine};
-use super::builder::{self, Builder, Language};
-use super::dependencies::{Dependency, DependencySearch};
+use super::builder::{Builder, Language};
+use super::compilers::{last_word, path};
+use super::dependencies::DependencySearch;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
-use super::locate::{self, speaks, unsupported};
+use super::locate::{speaks, unsupported};
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
 use super::reproduction::reproduce;
 use super::source::main_program;
-use crate::process::Folder;
-use crate::{
-    Ability, Diagnostic, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction, RunRequest,
-};
+use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
 use driver::{StrucppSubject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -34,44 +33,14 @@ use translator::{Translated, Translator};
 /// The dialect of STruC++'s own documentation.
 const DIALECT: DialectName = DialectName::STRUCPP;
 
-const COMPILER: Dependency = Dependency {
-    key: "strucpp",
-    variable: "STICKLER_STRUCPP",
-    name: "strucpp",
-    script: "$(command -v strucpp)",
-};
-
-const NODE: Dependency = Dependency {
-    key: "node",
-    variable: "STICKLER_NODE",
-    name: "node",
-    script: "node",
-};
-
-/// The folder of the compiler's run-time headers, which belongs to the compiler.
-const HEADERS: Dependency = Dependency {
-    key: "include",
-    variable: "STRUCPP_INCLUDE",
-    name: "the run-time headers of STruC++",
-    script: "$(dirname \"$(readlink -f \"$STRUCPP\")\")/../../src/runtime/include",
-};
-
-/// The dependencies of the adapter.
-pub(super) const DEPENDENCIES: &[Dependency] = &[COMPILER, NODE, builder::CXX];
-
-/// The variables of the commands of recipes.
-const TOOLS: [Dependency; 4] = [NODE, COMPILER, HEADERS, builder::CXX];
-
 /// Returns the recipe that translates a program to C++.
 fn translation(text: impl Into<String>) -> Recipe {
-    let line = "{NODE} {STRUCPP} --no-default-libs program.st -o program.cpp";
-    Recipe::of(PROGRAM, text).step(&TOOLS, Purpose::Translate, line)
+    Recipe::of(PROGRAM, text).step(Compiler::Strucpp, Purpose::Translate, "translate", &[])
 }
 
 /// Returns the recipe that translates a program to C++, builds it with a driver, and runs it.
 fn execution(text: impl Into<String>, driver: &DriverText) -> Recipe {
-    let build = "{CXX} -std=c++17 -O0 -w -I {STRUCPP_INCLUDE} -I . driver.cpp -o driver";
-    translation(text).driver(&TOOLS, driver, build)
+    translation(text).driver(Compiler::Strucpp, driver, &[])
 }
 
 /// The adapter: the compiler in a process of Node, and the builder of its C++.
@@ -95,37 +64,29 @@ impl Strucpp {
         called: &str,
         search: &mut DependencySearch<'_>,
     ) -> Result<AdapterEngine<Strucpp>, String> {
-        let command = search.script(COMPILER)?;
-        let node = search.program(NODE)?;
-        let package = package(&command)?;
+        let (identity, mut tools) = Compiler::Strucpp.data().find(called, search, last_word)?;
+        let package = package(&path(&tools, "STRUCPP"))?;
         let headers = package.join("src/runtime/include");
-        let builder = Builder::find(search, Language::Cpp, headers.clone(), driver::HEADER)?;
-        let version = [&*command.to_string_lossy(), "--version"];
-        let version = locate::version(&node, &version, &Folder::new()?)?;
+        tools.push(("STRUCPP_INCLUDE".to_owned(), headers.clone()));
+        let builder = Builder::new(
+            path(&tools, "CXX"),
+            Language::Cpp,
+            headers.clone(),
+            driver::HEADER,
+        )?;
+        let node = path(&tools, "NODE");
+        let adapter = Strucpp {
+            translator: Translator::new(&node, &package.join("dist/index.js"))?,
+            builder,
+            node,
+            package,
+            headers,
+            taken: OnceLock::new(),
+        };
         Ok(AdapterEngine {
-            identity: Identity {
-                name: called.to_owned(),
-                version: version.rsplit(' ').next().unwrap_or_default().to_owned(),
-                dialects: vec![DIALECT],
-                abilities: vec![Ability::Check, Ability::Execute, Ability::Scans],
-                // The compiler has no diagnostic codes.
-                grade: Grade::Line,
-                lacks: Vec::new(),
-            },
-            tools: vec![
-                NODE.at(&node),
-                COMPILER.at(&command),
-                builder::CXX.at(builder.compiler()),
-                HEADERS.at(&headers),
-            ],
-            adapter: Strucpp {
-                translator: Translator::new(&node, &package.join("dist/index.js"))?,
-                builder,
-                node,
-                package,
-                headers,
-                taken: OnceLock::new(),
-            },
+            identity,
+            tools,
+            adapter,
         })
     }
 
@@ -199,7 +160,7 @@ impl Adapter for Strucpp {
             let subject = StrucppSubject::of(request, probes, &main.name)?;
             Ok(execution(text, &driver(&[&subject]).text()))
         })?;
-        Ok(recipe.reproduction(TOOLS.iter().map(Dependency::usual)))
+        Ok(recipe.on(Compiler::Strucpp))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
@@ -251,6 +212,7 @@ impl Strucpp {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::process::Folder;
 
     #[test]
     fn names_in_capitals_are_taken() {

@@ -25,7 +25,7 @@ impl Verb {
 }
 
 /// Returns a request as one line with its line feed.
-pub(super) fn line(request: &Request) -> Vec<u8> {
+pub(crate) fn line(request: &Request) -> Vec<u8> {
     // A request holds nothing but texts and numbers, which always have a form in JSON.
     let mut line = serde_json::to_vec(request).unwrap_or_default();
     line.push(b'\n');
@@ -155,84 +155,6 @@ pub(crate) fn excerpt(line: &[u8]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn observation(name: &str) -> Observation {
-        Observation::last(name, "INT")
-    }
-
-    #[test]
-    fn values_come_in_the_order_asked_for_and_those_that_nobody_asked_for_are_passed_over() {
-        let line = br#"{"type":"executed","id":3,"values":{"a":"INT#1","b":"INT#2","c":"??"},"took_ms":5}"#;
-        let observe = [observation("b"), observation("missing"), observation("a")];
-        let values = vec![
-            ("b".to_owned(), Value::parse("INT#2").unwrap()),
-            ("a".to_owned(), Value::parse("INT#1").unwrap()),
-        ];
-        assert_eq!(
-            outcome(line, 3, Verb::Run, &observe),
-            Ok(Outcome::executed(values))
-        );
-    }
-
-    #[test]
-    fn a_reply_that_does_not_answer_the_request_is_an_error() {
-        let replies: [(&[u8], &str); 6] = [
-            (br#"{"type":"accepted","id":2}"#, "out of turn"),
-            (br#"{"type":"rendered","id":3,"text":""}"#, "`run` by `rendered`"),
-            (
-                br#"{"type":"hello","protocol":1,"name":"a","version":"","dialects":[],"abilities":[]}"#,
-                "`run` by `hello`",
-            ),
-            (
-                br#"{"type":"executed","id":3,"values":{"a":"5"}}"#,
-                "`5` of `a` is no typed literal",
-            ),
-            (br#"{"type":"faulted","id":3,"fault":"bad luck"}"#, "bad luck"),
-            (b"compiling...\n", "`compiling...`"),
-        ];
-        for (line, part) in replies {
-            let reason = outcome(line, 3, Verb::Run, &[observation("a")]).unwrap_err();
-            assert!(reason.contains(part), "{reason}");
-        }
-    }
-
-    #[test]
-    fn an_accepted_program_has_warnings_and_no_errors() {
-        let of = |severity: &str| {
-            let line = format!(
-                r#"{{"type":"accepted","id":3,"diagnostics":[{{"line":6,"message":"m"{severity}}}]}}"#
-            );
-            outcome(line.as_bytes(), 3, Verb::Check, &[])
-        };
-        let accepted = of(r#","severity":"warning""#).unwrap();
-        assert_eq!(accepted.to_string(), "accepted with 1 warning");
-        let reason = of("").unwrap_err();
-        assert!(
-            reason.contains("`accepted` with the error `error on line 6: m`"),
-            "{reason}"
-        );
-    }
-
-    #[test]
-    fn only_the_key_tells_that_a_construct_is_not_implemented() {
-        let of = |key: &str| {
-            let line = format!(r#"{{"type":"unsupported","id":3,"reason":"no"{key}}}"#);
-            outcome(line.as_bytes(), 3, Verb::Run, &[])
-        };
-        let reason = || "no".to_owned();
-        let not_implemented = Outcome::NotImplemented { reason: reason() };
-        assert_eq!(of(r#","not_implemented":true"#), Ok(not_implemented));
-        for key in ["", r#","not_implemented":false"#] {
-            assert_eq!(of(key), Ok(Outcome::Unsupported { reason: reason() }));
-        }
-    }
-
-    #[test]
-    fn an_error_without_an_id_answers_the_request_at_hand() {
-        let line = br#"{"type":"error","message":"what?"}"#;
-        let message = "what?".to_owned();
-        assert_eq!(outcome(line, 3, Verb::Check, &[]), Ok(Outcome::Error { message }));
-    }
 
     #[test]
     fn a_long_line_is_quoted_in_part() {

@@ -77,7 +77,7 @@ pub(super) fn judge(
     expect: &SmokeExpectation,
     verb: &str,
     grade: Grade,
-    types: &[(String, &str)],
+    types: &[(&str, &str)],
 ) -> (CheckVerdict, Option<String>) {
     let broken = |words: String| (CheckVerdict::Broken, Some(words));
     let wrong = |words: String| (CheckVerdict::Wrong, Some(words));
@@ -95,23 +95,23 @@ pub(super) fn judge(
         )),
         (SmokeExpectation::Accepted, Reply::Accepted(_))
         | (SmokeExpectation::Rendered, Reply::Rendered(_)) => (CheckVerdict::Right, None),
-        (SmokeExpectation::Rejected(line), Reply::Rejected(reply)) => {
+        (SmokeExpectation::Rejected { line }, Reply::Rejected(reply)) => {
             rejected(&reply.diagnostics, *line, grade)
         }
         (SmokeExpectation::Values(expected), Reply::Executed(reply)) => {
-            for (key, literal) in *expected {
+            for (key, literal) in expected.iter().filter_map(|value| value.split_once(" = ")) {
                 let ty = types
                     .iter()
-                    .find(|(name, _)| name == key)
+                    .find(|(name, _)| *name == key)
                     .map_or("", |(_, ty)| *ty);
-                match value(reply.values.get(*key), key, ty, literal) {
+                match value(reply.values.get(key), key, ty, literal) {
                     (CheckVerdict::Right, _) => {}
                     other => return other,
                 }
             }
             (CheckVerdict::Right, None)
         }
-        (SmokeExpectation::Rejected(_), Reply::Accepted(_) | Reply::Executed(_)) => {
+        (SmokeExpectation::Rejected { .. }, Reply::Accepted(_) | Reply::Executed(_)) => {
             wrong("the program is accepted, and must be rejected".to_owned())
         }
         (SmokeExpectation::Refused, Reply::Executed(_) | Reply::Accepted(_)) => {

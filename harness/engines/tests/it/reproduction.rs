@@ -1,12 +1,10 @@
 //! Tests reproductions: their files, and what their scripts print where the compiler is here.
 
-use crate::fixture::{Asked, sections};
+use crate::compilers::here;
+use crate::fixture::{Asked, sections, shown};
 use std::fs;
-use std::io::Write;
 use std::path::Path;
-use stickler_engines::{
-    Ability, Compiler, Description, Engine, Observation, Outcome, Reproduction, RunRequest, reproduce_and_run,
-};
+use stickler_engines::{Ability, Compiler, Description, Engine, Reproduction, RunRequest, reproduce_and_run};
 use stickler_types::DialectName;
 
 const SOURCE: &str = "TYPE PAIR : STRUCT a : INT; b : DINT; END_STRUCT; END_TYPE\n\
@@ -20,26 +18,6 @@ fn dialect(compiler: Compiler) -> DialectName {
         Compiler::Matiec => DialectName::MATIEC,
         Compiler::Strucpp => DialectName::STRUCPP,
         Compiler::Rusty => DialectName::RUSTY,
-    }
-}
-
-fn observe(asked: &[(&str, &str, Option<u32>)]) -> Vec<Observation> {
-    let observation = |&(name, type_name, after): &(&str, &str, Option<u32>)| Observation {
-        after,
-        ..Observation::last(name, type_name)
-    };
-    asked.iter().map(observation).collect()
-}
-
-/// Returns a compiler; prints why it is skipped where it is not here.
-fn here(compiler: Compiler) -> Option<Box<dyn Engine>> {
-    match compiler.engine(compiler.name()) {
-        Ok(engine) => Some(engine),
-        Err(error) => {
-            // Not `eprintln`, which nobody sees when the test passes.
-            let _ = writeln!(std::io::stderr(), "skipped: {error}");
-            None
-        }
     }
 }
 
@@ -59,19 +37,10 @@ fn run(reproduction: &Reproduction, engine: &dyn Engine) -> String {
 
 #[test]
 fn a_script_prints_the_values_of_a_program_without_stickler() {
-    let observe = observe(&[
-        ("n", "INT", None),
-        ("n", "INT", Some(1)),
-        ("x", "BOOL", None),
-        ("list[2]", "INT", None),
-        ("both.b", "DINT", None),
-        ("ratio", "REAL", None),
-    ]);
+    let asked = "run 2 scans: n INT, n@1 INT, x BOOL, list[2] INT, both.b DINT, ratio REAL";
     for compiler in Compiler::ALL {
-        let request = RunRequest {
-            scans: 2,
-            ..RunRequest::once(dialect(compiler), SOURCE, &observe)
-        };
+        let asked = Asked::read(asked, dialect(compiler));
+        let request = asked.of(SOURCE);
         let reproduction = compiler.reproduce(&request, Ability::Execute).unwrap();
         let Some(engine) = here(compiler) else { continue };
         let printed = run(&reproduction, &*engine);
@@ -200,25 +169,15 @@ fn a_configuration_of_the_program_is_used() {
                   VAR_GLOBAL\n        shared : INT := 40;\n    END_VAR\n    RESOURCE Station ON PLC\n        \
                   TASK Cyclic(INTERVAL := T#10ms, PRIORITY := 1);\n        PROGRAM instance WITH Cyclic : main;\n    \
                   END_RESOURCE\nEND_CONFIGURATION\n";
-    let observe = observe(&[("seen", "INT", None), ("seen", "INT", Some(1))]);
     // RuSTy documents no configurations.
     for compiler in [Compiler::Ironplc, Compiler::Matiec, Compiler::Strucpp] {
         let Some(engine) = here(compiler) else { continue };
-        let request = RunRequest {
-            scans: 2,
-            ..RunRequest::once(dialect(compiler), source, &observe)
-        };
+        let asked = Asked::read("run 2 scans: seen INT, seen@1 INT", dialect(compiler));
+        let request = asked.of(source);
         let outcome = engine.session().unwrap().run(&request);
-        let Outcome::Executed { values, .. } = outcome else {
-            panic!("{}: {outcome:?}", compiler.name())
-        };
-        let values: Vec<String> = values
-            .iter()
-            .map(|(name, value)| format!("{name} = {value}"))
-            .collect();
         assert_eq!(
-            values,
-            ["seen = INT#44", "seen@1 = INT#42"],
+            shown(&outcome),
+            "executed seen = INT#44, seen@1 = INT#42",
             "{}",
             compiler.name()
         );

@@ -51,16 +51,13 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
     let engine = match Compiler::from_name(kind) {
         Some(compiler) => {
             let named = |paths: DependencyPaths, dependency: &stickler_engines::Dependency| {
-                let path = folder.join(dependency.key);
+                let path = folder.join(&dependency.key);
                 match path.is_file() {
-                    true => paths.named(dependency.key, path, "a test".to_owned()),
+                    true => paths.named(&dependency.key, path, "a test".to_owned()),
                     false => paths,
                 }
             };
-            let paths = compiler
-                .dependencies()
-                .iter()
-                .fold(DependencyPaths::default(), named);
+            let paths = compiler.dependencies().fold(DependencyPaths::default(), named);
             compiler.seek(kind, kind, &paths.without_variables()).engine
         }
         None if kind == "described" => {
@@ -85,8 +82,10 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
                 memory: number("memory").unwrap_or(LIMITS.memory),
                 ..LIMITS
             };
-            let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/adapters/unruly.sh");
-            let started = ProcessEngine::start(&format!("sh '{script}'"), limits);
+            let unruly = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/adapters/unruly.sh");
+            let own = folder.join("adapter");
+            let script = if own.is_file() { own } else { unruly };
+            let started = ProcessEngine::start(&format!("sh '{}'", script.display()), limits);
             started.map(|engine| Box::new(engine) as Box<dyn Engine>)
         }
     };
@@ -127,6 +126,10 @@ fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
             }
         };
         let outcome = match asked.verb.as_str() {
+            "name" => {
+                check(row, &engine.identity().name);
+                continue;
+            }
             "identity" => {
                 let identity = engine.identity();
                 let abilities: Vec<String> = identity.abilities.iter().map(ToString::to_string).collect();
@@ -185,6 +188,11 @@ fn run(file: &str) {
 #[test]
 fn ironplc() {
     run("ironplc.md");
+}
+
+#[test]
+fn matiec() {
+    run("matiec.md");
 }
 
 #[test]

@@ -32,44 +32,31 @@ fn complaints(text: &str) -> Vec<(usize, usize, String)> {
 }
 
 #[test]
-fn elements_are_found_in_every_form_of_a_line() {
-    let expected = [vec![(0, 1_398_033_201), (1, -5), (2, 0)]];
-    for text in [
-        // Watch lists of CODESYS and TwinCAT: expression, type, value, prepared value, address, comment.
-        "Expression\tType\tValue\tPrepared value\tAddress\tComment\nstickler_page_1.results\tARRAY [0..2] OF DINT\t\t\t\t\n\
-         stickler_page_1.results[0]\tDINT\t1398033201\t\t\twhat to copy\nstickler_page_1.results[1]\tDINT\t-5\t\t\t\n\
-         stickler_page_1.results[2]\tDINT\t0\t\t%MD4\t\n",
-        // The view of a data block in TIA, where an offset and a start value stand before the value.
-        "Name\tData type\tOffset\tStart value\tMonitor value\tRetain\nresults\tArray[0..2] of DInt\t0.0\t\t\tFalse\n\
-         results[0]\tDInt\t0.0\t0\t1398033201\tFalse\nresults[1]\tDInt\t4.0\t0\t-5\tFalse\nresults[2]\tDInt\t8.0\t0\t0\tFalse\n",
-        "\"DB\".results[0]\t\tDEC+/-\t1398033201\n\"DB\".results[1]\t\tDEC+/-\t-5\n\"DB\".results[2]\t\tDEC+/-\t0\n",
-        "[0] 1398033201\n[1] -5\n[2] 0",
-        "results[0] := 1398033201;\r\nresults[1] := -5;\r\nresults[2] := 0;\r\n",
-        "results[0] = 1398033201; results[1] = -5; results[2] = 0",
-        "results[2] = 16#0\nresults[1]: 16#FFFF_FFFB\nresults[0]:16#5354_4B31\n",
-        "\"results[0]\",\"DINT\",\"1398033201\"\n\"results[1]\",\"DINT\",\"-5\"\n\"results[2]\",\"DINT\",\"0\"\n",
-        "results[0];DINT;1.398.033.201\nresults[1];DINT;-5\nresults[2];DINT;0\n",
-        "   results[0]   DINT   1398033201\n   results[1]   DINT   -5\n   results[2]   DINT   0\n",
-        "line[3].results[0]\t1 398 033 201\nline[3].results[1]\t-5,0\nline[3].results[2]\tFALSE\nline[3].other[0]\t77\n",
-        "\u{feff}[0]\t1,398,033,201\r[1]\t\u{2212}5\r[2]\t0\r",
-    ] {
-        assert_eq!(arrays(text), expected, "{text}");
+fn elements_are_found_in_every_form() {
+    for section in include_str!("forms.md").split("\n## ").skip(1) {
+        let (heading, blocks) = section.split_once('\n').expect("a heading");
+        let (_, expected) = heading.split_once(": ").expect("elements");
+        let shown = |(index, value): &(usize, i32)| format!("{index} = {value}");
+        for text in blocks.split("```text\n").skip(1) {
+            let (text, _) = text.split_once("```").expect("an end");
+            let [array] = &arrays(text)[..] else {
+                panic!("{text}")
+            };
+            assert_eq!(
+                array.iter().map(shown).collect::<Vec<_>>().join(", "),
+                expected,
+                "{text}"
+            );
+        }
     }
 }
 
 #[test]
-fn lists_are_read_whatever_keeps_their_numbers_apart() {
-    let expected = [vec![(0, MAGIC), (1, 20_000), (2, 0), (3, 0)]];
+fn line_ends_and_marks_of_any_system_are_passed_over() {
+    let expected = [vec![(0, MAGIC), (1, -5), (2, 0)]];
     for text in [
-        "1398033201\n20000\n0\n0\n",
-        "1398033201, 20000, 0, 0",
-        "[1398033201, 20000, 2(0)]",
-        "results := [1398033201, 20000, 2(0)];".trim_start_matches("results := "),
-        "1398033201 20000 0 0",
-        "1398033201;20000;0;0",
-        "1.398.033.201\n20.000\n0\n0",
-        "0\t1398033201\n1\t20000\n2\t0\n3\t0\n",
-        "a remark\n16#53544B31\t16#4E20\nFALSE\t0\n",
+        "results[0] := 1398033201;\r\nresults[1] := -5;\r\nresults[2] := 0;\r\n",
+        "\u{feff}[0]\t1,398,033,201\r[1]\t\u{2212}5\r[2]\t0\r",
     ] {
         assert_eq!(arrays(text), expected, "{text}");
     }

@@ -157,7 +157,7 @@ impl Description {
 
 /// A value that is written as a text and parsed by [`FromStr`].
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub(super) struct Parsed<T>(pub(super) T);
+pub(in crate::adapters) struct Parsed<T>(pub(in crate::adapters) T);
 
 impl<'de, T: FromStr<Err: fmt::Display>> Deserialize<'de> for Parsed<T> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {

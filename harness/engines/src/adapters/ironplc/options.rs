@@ -1,47 +1,20 @@
 //! The options that choose the rules of a dialect: a preset of the compiler, and single features beside it.
-//!
-//! Basis: ironplc: "Enabling Dialects and Features" ("a dialect is a preset … `--allow-*` flags layer on top"); `ironplcc dialects` of
-//! version 0.239.
 
 use crate::Outcome;
-use stickler_types::{Dialect, DialectName};
+use crate::adapters::Compiler;
+use crate::adapters::described::Parsed;
+use crate::adapters::locate::speaks_not;
+use stickler_types::DialectName;
 
-/// The preset without any feature.
-const PLAIN: &str = "iec61131-3-ed2";
-
-/// The features of the preset `iec61131-3-ed3`.
-const EDITION_3: [&str; 3] = [
-    "--allow-long-time-types",
-    "--allow-ref-to",
-    "--allow-partial-access-syntax",
-];
-
-/// The features of the preset `rusty`.
-const RUSTY: [&str; 23] = [
-    "--allow-c-style-comments",
-    "--allow-missing-semicolon",
-    "--allow-top-level-var-global",
-    "--allow-constant-type-params",
-    "--allow-empty-var-blocks",
-    "--allow-time-as-function-name",
-    "--allow-ref-to",
-    "--allow-ref-arithmetic",
-    "--allow-ref-stack-variables",
-    "--allow-ref-type-punning",
-    "--allow-int-to-bool-initializer",
-    "--allow-sizeof",
-    "--allow-system-uptime-global",
-    "--allow-cross-family-widening",
-    "--allow-partial-access-syntax",
-    "--allow-pragmas",
-    "--allow-short-circuit-operators",
-    "--allow-mixed-located-var-declarations",
-    "--allow-constant-initializer-expressions",
-    "--allow-bit-string-case-labels",
-    "--allow-paren-string-length",
-    "--allow-struct-initializer-expressions",
-    "--allow-fb-inheritance",
-];
+/// Returns the preset of a dialect, and the features that it has.
+fn preset(dialect: DialectName) -> Option<(&'static str, Vec<&'static str>)> {
+    let mut words = Compiler::Ironplc
+        .data()
+        .dialects
+        .get(&Parsed(dialect))?
+        .split_whitespace();
+    Some((words.next()?, words.collect()))
+}
 
 /// Returns the arguments behind `--dialect` for a dialect: the name of the preset, and the features that the definition of the
 /// dialect adds to it. Features can only be added, so a preset without one of its own is the plain one with all others.
@@ -49,52 +22,36 @@ const RUSTY: [&str; 23] = [
 /// # Errors
 /// [`Outcome::Unsupported`] for a dialect that the compiler does not speak.
 pub(super) fn options(dialect: DialectName) -> Result<Vec<&'static str>, Outcome> {
-    let (preset, features): (_, &[&str]) = match dialect.base() {
-        DialectName::IRONPLC_ED2 => (PLAIN, &[]),
-        DialectName::IRONPLC_ED3 => ("iec61131-3-ed3", &EDITION_3),
-        DialectName::IRONPLC_RUSTY => ("rusty", &RUSTY),
-        _ => {
-            return Err(Outcome::Unsupported {
-                reason: format!("it does not speak {dialect}"),
-            });
+    let (name, features) = preset(dialect.base()).ok_or_else(|| speaks_not(dialect))?;
+    // What the definition says of the features for which the compiler has an option.
+    let known = &Compiler::Ironplc.data().options;
+    let statements = dialect
+        .definition()
+        .into_iter()
+        .flat_map(|definition| definition.statements());
+    let stated: Vec<(&str, bool)> = statements
+        .filter_map(|(key, value)| Some((known.get(key)?.as_str(), value == "true")))
+        .collect();
+    let is_off = |feature: &str| stated.contains(&(feature, false));
+    let mut options = match features.iter().any(|feature| is_off(feature)) {
+        false => vec![name],
+        true => {
+            let plain = preset(DialectName::IRONPLC_ED2).map(|(name, _)| name);
+            let others = features.iter().copied().filter(|feature| !is_off(feature));
+            plain.into_iter().chain(others).collect()
         }
     };
-    let stated = dialect.definition().map(stated).unwrap_or_default();
-    let is_off = |feature: &str| stated.contains(&(feature, false));
     let added = stated
         .iter()
-        .filter(|(feature, on)| *on && !features.contains(feature))
-        .map(|(feature, _)| *feature);
-    let mut options = match features.iter().any(|feature| is_off(feature)) {
-        false => vec![preset],
-        true => {
-            let others = features.iter().copied().filter(|feature| !is_off(feature));
-            [PLAIN].into_iter().chain(others).collect()
-        }
-    };
-    options.extend(added);
+        .filter(|(feature, on)| *on && !features.contains(feature));
+    options.extend(added.map(|(feature, _)| *feature));
     Ok(options)
-}
-
-/// Returns the features for which the compiler has an option, and whether a definition turns them on.
-fn stated(definition: &Dialect) -> Vec<(&'static str, bool)> {
-    let feature = |key: &str| match key {
-        "flags.allow-cross-family-widening" => Some("--allow-cross-family-widening"),
-        "flags.allow-partial-access-syntax" => Some("--allow-partial-access-syntax"),
-        "flags.third-edition-types" => Some("--allow-long-time-types"),
-        "flags.line-comments" => Some("--allow-c-style-comments"),
-        // A literal as a bit string comes with the widening; the others have no option.
-        _ => None,
-    };
-    let stated = definition.statements();
-    stated
-        .filter_map(|(key, value)| Some((feature(key)?, value == "true")))
-        .collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::Dialect;
 
     const PARTIAL: &str = "flags.allow-partial-access-syntax";
     const WIDENING: &str = "flags.allow-cross-family-widening";
@@ -125,7 +82,7 @@ mod tests {
             ["iec61131-3-ed2", "--allow-long-time-types", "--allow-ref-to"]
         );
         let without = of("options-rusty", DialectName::IRONPLC_RUSTY, WIDENING, false);
-        assert_eq!(without.len(), RUSTY.len());
+        assert_eq!(without.len(), preset(DialectName::IRONPLC_RUSTY).unwrap().1.len());
         assert!(!without.contains(&"--allow-cross-family-widening"));
         assert_eq!(
             of("options-same", DialectName::IRONPLC_ED2, WIDENING, false),

@@ -3,6 +3,7 @@
 //! Basis: matiec: the C that `iec2c` writes: `NAME_init__`, `NAME_body__`, a structure of the variables in upper case, each
 //! with its `value`; durations and dates are seconds and nanoseconds, a STRING its length and its bytes.
 
+use crate::adapters::Compiler;
 use crate::adapters::builder::Language;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::probe_variable::ProbeVariables;
@@ -65,7 +66,7 @@ pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r
             .enumerate()
             .map(driven)
             .collect::<Result<_, _>>()?,
-        faults: &[],
+        compiler: Compiler::Matiec,
     })
 }
 

@@ -7,6 +7,7 @@
 //! with a zero. Access to the variables of a program from outside is a warning, E049.
 
 use super::program::PackedProgram;
+use crate::adapters::Compiler;
 use crate::adapters::builder::Language;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
@@ -38,7 +39,7 @@ impl<'r> RustyDriver<'r> {
             language: Language::C,
             head: format!("{HEADER}#include <time.h>\n\n__attribute__((weak)) void {initialise}(void);\n\n"),
             programs: Vec::with_capacity(programs.len()),
-            faults: &[],
+            compiler: Compiler::Rusty,
         };
         let mut functions = Vec::with_capacity(programs.len());
         for (number, program) in programs.iter().enumerate() {

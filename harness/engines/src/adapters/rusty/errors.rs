@@ -1,7 +1,7 @@
 //! The errors of the compiler: the part of the compiled text that each is about, and the registry's codes for them.
 
 use crate::Diagnostic;
-use stickler_types::Code;
+use crate::adapters::Compiler;
 
 /// The part of the compiled text that an error is about.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -25,23 +25,11 @@ pub(super) fn sorted(diagnostics: impl Iterator<Item = Diagnostic>) -> Vec<Diagn
     diagnostics
 }
 
-/// The compiler's codes that mean the same as one of the registry.
-///
-/// Basis: rusty: its reference of error codes, `plc explain`. Others, such as E048 of anything that is not declared, stand for
-/// several of the registry.
-const CODES: [(&str, Code); 5] = [
-    ("E032", Code::FunctionCallWrongArgCount),
-    ("E037", Code::AssignmentTypeMismatch),
-    ("E052", Code::UndeclaredUnknownType),
-    ("E057", Code::BitAccessOutOfRange),
-    ("E058", Code::ArrayIndexOutOfBounds),
-];
-
 /// Returns the diagnostic with the registry's code where the compiler's own means the same.
 fn translated(diagnostic: Diagnostic) -> Diagnostic {
     let own = diagnostic.code.as_deref().unwrap_or_default();
-    match CODES.iter().find(|(code, _)| *code == own) {
-        Some((own, code)) => Diagnostic {
+    match Compiler::Rusty.data().code(own) {
+        Some(code) => Diagnostic {
             code: Some(code.as_str().to_owned()),
             message: format!("{own}: {}", diagnostic.message),
             ..diagnostic

@@ -6,8 +6,7 @@
 //!
 //! Basis: rusty: `libs/stdlib/build.rs` and `scripts/build.sh` of its repository.
 
-use super::{DEPENDENCIES, LIBRARY};
-use crate::adapters::builder;
+use crate::adapters::Compiler;
 use crate::adapters::locate::first_error;
 use crate::adapters::recipe::{Purpose, Recipe, Workplace};
 use crate::process::Folder;
@@ -20,26 +19,24 @@ const STATIC: &str = "libiec61131std.a";
 /// The file of the shared library.
 const SHARED: &str = "libiec61131std.so";
 
-/// The libraries of the system that the standard library needs.
-pub(super) const NEEDED: &str = "-lm -lpthread -ldl";
-
 /// Returns the recipe that makes the shared library of all of the static one.
 fn sharing() -> Recipe {
-    let (before, behind) = match cfg!(target_os = "macos") {
+    let (all, no_more) = match cfg!(target_os = "macos") {
         true => ("-Wl,-all_load", ""),
         false => ("-Wl,--whole-archive", "-Wl,--no-whole-archive"),
     };
-    let line = format!("{{CC}} -shared -o {SHARED} {before} {{RUSTY_LIB}}/{STATIC} {behind} {NEEDED}");
-    Recipe::default().step(DEPENDENCIES, Purpose::Build, &line)
+    let values = [("all", all), ("no-more", no_more)];
+    Recipe::default().step(Compiler::Rusty, Purpose::Build, "share", &values)
 }
 
-/// Returns the command of a shell that puts the shared library into its folder, and the variables that it has.
-pub(super) fn share() -> (Vec<String>, String) {
-    let (library, make) = (LIBRARY.shell_variable(), sharing().commands().join(""));
-    let variables = [LIBRARY, builder::CC].map(|tool| tool.shell_variable().to_owned());
-    let command =
-        format!("if [ -f \"${library}/{STATIC}\" ]; then {make}; else cp \"${library}/{SHARED}\" .; fi");
-    (variables.to_vec(), command)
+/// Adds the command of a shell that puts the shared library into its folder.
+pub(super) fn share(recipe: Recipe) -> Recipe {
+    let (library, make) = ("$RUSTY_LIB", sharing().commands().join(""));
+    let variables = ["RUSTY_LIB", "CC"].map(str::to_owned);
+    recipe.shell(
+        &variables,
+        format!("if [ -f \"{library}/{STATIC}\" ]; then {make}; else cp \"{library}/{SHARED}\" .; fi"),
+    )
 }
 
 /// The standard library of one RuSTy.
@@ -101,9 +98,8 @@ impl StandardLibrary {
             return match found {
                 true => Ok(SharedLibrary::Found(self.folder.clone())),
                 false => Err(format!(
-                    "`{}` has neither {STATIC} nor {SHARED}; name the folder that has one by {}",
-                    self.folder.display(),
-                    LIBRARY.variable
+                    "`{}` has neither {STATIC} nor {SHARED}; name the folder that has one by STICKLER_RUSTY_LIB",
+                    self.folder.display()
                 )),
             };
         }

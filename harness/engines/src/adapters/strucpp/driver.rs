@@ -5,12 +5,13 @@
 //! nanoseconds.
 
 use crate::RunRequest;
+use crate::adapters::Compiler;
 use crate::adapters::builder::Language;
 use crate::adapters::driver::{DrivenProgram, Driver};
 use crate::adapters::probe_variable::ProbeVariables;
 use crate::adapters::source::own_configuration;
 use crate::adapters::values::{self, ObservedKind, ValueExpression};
-use stickler_types::{ElementaryType, Fault};
+use stickler_types::ElementaryType;
 
 /// The headers that every translated program includes; they are compiled once.
 pub(super) const HEADER: &str = include_str!("driver/headers.hpp");
@@ -62,8 +63,7 @@ pub(super) fn driver<'r>(subjects: &[&StrucppSubject<'r>]) -> Driver<'r> {
         language: Language::Cpp,
         head,
         programs: programs.collect(),
-        // The exception of a subscript outside its array, which nobody catches.
-        faults: &[("std::out_of_range", Fault::SubscriptRange)],
+        compiler: Compiler::Strucpp,
     }
 }
 

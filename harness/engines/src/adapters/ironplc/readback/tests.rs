@@ -24,49 +24,6 @@ fn seen(readbacks: &Readbacks, asked: &Observation, dump: &str) -> String {
     }
 }
 
-#[test]
-fn what_the_dump_shows_needs_no_probe() {
-    let observe = [observation("x", "INT"), observation("c", "COLOR")];
-    let readbacks = Readbacks::of(&request(&observe), RunHints::default());
-    assert_eq!(readbacks.probes(), []);
-    assert_eq!(seen(&readbacks, &observe[0], "x: 5\nc: 1\n"), "INT#5");
-    assert_eq!(seen(&readbacks, &observe[1], "x: 5\nc: 1\n"), "COLOR#GREEN");
-    assert_eq!(
-        seen(&readbacks, &observe[1], "c: 2\n"),
-        "failed: it shows `2` as COLOR"
-    );
-    assert_eq!(seen(&readbacks, &observe[0], ""), "failed: the dump shows no x");
-}
-
-#[test]
-fn a_path_is_copied_once() {
-    let observe = [
-        observation("a[1]", "INT"),
-        observation("a[1]", "INT"),
-        observation("r.f", "COLOR"),
-    ];
-    let readbacks = Readbacks::of(&request(&observe), RunHints::default());
-    assert_eq!(readbacks.probes().len(), 2);
-    assert_eq!(readbacks.probes()[0].expression, "a[1]");
-    let dump = "stickler_probe_0: 7\nstickler_probe_1: 0\n";
-    assert_eq!(seen(&readbacks, &observe[1], dump), "INT#7");
-    assert_eq!(seen(&readbacks, &observe[2], dump), "COLOR#RED");
-}
-
-#[test]
-fn a_name_that_several_variables_have_is_copied_at_the_second_look() {
-    let observe = [observation("x", "INT")];
-    let first = Readbacks::of(&request(&observe), RunHints::default());
-    let Err(ReadbackError::Retry(hints)) = first.value(&observe[0], &Dump::read("x: 5\nx: 6\n")) else {
-        panic!("no second look")
-    };
-    let second = Readbacks::of(&request(&observe), hints);
-    assert_eq!(
-        seen(&second, &observe[0], "x: 5\nx: 6\nstickler_probe_0: 5\n"),
-        "INT#5"
-    );
-}
-
 /// Returns what the dump shows of a text of these characters, for a compiler that does or does not know escapes.
 fn dumped(readbacks: &Readbacks, text: &[u8], knows_escapes: bool) -> String {
     let ty = ElementaryType::String;
@@ -139,32 +96,5 @@ fn nothing_is_asked_of_calls_that_do_not_work() {
             .probes()
             .iter()
             .any(|probe| probe.expression.contains("(w"))
-    );
-}
-
-#[test]
-fn what_is_not_to_be_seen_is_told_with_its_reason() {
-    let observe = [
-        observation("d", "LDATE"),
-        observation("u", ""),
-        observation("v", "SHAPE"),
-        observation("c", "CHAR"),
-    ];
-    let readbacks = Readbacks::of(&request(&observe), RunHints::default());
-    assert_eq!(
-        seen(&readbacks, &observe[0], "d: 1\n"),
-        "of a value of LDATE only one half is shown"
-    );
-    assert_eq!(
-        seen(&readbacks, &observe[1], "u: 1\n"),
-        "the type of u was not given"
-    );
-    assert_eq!(
-        seen(&readbacks, &observe[2], "v: 1\n"),
-        "values of SHAPE are not shown"
-    );
-    assert_eq!(
-        seen(&readbacks, &observe[3], "c: 1\n"),
-        "values of CHAR are not shown"
     );
 }
