@@ -1,6 +1,6 @@
 //! A block of a test file, and its lines.
 
-use crate::Marks;
+use crate::{Marks, expanded};
 use std::fmt::Display;
 
 /// A fenced block of a test file.
@@ -91,17 +91,17 @@ impl Block {
             .map(|(index, line)| (index + 1, line))
     }
 
-    /// Returns the programs of the block: its text, or one for each line, in the frame that the fence may name, in which a pilcrow
+    /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name, in which a pilcrow
     /// begins a new line.
     #[must_use]
     pub fn programs(&self) -> Vec<Program> {
         let Some((_, frame)) = self.info.split_once(EACH_LINE) else {
-            let text = self.text.clone();
+            let text = expanded(&self.text);
             return vec![Program { text, row: None }];
         };
         let frame = frame.trim().strip_prefix("in ").unwrap_or("…");
         let framed = |(number, line): (usize, &str)| Program {
-            text: frame.replace('¶', "\n").replace('…', line.trim()),
+            text: expanded(&frame.replace('¶', "\n").replace('…', line.trim())),
             row: Some(number),
         };
         self.lines().map(framed).collect()

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `st` | what is wrong with a program, by the marks of [`stickler_mdtest`], in the dialects behind the word (`ironplc-ed2` without one) |
 //! | `rendered`, `declared`, `used`, `leaves` | what the renderer writes of the program above, which names it declares and uses, and its expressions without operators, each with its place and depth |
+//! | `equal`, `different` | texts, one a line, of which the trees are all equal, or no two |
 //! | `kinds`, `tokens` | the kinds of the tokens of a text, and the tokens themselves |
 //! | `lexed` | the diagnostics of the lexer: a code and the text at which it points |
 //! | `grouping` | an expression with parentheses around each operation, and brackets around what is written in parentheses |
@@ -40,6 +41,7 @@ fn the_syntax_is_as_the_files_say() {
             "declared" => of_the_program_above(block, &above.borrow(), declarations),
             "used" => of_the_program_above(block, &above.borrow(), uses),
             "leaves" => of_the_program_above(block, &above.borrow(), leaves),
+            "equal" | "different" => trees(block),
             "kinds" => block.rows(|text, kinds| same(self::kinds(text, of), kinds.to_owned())),
             "tokens" => block.rows(|text, tokens| same(self::tokens(text, of), tokens.to_owned())),
             "lexed" => block.rows(|text, diagnostics| same(lexed(text, of), diagnostics.to_owned())),
@@ -153,6 +155,34 @@ fn uses(text: &str, dialect: &Dialect) -> String {
         .into_iter()
         .map(|one| format!("{} {:?}\n", one.name.text, one.kind))
         .collect()
+}
+
+/// Compares the tree of each line with those of the lines before it.
+fn trees(block: &Block) -> Vec<Difference> {
+    let dialect = Dialect::of(DialectName::IRONPLC_ED3);
+    let texts: Vec<_> = block
+        .lines()
+        .map(|(line, text)| (line, block.framed(text)))
+        .collect();
+    let trees: Vec<_> = texts
+        .iter()
+        .map(|(line, text)| (line, parse(text, dialect)))
+        .collect();
+    let mut found = Vec::new();
+    for (index, (line, (tree, diagnostics))) in trees.iter().enumerate() {
+        let mut before = trees[..index].iter().map(|(_, (other, _))| other == tree);
+        let is_met = match block.kind() {
+            "equal" => before.all(|is_equal| is_equal),
+            _ => !before.any(|is_equal| is_equal),
+        };
+        if !is_met || !diagnostics.is_empty() {
+            found.push(Difference::new(
+                **line,
+                format!("not {}, or wrong: {diagnostics:?}", block.kind()),
+            ));
+        }
+    }
+    found
 }
 
 /// The expressions that are no operators, with their places.

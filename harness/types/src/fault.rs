@@ -1,40 +1,22 @@
 //! The faults that stop an execution.
 
+use crate::words::words;
 use std::fmt;
 use std::str::FromStr;
 
-/// The reason why an execution stopped before its end.
-///
-/// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub enum Fault {
-    /// An integer division, or a modulo, by zero.
-    DivisionByZero,
-    /// An array subscript outside its declared bounds.
-    SubscriptRange,
-    /// A value outside the limits of the subrange that was to hold it.
-    Subrange,
-    /// The program did not end within the permitted number of steps.
-    StepLimit,
-}
-
-impl Fault {
-    /// Every fault, in the order of the declaration.
-    pub const ALL: [Fault; 4] = [
-        Fault::DivisionByZero,
-        Fault::SubscriptRange,
-        Fault::Subrange,
-        Fault::StepLimit,
-    ];
-
-    /// Returns the word by which cases and the wire protocol name the fault, such as `division-by-zero`.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Fault::DivisionByZero => "division-by-zero",
-            Fault::SubscriptRange => "subscript-range",
-            Fault::Subrange => "subrange",
-            Fault::StepLimit => "step-limit",
-        }
+words! {
+    /// The reason why an execution stopped before its end.
+    ///
+    /// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
+    Fault {
+        /// An integer division, or a modulo, by zero.
+        DivisionByZero = "division-by-zero",
+        /// An array subscript outside its declared bounds.
+        SubscriptRange = "subscript-range",
+        /// A value outside the limits of the subrange that was to hold it.
+        Subrange = "subrange",
+        /// The program did not end within the permitted number of steps.
+        StepLimit = "step-limit",
     }
 }
 
@@ -56,10 +38,7 @@ impl FromStr for Fault {
 
     /// Parses exactly the words that [`Fault::as_str`] returns.
     fn from_str(text: &str) -> Result<Fault, UnknownFault> {
-        Fault::ALL
-            .into_iter()
-            .find(|fault| fault.as_str() == text)
-            .ok_or_else(|| UnknownFault(text.to_owned()))
+        Fault::from_word(text).ok_or_else(|| UnknownFault(text.to_owned()))
     }
 }
 
@@ -68,17 +47,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_fault_is_read_back_from_its_word() {
-        for fault in Fault::ALL {
-            assert_eq!(fault.to_string().parse(), Ok(fault));
-        }
-    }
-
-    #[test]
-    fn the_error_for_an_unknown_word_lists_every_fault() {
+    fn every_fault_is_read_back_and_the_error_for_an_unknown_word_lists_all() {
         let message = "overflow".parse::<Fault>().unwrap_err().to_string();
         assert!(message.contains("`overflow`"), "{message}");
         for fault in Fault::ALL {
+            assert_eq!(fault.to_string().parse(), Ok(*fault));
             assert!(
                 message.contains(&format!("`{fault}`")),
                 "{message} does not name {fault}"

@@ -70,6 +70,10 @@ enum RuleLookup {
     ToBcd,
 }
 
+const fn any_of(allowed: &'static [ElementaryType], default: ElementaryType) -> Parameter {
+    Parameter::AnyOf { allowed, default }
+}
+
 const BITS: &[ElementaryType] = &[
     ElementaryType::Byte,
     ElementaryType::Word,
@@ -235,10 +239,7 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
     };
     let allowed = sources.get(to as usize)?;
     Some(ConversionFunction {
-        parameter: Parameter::AnyOf {
-            allowed,
-            default: ElementaryType::Dint,
-        },
+        parameter: any_of(allowed, ElementaryType::Dint),
         result: ResultType::Exactly(to),
         meaning: RuleLookup::Pair(dialect.conversions),
     })
@@ -246,10 +247,7 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
 
 /// TRUNC and its kin, ROUND and its kin.
 fn rounding_function(name: &str, dialect: &Dialect) -> Option<ConversionFunction> {
-    let any_real = Parameter::AnyOf {
-        allowed: REALS,
-        default: ElementaryType::Real,
-    };
+    let any_real = any_of(REALS, ElementaryType::Real);
     if name == "TRUNC" {
         return truncation(any_real, ElementaryType::Dint, dialect);
     }
@@ -285,10 +283,7 @@ fn truncation(parameter: Parameter, to: ElementaryType, dialect: &Dialect) -> Op
 fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
     match (from, to) {
         ("BCD", "INT") => Some(ConversionFunction {
-            parameter: Parameter::AnyOf {
-                allowed: BCD_BITS,
-                default: ElementaryType::Word,
-            },
+            parameter: any_of(BCD_BITS, ElementaryType::Word),
             result: ResultType::OfTarget {
                 allowed: BCD_INTEGERS,
                 default: ElementaryType::Int,
@@ -296,10 +291,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
             meaning: RuleLookup::FromBcd,
         }),
         ("INT", "BCD") => Some(ConversionFunction {
-            parameter: Parameter::AnyOf {
-                allowed: BCD_INTEGERS,
-                default: ElementaryType::Int,
-            },
+            parameter: any_of(BCD_INTEGERS, ElementaryType::Int),
             result: ResultType::OfTarget {
                 allowed: BCD_BITS,
                 default: ElementaryType::Word,
@@ -307,10 +299,7 @@ fn bcd(from: &str, to: &str) -> Option<ConversionFunction> {
             meaning: RuleLookup::ToBcd,
         }),
         ("BCD", to) => Some(ConversionFunction {
-            parameter: Parameter::AnyOf {
-                allowed: BITS,
-                default: ElementaryType::Word,
-            },
+            parameter: any_of(BITS, ElementaryType::Word),
             result: ResultType::Exactly(one_of(UNSIGNED, to)?),
             meaning: RuleLookup::FromBcd,
         }),
@@ -337,10 +326,7 @@ fn bcd_of_pair(from: &str, to: &str) -> Option<ConversionFunction> {
 
 fn any_to_bcd(to: ElementaryType) -> Option<ConversionFunction> {
     Some(ConversionFunction {
-        parameter: Parameter::AnyOf {
-            allowed: UNSIGNED,
-            default: ElementaryType::Uint,
-        },
+        parameter: any_of(UNSIGNED, ElementaryType::Uint),
         result: ResultType::Exactly(to),
         meaning: RuleLookup::ToBcd,
     })

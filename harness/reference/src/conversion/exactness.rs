@@ -123,65 +123,49 @@ fn integer_modulo(value: f64, rounding: Rounding) -> u64 {
     }
 }
 
-#[test]
-fn reals_become_integers_modulo_the_target_s_width() {
-    let special: [f64; 15] = [
-        0.0,
-        -0.0,
-        0.5,
-        1.5,
-        2.5,
-        -0.5,
-        -1.5,
-        0.499_999_999_999_999_94,
-        4_503_599_627_370_497.5,
-        1e300,
-        -1e300,
-        9.2e18,
-        9_223_372_036_854_775_807.0,
-        -9_223_372_036_854_775_808.0,
-        1.9e19,
-    ];
-    let scattered = SplitMix64::new(2).numbers().take(20_000).map(|bits| {
+/// Real numbers at which roundings and ranges differ, and scattered ones.
+fn reals() -> impl Iterator<Item = f64> {
+    const SPECIAL: &str = "0 -0 0.5 1.5 2.5 -0.5 -1.5 0.49999999999999994 4503599627370497.5 1e300 -1e300 9.2e18 9223372036854775807 \
+        -9223372036854775808 1.9e19 127.4 127.5 127.6 128 -128.5 -128.6 -129 1e18 1e19 2e19 -1e19";
+    let special = SPECIAL
+        .split_whitespace()
+        .map(|number| number.parse().expect("a number"));
+    special.chain(SplitMix64::new(2).numbers().take(20_000).map(|bits| {
         // Exponents from far below 1 to where only zeros are left of 64 bits.
         f64::from_bits((bits & !(0x7FF << 52)) | ((1023 - 60 + bits % 190) << 52))
-    });
-    for value in special.into_iter().chain(scattered) {
-        for &rounding in Rounding::ALL {
-            let whole = integer_modulo(value, rounding);
-            for to in integers() {
-                let got = conversion(Lreal, to, rounding).apply(value.to_bits());
-                let expected = to.wrap(whole.cast_signed().into());
-                assert_eq!(got, expected, "{value} {rounding:?} to {to}");
-            }
-        }
-    }
+    }))
 }
 
 #[test]
-fn reals_become_the_nearest_integer_that_the_target_holds_where_that_is_chosen() {
-    let special = [
-        127.4, 127.5, 127.6, 128.0, -128.5, -128.6, -129.0, 0.5, -0.5, 1e18, 1e19, 2e19, -1e19, 1e300,
-    ];
-    for value in special {
+fn reals_become_integers_modulo_the_target_s_width_or_the_nearest_that_it_holds() {
+    for value in reals() {
         for &rounding in Rounding::ALL {
+            let whole = integer_modulo(value, rounding).cast_signed();
+            // Beyond 2^62 the numbers are whole, and below 128 bits hold them.
+            let unbounded = if value.abs() < 4e18 {
+                whole.into()
+            } else {
+                value as i128
+            };
             for to in integers() {
-                let rule = ConversionRule::FromReal(rounding, OutOfRange::Saturate);
-                let got = Conversion {
-                    from: Lreal,
-                    to,
-                    rule,
-                }
-                .apply(f64::to_bits(value));
-                let (low, high) = to.integer_range().expect("an integer");
-                // Beyond 2^62 the numbers are whole, and below 128 bits hold them.
-                let whole = if value.abs() < 4e18 {
-                    i128::from(integer_modulo(value, rounding).cast_signed())
-                } else {
-                    value as i128
+                let converted = |out_of_range| {
+                    let rule = ConversionRule::FromReal(rounding, out_of_range);
+                    Conversion {
+                        from: Lreal,
+                        to,
+                        rule,
+                    }
+                    .apply(value.to_bits())
                 };
-                let expected = to.wrap(whole.clamp(low, high));
-                assert_eq!(got, expected, "{value} {rounding:?} to {to}");
+                let wrapped = converted(OutOfRange::Wrap);
+                assert_eq!(wrapped, to.wrap(whole.into()), "{value} {rounding:?} to {to}");
+                let (low, high) = to.integer_range().expect("an integer");
+                let nearest = to.wrap(unbounded.clamp(low, high));
+                assert_eq!(
+                    converted(OutOfRange::Saturate),
+                    nearest,
+                    "{value} {rounding:?} to {to}"
+                );
             }
         }
     }

@@ -1,4 +1,4 @@
-//! The machine on small programs written by hand.
+//! The machine on small programs written by hand, those of `tests/machine`, and on any instructions at all.
 
 use super::{Inconsistency, Machine, RaisedFault, Stop};
 use crate::conversion::{Conversion, ConversionRule};
@@ -12,9 +12,7 @@ use Instruction::{
     LoopStep, LoopTest, Negate, Not, Offset, Push, PushText, Replicate, Return, Standard, Store,
     StoreIndirect, StorePart, StoreText, Subscript, Swap,
 };
-use stickler_types::ElementaryType::{
-    Bool, Byte, Dint, Dword, Int, Sint, String, Uint, Ulint, Word, Wstring,
-};
+use stickler_types::ElementaryType::{self, Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{BitStringText, MomentText, RealText};
 
@@ -46,279 +44,137 @@ fn program(routines: &[&[Instruction]]) -> MachineProgram {
     program
 }
 
-/// Runs a scan and gives the cells.
-fn run(routines: &[&[Instruction]]) -> Result<Vec<u64>, Stop> {
-    let program = program(routines);
-    let mut machine = Machine::new(&program, STEPS);
-    machine.scan()?;
-    Ok((0..16).filter_map(|address| machine.plain(address)).collect())
-}
-
-/// The content of cell 0 after a scan.
-fn result(routine: &[Instruction]) -> Result<u64, Stop> {
-    run(&[routine]).map(|cells| cells[0])
-}
-
-fn text(routine: &[Instruction], address: u32) -> std::string::String {
-    let program = program(&[routine]);
-    let mut machine = Machine::new(&program, STEPS);
-    machine.scan().expect("the program runs");
-    std::string::String::from_utf16_lossy(machine.text(address).expect("a text"))
-}
-
 fn fault(kind: FaultKind, line: u32) -> Stop {
     Stop::Fault(RaisedFault { kind, line })
 }
 
-#[test]
-fn cells_are_written_and_read_directly_and_by_address() {
-    assert_eq!(result(&[Push(7), Store(3), Load(3), Store(0)]), Ok(7));
-    assert_eq!(result(&[Address(0), Push(7), StoreIndirect]), Ok(7));
-    assert_eq!(
-        result(&[Push(7), Store(3), Address(1), Offset(2), LoadIndirect, Store(0)]),
-        Ok(7)
-    );
-    // A VAR_IN_OUT: cell 5 holds the address of cell 0.
-    assert_eq!(
-        result(&[Push(0), Store(5), Address(5), Dereference, Push(9), StoreIndirect]),
-        Ok(9)
-    );
-    assert_eq!(result(&[Push(1), Push(2), Swap, Drop, Store(0)]), Ok(2));
+/// Reads an instruction as the rows of `tests/machine` write it.
+fn instruction(text: &str) -> Instruction {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let number = |at: usize| words[at].parse::<i64>().expect("a number");
+    let small = |at: usize| number(at) as u32;
+    let ty = |at: usize| ElementaryType::from_name(words[at]).expect("a type");
+    let unsigned = words.last() == Some(&"unsigned");
+    let standard = |function| Standard {
+        function,
+        of: ty(1),
+        count: small(2) as u16,
+    };
+    let part = || Part {
+        first: small(1) as u8,
+        ty: ty(2),
+    };
+    let loop_types = || LoopTypes {
+        control: ty(1),
+        limit: ty(1),
+        step: ty(1),
+    };
+    match words[0] {
+        "push" => Push(number(1).cast_unsigned()),
+        "push-text" => PushText(small(1)),
+        "drop" => Drop,
+        "drop-text" => DropText,
+        "swap" => Swap,
+        "address" => Address(small(1)),
+        "instance-address" => InstanceAddress(small(1)),
+        "dereference" => Dereference,
+        "offset" => Offset(small(1)),
+        "subscript" => Subscript {
+            low: number(1),
+            high: number(2),
+            stride: small(3),
+            unsigned,
+        },
+        "load" => Load(small(1)),
+        "load-indirect" => LoadIndirect,
+        "store" => Store(small(1)),
+        "store-indirect" => StoreIndirect,
+        "load-text" => LoadText,
+        "store-text" => StoreText,
+        "copy" => Copy(small(1)),
+        "replicate" => Replicate {
+            stride: small(1),
+            count: small(2),
+        },
+        "clear" => Clear(small(1)),
+        "part" => Instruction::Part(part()),
+        "store-part" => StorePart {
+            part: part(),
+            of: ty(4),
+        },
+        "write-int" => Convert(Conversion {
+            from: Int,
+            to: String,
+            rule: ConversionRule::WriteText(
+                RealText::Shortest,
+                BitStringText::FullWidth,
+                MomentText::Literal,
+            ),
+        }),
+        "add" => Arithmetic(ArithmeticOperator::Add, ty(1)),
+        "subtract" => Arithmetic(ArithmeticOperator::Subtract, ty(1)),
+        "divide" => Arithmetic(ArithmeticOperator::Divide, ty(1)),
+        "less" => Compare(ComparisonOperator::Less, ty(1)),
+        "less-text" => CompareText(ComparisonOperator::Less),
+        "xor" => Logic(LogicOperator::Xor),
+        "not" => Not(ty(1)),
+        "negate" => Negate(ty(1)),
+        "check" => CheckRange {
+            low: number(1),
+            high: number(2).cast_unsigned(),
+            unsigned,
+        },
+        "loop-test" => LoopTest(loop_types()),
+        "loop-step" => LoopStep(loop_types()),
+        "concat" => standard(StandardFunction::Concat),
+        "len" => standard(StandardFunction::Len),
+        "sel" => standard(StandardFunction::Sel),
+        "jump" => Jump(small(1)),
+        "jump-if-false" => JumpIfFalse(small(1)),
+        "call" => Call(small(1)),
+        "call-instance" => CallInstance(small(1)),
+        word => panic!("`{word}` is no instruction"),
+    }
 }
 
-#[test]
-fn subscripts_find_elements_and_fault_outside() {
-    let element = |low, high, subscript: i64, unsigned| {
-        let at = Subscript {
-            low,
-            high,
-            stride: 2,
-            unsigned,
-        };
-        result(&[Address(2), Push(subscript.cast_unsigned()), at, Store(0)])
-    };
-    assert_eq!(element(-1, 1, -1, false), Ok(2));
-    assert_eq!(element(-1, 1, 1, false), Ok(6));
-    assert_eq!(element(3, 5, 4, true), Ok(4));
-    for (subscript, unsigned) in [
-        (2, false),
-        (-2, false),
-        (-1, true),
-        (i64::MIN, false),
-        (i64::MAX, true),
-    ] {
-        assert_eq!(
-            element(-1, 1, subscript, unsigned),
-            Err(fault(FaultKind::SubscriptRange, 3)),
-            "{subscript}"
-        );
+/// Runs the routines of a row for a scan, and describes what comes of it in the form of its answer.
+fn answered(routines: &str, answer: &str) -> std::string::String {
+    let code = |routine: &str| routine.split(';').map(instruction).collect::<Vec<_>>();
+    let routines: Vec<_> = routines.split(" | ").map(code).collect();
+    let program = program(&routines.iter().map(Vec::as_slice).collect::<Vec<_>>());
+    let mut machine = Machine::new(&program, STEPS);
+    let plain = |machine: &Machine<'_>, address| machine.plain(address).unwrap_or_default().cast_signed();
+    match machine.scan() {
+        Err(Stop::Fault(RaisedFault { kind, line })) => {
+            format!("fault {} at {line}", kind)
+        }
+        Err(Stop::Inconsistent(Inconsistency { what, .. })) => format!("no {what}"),
+        Ok(()) => match answer.split_once(": ") {
+            Some((place, numbers)) if place.starts_with("cells ") => {
+                let first: u32 = place["cells ".len()..].parse().expect("an address");
+                let count = numbers.split(' ').count() as u32;
+                let cells = (first..first + count).map(|address| plain(&machine, address).to_string());
+                format!("{place}: {}", cells.collect::<Vec<_>>().join(" "))
+            }
+            Some((place, _)) => {
+                let address = place["text ".len()..].parse().expect("an address");
+                let units = machine.text(address).expect("a text");
+                format!("{place}: {}", std::string::String::from_utf16_lossy(units))
+            }
+            None => plain(&machine, 0).to_string(),
+        },
     }
 }
 
 #[test]
-fn operators_take_their_left_operand_from_below() {
-    let minus = Arithmetic(ArithmeticOperator::Subtract, Int);
-    assert_eq!(result(&[Push(5), Push(3), minus, Store(0)]), Ok(2));
-    let less = Compare(ComparisonOperator::Less, Int);
-    assert_eq!(result(&[Push(3), Push(5), less, Store(0)]), Ok(1));
-    assert_eq!(
-        result(&[Push(12), Push(10), Logic(LogicOperator::Xor), Store(0)]),
-        Ok(6)
-    );
-    assert_eq!(result(&[Push(0), Not(Bool), Store(0)]), Ok(1));
-    assert_eq!(result(&[Push(0), Not(Int), Negate(Int), Store(0)]), Ok(1));
-    let divide = Arithmetic(ArithmeticOperator::Divide, Int);
-    assert_eq!(
-        result(&[Push(5), Push(0), divide]),
-        Err(fault(FaultKind::DivisionByZero, 3))
-    );
+fn each_routine_gives_what_its_row_says() {
+    stickler_mdtest::check(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/machine"), |block| {
+        block.rows(|routines, answer| stickler_mdtest::same(answered(routines, answer), answer.to_owned()))
+    });
 }
 
 #[test]
-fn bits_are_taken_and_set_without_touching_others() {
-    let part = |first, ty| Part { first, ty };
-    assert_eq!(
-        result(&[Push(0x80), Instruction::Part(part(7, Bool)), Store(0)]),
-        Ok(1)
-    );
-    assert_eq!(
-        result(&[Push(0x1234_5678), Instruction::Part(part(8, Byte)), Store(0)]),
-        Ok(0x56)
-    );
-    let store = |old: u64, part, value, of| {
-        result(&[
-            Push(old),
-            Store(0),
-            Address(0),
-            Push(value),
-            StorePart { part, of },
-        ])
-    };
-    let set = |old: u64, bit, value, of| store(old, part(bit, Bool), value, of);
-    assert_eq!(set(0x01, 7, 1, Byte), Ok(0x81));
-    assert_eq!(set(0xFF, 3, 0, Byte), Ok(0xF7));
-    // The sign bit of a signed type carries into the sign extension.
-    assert_eq!(set(1, 7, 1, Sint), Ok((-127_i64).cast_unsigned()));
-    assert_eq!(set(u64::MAX, 7, 0, Sint), Ok(127));
-    assert_eq!(store(0x1234_5678, part(16, Word), 0xABCD, Dword), Ok(0xABCD_5678));
-    assert_eq!(
-        store(0, part(24, Byte), 0x80, Dint),
-        Ok(i64::from(i32::MIN).cast_unsigned())
-    );
-}
-
-#[test]
-fn a_subrange_lets_through_what_lies_in_it() {
-    let check = |low, high: i64, value: i64, unsigned| {
-        let check = CheckRange {
-            low,
-            high: high.cast_unsigned(),
-            unsigned,
-        };
-        result(&[Push(value.cast_unsigned()), check, Store(0)])
-    };
-    assert_eq!(check(-5, 5, -5, false), Ok((-5_i64).cast_unsigned()));
-    assert_eq!(check(-5, 5, 6, false), Err(fault(FaultKind::Subrange, 2)));
-    assert_eq!(check(1, -1, -1, true), Ok(u64::MAX));
-    assert_eq!(check(1, -2, -1, true), Err(fault(FaultKind::Subrange, 2)));
-}
-
-#[test]
-fn texts_are_stored_cut_and_converted() {
-    assert_eq!(text(&[PushText(1), Address(8), StoreText], 8), "defg");
-    let joined = Standard {
-        function: StandardFunction::Concat,
-        of: String,
-        count: 2,
-    };
-    assert_eq!(
-        text(&[PushText(0), PushText(1), joined, Address(9), StoreText], 9),
-        "abcdefgh"
-    );
-    let number = Conversion {
-        from: Int,
-        to: String,
-        rule: ConversionRule::WriteText(RealText::Shortest, BitStringText::FullWidth, MomentText::Literal),
-    };
-    assert_eq!(text(&[Push(42), Convert(number), Address(9), StoreText], 9), "42");
-    let length = Standard {
-        function: StandardFunction::Len,
-        of: String,
-        count: 1,
-    };
-    assert_eq!(result(&[PushText(0), length, Store(0)]), Ok(3));
-    let order = CompareText(ComparisonOperator::Less);
-    assert_eq!(result(&[PushText(0), PushText(1), order, Store(0)]), Ok(1));
-    let chosen = Standard {
-        function: StandardFunction::Sel,
-        of: Wstring,
-        count: 2,
-    };
-    assert_eq!(
-        text(
-            &[Push(1), PushText(0), PushText(1), chosen, Address(9), StoreText],
-            9
-        ),
-        "defgh"
-    );
-    assert_eq!(
-        text(
-            &[
-                PushText(1),
-                PushText(0),
-                DropText,
-                Address(9),
-                StoreText,
-                Address(9),
-                LoadText,
-                Address(8),
-                StoreText
-            ],
-            8
-        ),
-        "defg"
-    );
-}
-
-#[test]
-fn aggregates_are_copied_repeated_and_cleared() {
-    let fill: [Instruction; 4] = [Push(1), Store(0), Push(2), Store(1)];
-    let with = |rest: &[Instruction]| run(&[&[&fill, rest].concat()]);
-    assert_eq!(
-        with(&[Address(4), Address(0), Copy(2)]).map(|cells| cells[4..6].to_vec()),
-        Ok(vec![1, 2])
-    );
-    let repeated = with(&[Address(0), Replicate { stride: 2, count: 3 }]);
-    assert_eq!(
-        repeated.map(|cells| cells[..7].to_vec()),
-        Ok(vec![1, 2, 1, 2, 1, 2, 0])
-    );
-    assert_eq!(
-        with(&[Address(0), Clear(2)]).map(|cells| cells[..2].to_vec()),
-        Ok(vec![0, 0])
-    );
-}
-
-#[test]
-fn functions_return_to_their_caller_and_instances_see_their_own_variables() {
-    let body: &[Instruction] = &[InstanceAddress(1), Push(5), StoreIndirect, Call(2)];
-    let function: &[Instruction] = &[
-        Load(0),
-        Push(1),
-        Arithmetic(ArithmeticOperator::Add, Int),
-        Store(0),
-    ];
-    let scan: &[Instruction] = &[Address(4), CallInstance(1), Call(2), InstanceAddress(0), Store(2)];
-    let cells = run(&[scan, body, function]).expect("the program runs");
-    assert_eq!(
-        (cells[0], cells[5], cells[2]),
-        (2, 5, 0),
-        "`this` is the caller's again"
-    );
-}
-
-#[test]
-fn a_for_loop_runs_to_the_greatest_value_of_its_type() {
-    let types = LoopTypes {
-        control: Sint,
-        limit: Sint,
-        step: Sint,
-    };
-    // Cell 1 counts from 125 to 127; cell 0 counts the turns.
-    let before = [
-        Push(125),
-        Store(1),
-        Load(1),
-        Push(127),
-        Push(1),
-        LoopTest(types),
-        JumpIfFalse(19),
-    ];
-    let body = [
-        Load(0),
-        Push(1),
-        Arithmetic(ArithmeticOperator::Add, Dint),
-        Store(0),
-    ];
-    let again = [
-        Load(1),
-        Push(127),
-        Push(1),
-        LoopStep(types),
-        JumpIfFalse(18),
-        Store(1),
-        Jump(7),
-        Drop,
-    ];
-    assert_eq!(result(&[&before[..], &body, &again].concat()), Ok(3));
-}
-
-#[test]
-fn the_step_limit_ends_endless_loops_and_endless_copying() {
-    assert_eq!(
-        result(&[Push(1), Drop, Jump(0)]),
-        Err(fault(FaultKind::StepLimit, 3))
-    );
+fn a_copy_costs_steps_by_its_cells() {
     let copies: Vec<_> = [Address(0), Address(0), Copy(8), Jump(0)].into();
     let program = program(&[&copies]);
     // A turn costs 4 instructions and 8 cells.
@@ -340,26 +196,16 @@ fn steps_are_counted_over_all_scans() {
 }
 
 #[test]
-fn a_program_that_contradicts_itself_is_an_error() {
-    let what = |stop| match stop {
-        Err(Stop::Inconsistent(Inconsistency { what, .. })) => what,
-        _ => "",
-    };
-    assert_eq!(what(result(&[Drop])), "operand");
-    assert_eq!(what(result(&[DropText])), "text operand");
-    assert_eq!(what(result(&[Load(99)])), "cell at this address");
-    assert_eq!(
-        what(result(&[Push(u64::MAX), LoadIndirect])),
-        "cell at this address"
+fn a_program_without_routines_is_an_error() {
+    let started = Machine::new(&MachineProgram::default(), 1).startup();
+    let is_missing = matches!(
+        started,
+        Err(Stop::Inconsistent(Inconsistency {
+            what: "routine of this number",
+            ..
+        }))
     );
-    assert_eq!(what(result(&[PushText(9)])), "text constant of this number");
-    assert_eq!(what(result(&[Call(9)])), "routine of this number");
-    assert_eq!(what(result(&[Jump(99)])), "instruction at this label");
-    assert_eq!(what(result(&[Call(0)])), "end to its calls");
-    assert_eq!(
-        what(Machine::new(&MachineProgram::default(), 1).startup().map(|()| 0)),
-        "routine of this number"
-    );
+    assert!(is_missing, "{started:?}");
 }
 
 /// Any instruction at all, with operands that often make sense.

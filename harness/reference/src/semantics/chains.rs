@@ -124,10 +124,7 @@ impl Lowering<'_> {
         } else {
             self.act(link, operation.action);
         }
-        LoweredValue {
-            ty: operation.computed,
-            constant: None,
-        }
+        LoweredValue::computed(operation.computed)
     }
 
     /// Converts an operand, which is on the stack, to the type in which its operator computes.

@@ -336,10 +336,7 @@ impl<'m> Lowering<'m> {
                 self.negate(start, ty);
             }
         }
-        LoweredValue {
-            ty: value.ty,
-            constant: None,
-        }
+        LoweredValue::computed(value.ty)
     }
 
     /// Negates what has been pushed since a position: right here where that is a real number, or an integer whose

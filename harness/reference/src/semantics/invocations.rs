@@ -34,10 +34,7 @@ impl<'m> Lowering<'m> {
         let entry = &self.model.pous[pou as usize];
         let result = entry.result.map(|result| self.model.variable(result));
         let value = match result {
-            Some(result) => LoweredValue {
-                ty: self.model.types.value_type(result.ty),
-                constant: None,
-            },
+            Some(result) => LoweredValue::computed(self.model.types.value_type(result.ty)),
             None => LoweredValue::ERROR,
         };
         let Some(bound) = self.bind(pou, arguments, span) else {

@@ -163,10 +163,7 @@ impl Lowering<'_> {
         if let Some(part) = place.part {
             self.emit(Instruction::Part(part));
         }
-        LoweredValue {
-            ty: self.model.types.value_type(place.content()),
-            constant: None,
-        }
+        LoweredValue::computed(self.model.types.value_type(place.content()))
     }
 
     /// Puts on the stack what must lie below the value that is to be stored.

@@ -57,12 +57,14 @@ impl LoweredValue {
         constant: None,
     };
 
-    /// Returns a value that is computed as the program runs.
+    /// Returns a value of an elementary type that is computed as the program runs.
     pub(super) const fn of(ty: ElementaryType) -> LoweredValue {
-        LoweredValue {
-            ty: TypeId::of(ty),
-            constant: None,
-        }
+        LoweredValue::computed(TypeId::of(ty))
+    }
+
+    /// Returns a value that is computed as the program runs.
+    pub(super) const fn computed(ty: TypeId) -> LoweredValue {
+        LoweredValue { ty, constant: None }
     }
 }
 

@@ -184,7 +184,7 @@ impl Lowering<'_> {
         self.emit_at(call, Instruction::Standard { function, of, count });
         match function {
             StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
-            _ => LoweredValue { ty, constant: None },
+            _ => LoweredValue::computed(ty),
         }
     }
 

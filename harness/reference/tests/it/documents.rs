@@ -7,7 +7,7 @@
 
 use stickler_mdtest::{Block, Difference, Marks, Reported, differences, same};
 use stickler_reference::conversion::{conversion_function_name, implicit};
-use stickler_reference::{Limits, check, errors, run};
+use stickler_reference::{Limits, check, errors, run, variables};
 use stickler_types::{
     Diagnostic, Dialect, DialectName, ElementaryType, MomentUnits, Observation, Outcome, RunRequest, Setting,
     Value,
@@ -20,6 +20,7 @@ fn programs_are_judged_and_run_as_their_marks_say() {
         |block| match block.kind() {
             "st" => programs(block),
             "pairs" => pairs(block),
+            "listed" => block.rows(listed),
             "constants" => block.rows(constant),
             "expressions" => block.rows(|expression, value| expression_gives(block, expression, value)),
             _ => vec![Difference::new(1, "no test reads such a block")],
@@ -287,6 +288,15 @@ fn a_suggestion_for_a_constant_that_is_a_limit_makes_the_program_acceptable() {
         }
     }
     assert!(count > 400, "only {count} were repaired");
+}
+
+/// Compares the first elementary values of a program with the names of a row, each of which can be observed: a row of `listed`.
+fn listed(text: &str, names: &str) -> Result<(), String> {
+    let found = variables(text, DialectName::IRONPLC_ED3, 20);
+    let observe: Vec<_> = found.iter().map(|name| Observation::last(name, "")).collect();
+    let request = RunRequest::once(DialectName::IRONPLC_ED3, text, &observe);
+    run(&request, Limits::default()).map_err(|error| error.to_string())?;
+    same(found.join(" "), names.to_owned())
 }
 
 /// Runs an expression, and compares what it gives: a row of `expressions`, `declarations | expression = value`.

@@ -3,9 +3,7 @@
 
 use stickler_mdtest::Difference;
 use stickler_reference::{Limits, RequestError, check, check_bytes, render, run};
-use stickler_types::{
-    Diagnostic, Dialect, DialectName, Fault, Observation, Outcome, RunRequest, TextReading, Value,
-};
+use stickler_types::{Diagnostic, DialectName, Fault, Observation, Outcome, RunRequest};
 
 #[test]
 fn enormous_texts_give_diagnostics_alone() {
@@ -103,45 +101,4 @@ fn bytes_of_all_kinds_are_diagnosed() {
     }
     let source = "PROGRAM main\r\nVAR x : INT; END_VAR\r\nx := 1;\r\nEND_PROGRAM\r\n";
     assert_eq!(check(source, DialectName::IRONPLC_ED3), []);
-}
-
-#[test]
-fn the_longest_texts_are_converted_in_constants_and_as_the_program_runs() {
-    let digits = format!("{}12", "0".repeat(65_533));
-    let spoilt = format!("{}x", "9".repeat(65_534));
-    let source = format!(
-        "PROGRAM main
-         VAR CONSTANT k : STRING[65535] := '{digits}'; END_VAR
-         VAR s : STRING[65535] := '{digits}'; t : STRING[65535] := '{spoilt}'; w : WSTRING[65535];
-             a : ARRAY[0..STRING_TO_INT('{digits}')] OF INT; i, j, n, c : INT; r : REAL; l : LREAL; d : TIME; hit : BOOL;
-         END_VAR
-             i := STRING_TO_INT(s); j := STRING_TO_INT(k); n := STRING_TO_INT(t); r := STRING_TO_REAL(s);
-             l := STRING_TO_LREAL(t); d := STRING_TO_TIME(t); w := STRING_TO_WSTRING(s); c := WSTRING_TO_INT(w);
-             CASE i OF STRING_TO_INT('{digits}'): hit := TRUE; END_CASE; a[12] := 1;
-         END_PROGRAM"
-    );
-    let expected = [
-        ("i", "INT#12"),
-        ("j", "INT#12"),
-        ("n", "INT#0"),
-        ("c", "INT#12"),
-        ("r", "REAL#12.0"),
-        ("l", "LREAL#0.0"),
-        ("d", "TIME#0ms"),
-        ("hit", "BOOL#TRUE"),
-        ("a[12]", "INT#1"),
-    ];
-    // Some read the number before the letter.
-    let reads_whole_texts =
-        |dialect: &DialectName| Dialect::of(*dialect).conversions.text_reading == TextReading::WholeText;
-    for dialect in DialectName::ALL.into_iter().filter(reads_whole_texts) {
-        let observe = expected.map(|(name, _)| Observation::last(name, ""));
-        let outcome = run(&RunRequest::once(dialect, &source, &observe), Limits::default());
-        let values = expected.map(|(name, value)| {
-            let value = Value::parse(value).expect("a typed literal");
-            (name.to_owned(), value)
-        });
-        let values = values.to_vec();
-        assert!(outcome == Ok(Outcome::executed(values)), "{dialect}");
-    }
 }

@@ -6,93 +6,55 @@ fn parsed(literal: &str) -> Value {
     Value::parse(literal).unwrap_or_else(|error| panic!("{literal}: {error}"))
 }
 
-/// Returns raw forms at and around the limits of a type.
+/// Returns raw forms at and around the limits of a type: powers of two with their neighbours, as bits of either sign, and the
+/// special numbers of the real formats; of characters all.
 fn boundaries(ty: E) -> Vec<u64> {
     const DAY: i64 = 86_400_000_000_000;
-    let signed = |values: &[i64]| values.iter().map(|value| value.cast_unsigned()).collect();
-    match ty.family() {
-        Family::Boolean | Family::Signed | Family::Unsigned | Family::BitString => {
-            let (least, greatest) = ty.integer_range().unwrap();
-            let limits = [least, least + 1, greatest - 1, greatest];
-            let powers = (0..ty.bits()).flat_map(|bit| [(1 << bit) - 1, 1 << bit, -(1 << bit)]);
-            limits
-                .into_iter()
-                .chain(powers)
-                .map(|value| ty.wrap(value))
-                .collect()
-        }
-        Family::Real if ty == E::Real => {
-            let values = [
-                0.0,
-                -0.0,
-                0.1,
-                1.0,
-                16_777_216.0,
-                f32::MIN_POSITIVE,
-                1e-45,
-                f32::MAX,
-                f32::MIN,
-            ];
-            let limits = [
-                f32::INFINITY,
-                f32::NEG_INFINITY,
-                f32::NAN,
-                1e16,
-                9.999e15,
-                1e-4,
-                9.999e-5,
-            ];
-            values
-                .into_iter()
-                .chain(limits)
-                .map(|value| u64::from(value.to_bits()))
-                .collect()
-        }
-        Family::Real => {
-            let values = [
-                0.0,
-                -0.0,
-                0.1,
-                1.0,
-                9_007_199_254_740_992.0,
-                f64::MIN_POSITIVE,
-                5e-324,
-                f64::MAX,
-                f64::MIN,
-            ];
-            let limits = [
-                f64::INFINITY,
-                f64::NEG_INFINITY,
-                f64::NAN,
-                1e16,
-                9.999e15,
-                1e-4,
-                9.999e-5,
-            ];
-            values.into_iter().chain(limits).map(f64::to_bits).collect()
-        }
-        Family::Duration | Family::DateAndTime => signed(&[
-            i64::MIN,
-            i64::MIN + 1,
-            -1_000_000,
-            -1,
-            0,
-            1,
-            999_999,
-            1_000_000,
-            i64::MAX - 1,
-            i64::MAX,
-        ]),
-        Family::Date => signed(&[-106_751 * DAY, -DAY, 0, DAY, 106_751 * DAY]),
-        Family::TimeOfDay => signed(&[0, 1, 500_000_000, DAY / 2, DAY - 1]),
-        Family::Text => Vec::new(),
-        Family::Character => (0..1 << ty.bits()).collect(),
+    if ty.is_character() {
+        return (0..1 << ty.bits()).collect();
     }
+    let powers = (0..64).flat_map(|bit| [-1, 0, 1].map(|by| (1_i64 << bit).wrapping_add(by)));
+    let singles = [
+        0.1,
+        16_777_216.0,
+        f32::MIN_POSITIVE,
+        f32::MAX,
+        f32::INFINITY,
+        f32::NAN,
+        1e16,
+        9.999e15,
+        1e-4,
+        9.999e-5,
+    ];
+    let doubles = [
+        0.1,
+        f64::MIN_POSITIVE,
+        f64::MAX,
+        f64::INFINITY,
+        f64::NAN,
+        1e16,
+        9.999e15,
+        1e-4,
+        9.999e-5,
+    ];
+    let special = singles.map(|value| i64::from(value.to_bits()));
+    let special = special
+        .into_iter()
+        .chain(doubles.map(|value| value.to_bits().cast_signed()));
+    let signed = powers
+        .chain(special)
+        .flat_map(|bits| [bits, bits.wrapping_neg(), bits ^ (1 << (ty.bits().max(1) - 1))]);
+    let fitting = |bits: i64| match ty.family() {
+        Family::Date => (bits / DAY * DAY).cast_unsigned(),
+        Family::TimeOfDay => bits.rem_euclid(DAY).cast_unsigned(),
+        _ => ty.wrap(bits.into()),
+    };
+    signed.map(fitting).collect()
 }
 
 #[test]
 fn every_boundary_value_reads_back_from_its_canonical_spelling() {
-    for ty in E::ALL {
+    for ty in E::ALL.into_iter().filter(|ty| !ty.is_text()) {
         for raw in boundaries(ty) {
             let value = Value::plain(ty, raw);
             let literal = value.to_string();

@@ -252,7 +252,8 @@ impl FromStr for Meaning {
             "not-implemented" => Ok(Meaning::NotImplemented),
             "crashed" => Ok(Meaning::Crashed),
             fault => fault.parse().map(Meaning::Faulted).map_err(|_| {
-                let faults = Fault::ALL.map(|fault| format!("`{fault}`")).join(", ");
+                let faults: Vec<_> = Fault::ALL.iter().map(|fault| format!("`{fault}`")).collect();
+                let faults = faults.join(", ");
                 format!(
                     "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
                      a fault ({faults}), not `{text}`"

@@ -2,7 +2,6 @@
 
 use super::draw::{conversion, dialects, each, number, one_of, raw, same};
 use arbitrary::Unstructured;
-use stickler_reference::conversion;
 use stickler_types::ElementaryType::{self, Lreal, Real, String, Wstring};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{ConversionChoices, MomentText, RealText, TextReading};
@@ -148,28 +147,4 @@ fn a_leading_number_is_the_longest_beginning_that_is_one() {
         );
         Ok(())
     });
-}
-
-#[test]
-fn a_text_of_the_greatest_length_is_read() {
-    let dialect = Dialect::of(DialectName::MATIEC);
-    let read = |name: &str, text: &str| {
-        let function = conversion::function(name, dialect).expect(name);
-        let units: Vec<u16> = text.encode_utf16().collect();
-        assert_eq!(units.len(), 65_535);
-        function
-            .conversion(String, function.result_type(String, None))
-            .apply_from_text(&units)
-    };
-    let zeros = "0".repeat(65_534);
-    assert_eq!(read("STRING_TO_INT", &format!("{zeros}7")), 7);
-    assert_eq!(
-        read("STRING_TO_REAL", &format!("{}7.5", &zeros[2..])),
-        u64::from(7.5_f32.to_bits())
-    );
-    assert_eq!(
-        read("STRING_TO_TIME", &format!("T#{}1ms", &zeros[4..])),
-        1_000_000
-    );
-    assert_eq!(read("STRING_TO_DT", &format!("{zeros}x")), 0);
 }
