@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use stickler_types::{ClockSetting, Code, Observation, Setting, Severity, Value};
 
-use crate::assembly::{Assembly, AssemblyMistake, TypeNames, contradiction, shared};
+use crate::assembly::{Assembly, TypeNames, contradiction, shared};
+use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, ValueLine};
 use crate::model::{Acceptance, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue};
 use crate::observed;
@@ -40,7 +41,7 @@ impl<'n> Assembler<'n> {
         }
     }
 
-    /// Adds the claim of a mark on `line` of the program; `file_line` maps a line of the template to a line of the case
+    /// Adds the claim of a mark on `line` of the program, and tells its mistakes there; `file_line` maps a line of the template to a line of the case
     /// file.
     pub(crate) fn mark(
         &mut self,
@@ -48,12 +49,9 @@ impl<'n> Assembler<'n> {
         line: u32,
         file_line: impl Fn(u32) -> u32,
         texts: &[&str],
-    ) -> Result<(), AssemblyMistake> {
+    ) -> Result<(), Mistake> {
         self.line = mark.line;
-        let wrong = |message| AssemblyMistake {
-            line: mark.line,
-            message,
-        };
+        let wrong = |message: String| Mistake::new(mark.line, message);
         match &mark.claim {
             MarkClaim::Values { after, values } => {
                 for value in values {
@@ -71,13 +69,10 @@ impl<'n> Assembler<'n> {
         after: Option<u32>,
         line: u32,
         texts: &[&str],
-    ) -> Result<(), AssemblyMistake> {
+    ) -> Result<(), Mistake> {
         let name = value.name.fill(&mut self.scratch, texts);
         let literal = value.value.get(&mut self.scratch, texts);
-        let literal = literal.map_err(|message| AssemblyMistake {
-            line: value.line,
-            message,
-        })?;
+        let literal = literal.map_err(|message| Mistake::new(value.line, message))?;
         self.expectation.values.push(ExpectedValue {
             name,
             after,
@@ -185,10 +180,10 @@ impl<'n> Assembler<'n> {
         }
     }
 
-    /// Returns the expectation, or the first contradiction in the collected claims.
-    pub(crate) fn finish(mut self, scans: u32) -> Result<Assembly, AssemblyMistake> {
+    /// Returns the expectation, or the first contradiction in the collected claims, on a line of the program.
+    pub(crate) fn finish(mut self, scans: u32) -> Result<Assembly, Mistake> {
         let line = self.line;
-        let wrong = |message| AssemblyMistake { line, message };
+        let wrong = |message: String| Mistake::new(line, message);
         if self.acceptance_observed {
             self.expectation.accepted = Acceptance::Observed;
         }

@@ -15,13 +15,6 @@ pub(crate) struct Assembly {
     pub(crate) clock: Arc<[ClockSetting]>,
 }
 
-/// A mistake in the marks of a case, with the 1-based line of its template.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct AssemblyMistake {
-    pub(crate) line: u32,
-    pub(crate) message: String,
-}
-
 impl Assembly {
     /// The warning of lint for a case without a claim, and the hint that goes with it.
     pub(crate) const NOTHING: &str = "claims nothing but that the program is accepted";

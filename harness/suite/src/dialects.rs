@@ -8,7 +8,7 @@ use stickler_types::dialect_file::read_documented;
 use stickler_types::{Dialect, DialectName};
 use toml::Spanned;
 
-use crate::error::{CaseFileError, Mistake};
+use crate::error::{CaseFileError, Mistake, in_file};
 use crate::place::Lines;
 use crate::{files, toml_text};
 
@@ -53,8 +53,7 @@ impl Dialects {
     #[must_use]
     pub fn of_file(shown: &str, text: &str) -> (Dialects, Vec<CaseFileError>) {
         let (dialects, mistakes) = Dialects::default().with_groups(text);
-        let errors = mistakes.into_iter().map(|mistake| mistake.in_file(shown));
-        (dialects, errors.collect())
+        (dialects, in_file(mistakes, shown))
     }
 
     /// Adds the groups of the text of a `dialects.toml`; returns its mistakes, too.
@@ -156,7 +155,7 @@ pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
     match files::read(&root.path().join(GROUPS)) {
         Ok(text) => {
             let (with, mistakes) = dialects.with_groups(&text);
-            errors.extend(mistakes.into_iter().map(|mistake| mistake.in_file(&shown)));
+            errors.extend(in_file(mistakes, &shown));
             (with, errors)
         }
         Err(mistake) => {

@@ -78,3 +78,9 @@ impl Mistake {
         }
     }
 }
+
+/// Returns mistakes as those of a file.
+pub(crate) fn in_file(mistakes: Vec<Mistake>, file: &str) -> Vec<CaseFileError> {
+    let mistakes = mistakes.into_iter();
+    mistakes.map(|mistake| mistake.in_file(file)).collect()
+}

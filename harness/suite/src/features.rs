@@ -86,23 +86,13 @@ impl Features {
 
 /// Reads the features of a suite and what is wrong with their file. A suite without the file has none.
 pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Features, Vec<CaseFileError>) {
-    let path = root.path().join(FEATURES);
-    if !path.exists() {
-        return (Features::default(), Vec::new());
-    }
-    let shown = root.shown(FEATURES);
-    let read = files::read(&path).and_then(|text| {
-        let lines = Lines::new(&text);
-        let tables: BTreeMap<Spanned<String>, FeatureTable> = toml_text::read(&text, 0, &lines)?;
-        Ok(features(tables, sources, &lines))
-    });
-    match read {
-        Ok((features, mistakes)) => {
-            let errors = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
-            (features, errors.collect())
+    root.read_own(FEATURES, |text| {
+        let lines = Lines::new(text);
+        match toml_text::read(text, 0, &lines) {
+            Ok(tables) => features(tables, sources, &lines),
+            Err(mistake) => (Features::default(), vec![mistake]),
         }
-        Err(mistake) => (Features::default(), vec![mistake.in_file(&shown)]),
-    }
+    })
 }
 
 fn features(
@@ -112,8 +102,7 @@ fn features(
 ) -> (Features, Vec<Mistake>) {
     let keys: BTreeSet<String> = tables.keys().map(|key| key.get_ref().clone()).collect();
     let mut mistakes = Vec::new();
-    let mut tables: Vec<(Spanned<String>, FeatureTable)> = tables.into_iter().collect();
-    tables.sort_by_key(|(key, _)| key.span().start);
+    let tables = toml_text::in_order(tables);
     for (key, table) in &tables {
         let at = |word: &Spanned<String>| lines.line(word.span().start);
         for need in table.needs.iter().filter(|need| !keys.contains(need.get_ref())) {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use walkdir::WalkDir;
 
 use crate::CaseFileError;
-use crate::error::Mistake;
+use crate::error::{Mistake, in_file};
 
 /// The length of the longest case file that is read, in bytes.
 const MAX_FILE_LEN: u64 = 16 << 20;
@@ -88,6 +88,23 @@ impl Root {
         format!("{}/{below_root}", self.name)
     }
 
+    /// Reads a file of the suite's own by `read`, which returns what it holds and its mistakes; a suite without the file has nothing of it.
+    pub(crate) fn read_own<T: Default>(
+        &self,
+        below_root: &str,
+        read: impl FnOnce(&str) -> (T, Vec<Mistake>),
+    ) -> (T, Vec<CaseFileError>) {
+        let path = self.path.join(below_root);
+        if !path.exists() {
+            return (T::default(), Vec::new());
+        }
+        let (held, mistakes) = match self::read(&path) {
+            Ok(text) => read(&text),
+            Err(mistake) => (T::default(), vec![mistake]),
+        };
+        (held, in_file(mistakes, &self.shown(below_root)))
+    }
+
     /// Returns the case file at `path`.
     pub(crate) fn case_file(&self, path: &Path) -> Result<CaseFile, CaseFileError> {
         let below = path
@@ -98,16 +115,20 @@ impl Root {
             let message = format!("the file is not below {}", self.path.display());
             return Err(Mistake::new(1, message).in_file(&path.to_string_lossy()));
         };
-        let below_root = slashes(&below);
-        let shown = self.shown(&below_root);
+        self.case_file_below(path, slashes(&below))
+            .map_err(|below_root| Mistake::new(1, NO_CASE_FILE).in_file(&self.shown(&below_root)))
+    }
+
+    /// Returns the case file at `path`, whose path below the root is `below_root`; the latter if it is none.
+    fn case_file_below(&self, path: &Path, below_root: String) -> Result<CaseFile, String> {
         match kind(&below_root) {
             Some(kind) => Ok(CaseFile {
                 path: path.to_owned(),
+                shown: self.shown(&below_root),
                 below_root,
-                shown,
                 kind,
             }),
-            None => Err(Mistake::new(1, NO_CASE_FILE).in_file(&shown)),
+            None => Err(below_root),
         }
     }
 
@@ -141,16 +162,28 @@ pub(crate) fn names(folder: &Path, extension: &str) -> Vec<String> {
     names
 }
 
-/// Returns the kind of a file by its name; `None` for the suite's own files (`suite.toml`, `dialects.toml`, `sources.toml`, `places.toml`), for recordings and for all
-/// others.
+/// Returns the kind of a file by its name; `None` for the suite's own files, for recordings and for all others.
 pub(crate) fn kind(below_root: &str) -> Option<FileKind> {
     match below_root {
-        "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml" => None,
-        _ if is_recording(below_root) || is_dialect(below_root) => None,
+        _ if is_own(below_root) => None,
         _ if below_root.ends_with(".st") => Some(FileKind::Program),
         _ if below_root.ends_with(".toml") => Some(FileKind::Table),
         _ => None,
     }
+}
+
+/// Returns whether a file is one of the suite's own, a recording or the description of a dialect.
+fn is_own(below_root: &str) -> bool {
+    const OWN: [&str; 5] = [
+        "suite.toml",
+        "dialects.toml",
+        "features.toml",
+        "sources.toml",
+        "places.toml",
+    ];
+    let folder = below_root.split_once('/').map(|(folder, _)| folder);
+    let is_listed = folder.is_some_and(|folder| [RECORDINGS, "dialects"].contains(&folder));
+    OWN.contains(&below_root) || (is_listed && below_root.ends_with(".toml"))
 }
 
 /// Lists all case files below the root, ordered by path. Skips hidden files and folders.
@@ -184,39 +217,16 @@ pub(crate) fn list(root: &Root) -> Listing {
 }
 
 fn add(root: &Root, path: &Path, listing: &mut Listing) {
-    let below_root = path.strip_prefix(root.path()).map(slashes).unwrap_or_default();
-    let shown = root.shown(&below_root);
-    match kind(&below_root) {
-        Some(kind) => listing.files.push(CaseFile {
-            path: path.to_owned(),
-            below_root,
-            shown,
-            kind,
-        }),
-        None if is_known(&below_root) => {}
-        None => {
+    let below_root = path.strip_prefix(&root.path).map(slashes).unwrap_or_default();
+    match root.case_file_below(path, below_root) {
+        Ok(file) => listing.files.push(file),
+        Err(below_root) if is_own(&below_root) || below_root.ends_with(".md") => {}
+        Err(below_root) => {
             let message = "the file is neither a case file (.st, .toml) nor a README.md";
-            listing.remarks.push(Mistake::new(1, message).in_file(&shown));
+            let remark = Mistake::new(1, message).in_file(&root.shown(&below_root));
+            listing.remarks.push(remark);
         }
     }
-}
-
-fn is_known(below_root: &str) -> bool {
-    matches!(
-        below_root,
-        "suite.toml" | "dialects.toml" | "features.toml" | "sources.toml" | "places.toml"
-    ) || below_root.ends_with(".md")
-        || is_recording(below_root)
-        || is_dialect(below_root)
-}
-
-fn is_dialect(below_root: &str) -> bool {
-    below_root.starts_with("dialects/") && below_root.ends_with(".toml")
-}
-
-fn is_recording(below_root: &str) -> bool {
-    let below = below_root.strip_prefix(RECORDINGS);
-    below.is_some_and(|below| below.starts_with('/') && below.ends_with(".toml"))
 }
 
 fn note_folder_without_readme(root: &Root, folder: &walkdir::DirEntry, listing: &mut Listing) {

@@ -6,16 +6,15 @@ use stickler_types::{Code, DialectName};
 
 use crate::condition::{Condition, Testable};
 use crate::dialects::Dialects;
+use crate::error::Mistake;
 use crate::mark::{Known, Mark, MarkClaim, MarkWord, ValueLine};
 use crate::scan::RawMark;
 use crate::template::Template;
 
-/// A mistake in a mark, with the 1-based line of the template.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct MarkMistake {
-    pub(crate) line: u32,
-    pub(crate) message: String,
-}
+/// The words with which marks begin.
+pub(crate) const MARKS: [&str; 9] = [
+    "error", "warning", "ok", "fault", "values", "rendered", "observe", "set", "clock",
+];
 
 /// Reader of the marks of one kind of file.
 #[derive(Clone, Copy, Debug)]
@@ -36,21 +35,18 @@ impl MarkReader<'_> {
         }
     }
 
-    /// Reads a mark.
-    pub(crate) fn read(&self, raw: &RawMark<'_>) -> Result<Mark, MarkMistake> {
+    /// Reads a mark. Mistakes have the lines of the template.
+    pub(crate) fn read(&self, raw: &RawMark<'_>) -> Result<Mark, Mistake> {
         if let Some(at) = raw.text.find("(*") {
             let line = raw.line + newlines(&raw.text[..at]);
             let message = "a mark cannot contain `(*`, because in some dialects comments nest; write `($2A`";
-            return Err(MarkMistake {
-                line,
-                message: message.to_owned(),
-            });
+            return Err(Mistake::new(line, message));
         }
         let leading = raw.text.len() - raw.text.trim_start().len();
         let line = raw.line + newlines(&raw.text[..leading]);
         let text = raw.text.trim();
         let (head, block) = text.split_once('\n').unwrap_or((text, ""));
-        let here = |message| MarkMistake { line, message };
+        let here = |message: String| Mistake::new(line, message);
         let mut words = head.split_whitespace();
         let word = words.next().unwrap_or_default();
         let rest = head[word.len()..].trim();
@@ -175,7 +171,7 @@ impl MarkReader<'_> {
         scan_number(number)
     }
 
-    fn values(&self, block: &str, first_line: u32) -> Result<Vec<ValueLine>, MarkMistake> {
+    fn values(&self, block: &str, first_line: u32) -> Result<Vec<ValueLine>, Mistake> {
         let mut values = Vec::new();
         for (line, text) in (first_line..).zip(block.lines()) {
             let text = text.trim();
@@ -184,15 +180,12 @@ impl MarkReader<'_> {
             }
             let value = self
                 .value_line(text, line)
-                .map_err(|message| MarkMistake { line, message })?;
+                .map_err(|message| Mistake::new(line, message))?;
             values.push(value);
         }
         if values.is_empty() {
-            let message = "`values` needs lines `path = literal` below it".to_owned();
-            return Err(MarkMistake {
-                line: first_line - 1,
-                message,
-            });
+            let message = "`values` needs lines `path = literal` below it";
+            return Err(Mistake::new(first_line - 1, message));
         }
         Ok(values)
     }
@@ -287,7 +280,7 @@ fn newlines(text: &str) -> u32 {
 }
 
 fn unknown_mark(word: &str) -> String {
-    let known = "error, warning, ok, fault, values, rendered, observe, set, clock";
+    let known = MARKS.join(", ");
     match word {
         "" => format!("the mark is empty; there are {known}"),
         _ => format!("no mark `{word}`; there are {known}"),

@@ -9,10 +9,13 @@ mod read;
 
 use std::sync::Arc;
 
+use serde::Deserialize;
 use stickler_types::{DialectName, Fnv1a};
+use toml::Spanned;
 
 use crate::condition::Condition;
 use crate::near::suggestion;
+use crate::toml_text::Strings;
 pub(crate) use compose::{Wording, compose};
 pub(crate) use design::{Arrangement, Design};
 pub(crate) use read::read;
@@ -50,7 +53,7 @@ pub enum Role {
 #[derive(Clone, Debug)]
 pub struct ProgramPlace {
     name: Arc<str>,
-    groups: Vec<String>,
+    key: PlaceKey,
     /// The dialects whose documents promise the place, or for which the standard does.
     dialects: Vec<DialectName>,
     /// The dialects whose documents only say what the place does not take, so that its programs claim rejections alone; each is one of
@@ -60,43 +63,74 @@ pub struct ProgramPlace {
     only: Condition,
     /// The units in whose bodies the place may stand, by index.
     units: Vec<usize>,
-    /// Whether a source is a literal, or a target takes nothing else.
-    literal: bool,
-    /// Whether a source is a call, which has a code of its own where it does not fit.
-    call: bool,
-    code: String,
-    call_code: String,
-    value: String,
-    target: String,
-    observe: String,
-    texts: PlaceTexts,
     /// Whether the value meets the type of the target in the statement of the target, and not in a declaration.
     is_in_its_statement: bool,
     /// Whether the source goes to a parameter of its own type, and from there to the target.
     is_behind_a_parameter: bool,
 }
 
-/// The texts with which a place contributes to a program.
-#[derive(Clone, Debug, Default)]
-struct PlaceTexts {
+/// A place as `places.toml` has it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields, rename_all = "kebab-case")]
+struct PlaceKey {
+    /// A description for a person; nothing reads it.
+    #[expect(dead_code, reason = "a reader of the file needs it, and no program does")]
+    title: String,
+    /// The sections of sources that promise the place.
+    promised: Strings,
+    absent: Option<Vec<Spanned<String>>>,
+    only_rejected: Option<Vec<Spanned<String>>>,
+    only: Option<Spanned<String>>,
+    units: Option<Vec<Spanned<String>>>,
+    #[serde(default)]
+    groups: Vec<String>,
+    /// Whether a source is a literal, or a target takes nothing else.
+    #[serde(default)]
+    literal: bool,
+    /// Whether a source is a call, which has a code of its own where it does not fit.
+    #[serde(default)]
+    call: bool,
+    #[serde(default)]
+    code: String,
+    #[serde(default)]
+    call_code: String,
+    #[serde(default)]
+    value: String,
+    #[serde(default)]
+    target: String,
+    #[serde(default)]
+    observe: String,
+    #[serde(default)]
     declarations: String,
+    #[serde(default)]
     parameters: String,
+    #[serde(default)]
     variables: String,
+    #[serde(default)]
     sections: String,
+    #[serde(default)]
     globals: String,
+    #[serde(default)]
     before: String,
+    #[serde(default)]
     statement: String,
+    #[serde(default)]
     after: String,
+    #[serde(default)]
     caller: String,
+    #[serde(default)]
     arguments: String,
 }
 
 /// A program organization unit in whose body places can stand.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 struct PlaceUnit {
     text: String,
     observe: String,
+    #[serde(default)]
     parameters: String,
+    #[serde(default)]
     arguments: String,
 }
 
@@ -149,7 +183,10 @@ impl Places {
             .filter(|&index| places[index].is(name))
             .collect();
         if found.is_empty() {
-            let groups = places.iter().flat_map(|place| &place.groups).map(String::as_str);
+            let groups = places
+                .iter()
+                .flat_map(|place| &place.key.groups)
+                .map(String::as_str);
             let known = places.iter().map(|place| &*place.name).chain(groups);
             let role = role.as_str();
             return Err(format!("no {role} `{name}`; {}", suggestion(name, known)));
@@ -164,7 +201,7 @@ impl Places {
 
     /// Keeps the targets that take more than literals.
     pub(crate) fn retain_statements(&self, targets: &mut Vec<usize>) {
-        targets.retain(|&target| !self.targets[target].literal);
+        targets.retain(|&target| !self.targets[target].key.literal);
     }
 
     /// Returns whether tables ask the same as an arrangement with programs of their own.
@@ -217,7 +254,7 @@ impl ProgramPlace {
 
     /// Returns whether a source is a literal, or a target takes nothing else.
     pub fn is_literal(&self) -> bool {
-        self.literal
+        self.key.literal
     }
 
     /// Returns whether a target takes its value from a parameter of the value's own type, so that a variable stands there whatever goes to
@@ -228,7 +265,7 @@ impl ProgramPlace {
 
     /// Returns whether the place is in a group of this name.
     pub fn is_in(&self, group: &str) -> bool {
-        self.groups.iter().any(|name| name == group)
+        self.key.groups.iter().any(|name| name == group)
     }
 
     fn is(&self, name: &str) -> bool {
@@ -237,7 +274,7 @@ impl ProgramPlace {
 
     /// Returns whether a surrounding is the body of a unit and no statement.
     fn is_a_body(&self) -> bool {
-        self.texts.statement == "{statement}"
+        self.key.statement == "{statement}"
     }
 
     /// Returns whether a dialect has the place for values that go from one type to another, in programs that claim a rejection if

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use stickler_types::DialectName;
 
 use crate::assemble::Assembler;
-use crate::assembly::AssemblyMistake;
 use crate::error::Mistake;
 use crate::mark::{Mark, MarkClaim};
 use crate::mark_reader::MarkReader;
@@ -146,7 +145,7 @@ impl ProgramTemplate {
         active: &[usize],
         texts: &[&str],
         assembler: &mut Assembler<'_>,
-    ) -> Result<(), AssemblyMistake> {
+    ) -> Result<(), Mistake> {
         let moved = texts.iter().any(|text| text.contains('\n'));
         for &index in active {
             let mark = &self.marks[index];

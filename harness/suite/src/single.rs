@@ -15,7 +15,7 @@ use crate::error::Mistake;
 use crate::frame::{self, DialectGroup, FileContext, Harvest, ProbeFrame};
 use crate::header::{self, FileHeader};
 use crate::mark::MarkWord;
-use crate::mark_reader::MarkReader;
+use crate::mark_reader::{MARKS, MarkReader};
 use crate::place::TextPlace;
 use crate::program::{ProgramTemplate, Remarks};
 use crate::scan::{RawMark, scan};
@@ -53,11 +53,7 @@ fn read_header(context: &FileContext<'_>) -> Result<(FileHeader, usize), Mistake
 fn is_other_mark(mark: &RawMark<'_>) -> bool {
     let mut words = mark.text.split_whitespace();
     let word = words.next().unwrap_or_default();
-    let is_known = matches!(
-        word,
-        "error" | "ok" | "fault" | "values" | "rendered" | "observe" | "set" | "clock"
-    );
-    is_known && words.next() != Some("=")
+    MARKS.contains(&word) && words.next() != Some("=")
 }
 
 fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, harvest: &mut Harvest) {
@@ -138,9 +134,8 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
             Err(mistake) => {
                 let names: Vec<&str> = members.iter().map(|dialect| dialect.as_str()).collect();
                 let hint = format!("in {}", names.join(", "));
-                harvest
-                    .mistakes
-                    .push(Mistake::new(mistake.line.max(1), mistake.message).hint(hint));
+                let line = mistake.line.max(1);
+                harvest.mistakes.push(Mistake { line, ..mistake }.hint(hint));
             }
         }
     }

@@ -11,7 +11,7 @@ use stickler_workers::{SpawnError, WorkerPool};
 
 use crate::assembly::TypeNames;
 use crate::defined::restate;
-use crate::error::Mistake;
+use crate::error::{Mistake, in_file};
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
 use crate::place::Lines;
@@ -145,10 +145,8 @@ impl Suite {
 
     fn take(&mut self, shown: &str, harvest: Harvest) {
         self.cases.extend(harvest.cases);
-        self.errors
-            .extend(harvest.mistakes.into_iter().map(|mistake| mistake.in_file(shown)));
-        self.remarks
-            .extend(harvest.remarks.into_iter().map(|remark| remark.in_file(shown)));
+        self.errors.extend(in_file(harvest.mistakes, shown));
+        self.remarks.extend(in_file(harvest.remarks, shown));
     }
 }
 
@@ -176,9 +174,8 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
         types: &TypeNames::default(),
     };
     let harvest = read_file(&file, names);
-    let (cases, mistakes) = alone(harvest, &file.shown);
-    errors.extend(mistakes);
-    (cases, errors)
+    errors.extend(in_file(harvest.mistakes, &file.shown));
+    (harvest.cases, errors)
 }
 
 /// Reads a case file from memory: `text` under the path `name` below a suite's root, whose extension makes it a program
@@ -201,14 +198,7 @@ pub fn read_case_file(
         Some(kind) => read_text(name, name, kind, text, names),
         None => wrong(Mistake::new(1, files::NO_CASE_FILE)),
     };
-    alone(harvest, name)
-}
-
-/// Returns the cases of a file that is read by itself, and its mistakes with the file's path.
-fn alone(harvest: Harvest, shown: &str) -> (Vec<Case>, Vec<CaseFileError>) {
-    let mistakes = harvest.mistakes.into_iter();
-    let errors = mistakes.map(|mistake| mistake.in_file(shown)).collect();
-    (harvest.cases, errors)
+    (harvest.cases, in_file(harvest.mistakes, name))
 }
 
 /// The names that the files of a suite may use.

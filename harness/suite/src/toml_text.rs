@@ -1,5 +1,6 @@
 //! Reads TOML with positions: every mistake has the line and the key that it belongs to.
 
+use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
@@ -32,6 +33,13 @@ fn mistake(mut error: toml::de::Error, start: usize, lines: &Lines) -> Mistake {
         Some(key) => mistake.key(key),
         None => mistake,
     }
+}
+
+/// Returns the entries of a table in the order in which the file has them.
+pub(crate) fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<String>, T)> {
+    let mut entries: Vec<(Spanned<String>, T)> = table.into_iter().collect();
+    entries.sort_by_key(|(name, _)| name.span().start);
+    entries
 }
 
 /// One string, or several.

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::{Arrangement, PlaceTexts, Places, ProgramPlace};
+use super::{Arrangement, PlaceKey, Places, ProgramPlace};
 
 /// The words of a table that stand for those of `places.toml`; they may hold placeholders of the table.
 #[derive(Clone, Debug)]
@@ -35,34 +35,31 @@ pub(crate) struct Composed {
 
 /// Puts the program of an arrangement together.
 pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Wording<'_>) -> Composed {
-    let source = &places.sources[arrangement.source];
+    let source = &places.sources[arrangement.source].key;
     let target = &seen_by(wording, &places.targets[arrangement.target]);
-    let surrounding = &places.surroundings[arrangement.surrounding];
+    let surrounding = &places.surroundings[arrangement.surrounding].key;
     let unit = &places.units[arrangement.unit];
     let value = fill(wording.expression, &[("source", &source.value)]);
     let variable = fill(wording.variable, &[("target", &target.target)]);
     let observe = fill(&unit.observe, &[("observe", &target.observe)]);
     let error = mark(source, target, wording);
-    let joined = |part: fn(&PlaceTexts) -> &str, between: &str, default: &str| {
-        let texts = [source, target, surrounding].map(|place| part(&place.texts).trim());
+    let joined = |part: fn(&PlaceKey) -> &str, between: &str, default: &str| {
+        let texts = [source, target, surrounding].map(|place| part(place).trim());
         let filled: Vec<&str> = texts.into_iter().filter(|text| !text.is_empty()).collect();
         match filled.is_empty() {
             true => default.trim().to_owned(),
             false => filled.join(between),
         }
     };
-    let statement = fill(
-        &surrounding.texts.statement,
-        &[("statement", &target.texts.statement)],
-    );
+    let statement = fill(&surrounding.statement, &[("statement", &target.statement)]);
     let own = fill(wording.before, &[("target", &target.target)]);
-    let before = [joined(|texts| &texts.before, "\n", ""), own].join("\n");
+    let before = [joined(|place| &place.before, "\n", ""), own].join("\n");
     let declarations = [
         wording.declarations.to_owned(),
-        joined(|texts| &texts.declarations, "\n\n", ""),
+        joined(|place| &place.declarations, "\n\n", ""),
     ]
     .join("\n\n");
-    let globals = joined(|texts| &texts.globals, "\n", "");
+    let globals = joined(|place| &place.globals, "\n", "");
     let configuration = match globals.is_empty() {
         true => String::new(),
         false => fill(&places.configuration, &[("globals", &globals)]),
@@ -73,17 +70,17 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
             ("declarations", &declarations),
             (
                 "parameters",
-                &joined(|texts| &texts.parameters, "\n", &unit.parameters),
+                &joined(|place| &place.parameters, "\n", &unit.parameters),
             ),
-            ("variables", &joined(|texts| &texts.variables, "\n", "")),
-            ("sections", &joined(|texts| &texts.sections, "\n", "")),
+            ("variables", &joined(|place| &place.variables, "\n", "")),
+            ("sections", &joined(|place| &place.sections, "\n", "")),
             ("before", &before),
             ("statement", &statement),
-            ("after", &joined(|texts| &texts.after, "\n", "")),
-            ("caller", &joined(|texts| &texts.caller, "\n", "")),
+            ("after", &joined(|place| &place.after, "\n", "")),
+            ("caller", &joined(|place| &place.caller, "\n", "")),
             (
                 "arguments",
-                &joined(|texts| &texts.arguments, ", ", &unit.arguments),
+                &joined(|place| &place.arguments, ", ", &unit.arguments),
             ),
             ("configuration", &configuration),
         ],
@@ -109,26 +106,25 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
 
 /// Returns a target as the probe sees it: what an expression computes is of the target's type already, and a code of the probe's own
 /// belongs to the line on which the value is written.
-fn seen_by<'p>(wording: &Wording<'_>, target: &'p ProgramPlace) -> Cow<'p, ProgramPlace> {
+fn seen_by<'p>(wording: &Wording<'_>, target: &'p ProgramPlace) -> Cow<'p, PlaceKey> {
     let computed = wording.expression != "{source}" && target.is_behind_a_parameter;
     let elsewhere = wording.code.is_some() && !target.is_in_its_statement;
     if !computed && !elsewhere {
-        return Cow::Borrowed(target);
+        return Cow::Borrowed(&target.key);
     }
-    let mut target = target.clone();
-    let texts = &mut target.texts;
+    let mut target = target.key.clone();
     if computed {
-        texts.declarations = texts.declarations.replace("{from}", "{to}");
+        target.declarations = target.declarations.replace("{from}", "{to}");
     }
     if elsewhere {
-        texts.declarations = texts.declarations.replace("{error}", "");
-        texts.statement.push_str("  {error}");
+        target.declarations = target.declarations.replace("{error}", "");
+        target.statement.push_str("  {error}");
     }
     Cow::Owned(target)
 }
 
 /// Returns the mark that claims the rejection, or nothing.
-fn mark(source: &ProgramPlace, target: &ProgramPlace, wording: &Wording<'_>) -> String {
+fn mark(source: &PlaceKey, target: &PlaceKey, wording: &Wording<'_>) -> String {
     let code = match wording.code {
         Some(code) => code,
         None if source.call && wording.expression == "{source}" && !target.call_code.is_empty() => {

@@ -101,7 +101,7 @@ impl Design {
             let stands = |&index: &usize| {
                 let place = &all[index];
                 place.stands(dialect, types, self.is_rejected)
-                    && literal.is_none_or(|literal| place.literal == literal)
+                    && literal.is_none_or(|literal| place.key.literal == literal)
             };
             indices.iter().copied().filter(stands).collect()
         };
@@ -195,7 +195,7 @@ fn fitting(
 ) -> Vec<Arrangement> {
     let (from, to) = (&places.sources[source], &places.targets[target]);
     let promised = |place: &ProgramPlace| place.is_promised(dialect, is_rejected);
-    if !promised(from) || !promised(to) || (to.literal && !from.literal) {
+    if !promised(from) || !promised(to) || (to.key.literal && !from.key.literal) {
         return Vec::new();
     }
     let arrangement = |&surrounding: &usize| {

@@ -6,12 +6,12 @@ use serde::Deserialize;
 use stickler_types::DialectName;
 use toml::Spanned;
 
-use super::{PlaceTexts, PlaceUnit, Places, ProgramPlace, Role, TESTED};
+use super::{PlaceKey, PlaceUnit, Places, ProgramPlace, Role, TESTED};
 use crate::condition::{Condition, Testable};
-use crate::error::{CaseFileError, Mistake};
+use crate::error::{CaseFileError, Mistake, in_file};
 use crate::near::suggestion;
 use crate::place::Lines;
-use crate::toml_text::{self, Strings};
+use crate::toml_text;
 use crate::{Dialects, Source, Sources, files, ident};
 
 /// The file of the places, below the root of a suite.
@@ -40,7 +40,7 @@ struct PlacesFile {
     #[serde(default)]
     in_turn: Vec<Spanned<String>>,
     #[serde(default)]
-    unit: BTreeMap<Spanned<String>, UnitKey>,
+    unit: BTreeMap<Spanned<String>, PlaceUnit>,
     #[serde(default)]
     source: BTreeMap<Spanned<String>, PlaceKey>,
     #[serde(default)]
@@ -49,84 +49,13 @@ struct PlacesFile {
     surrounding: BTreeMap<Spanned<String>, PlaceKey>,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct UnitKey {
-    text: String,
-    observe: String,
-    #[serde(default)]
-    parameters: String,
-    #[serde(default)]
-    arguments: String,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-struct PlaceKey {
-    /// A description for a person; nothing reads it.
-    #[expect(dead_code, reason = "a reader of the file needs it, and no program does")]
-    title: String,
-    promised: Strings,
-    absent: Option<Vec<Spanned<String>>>,
-    only_rejected: Option<Vec<Spanned<String>>>,
-    only: Option<Spanned<String>>,
-    units: Option<Vec<Spanned<String>>>,
-    #[serde(default)]
-    groups: Vec<String>,
-    #[serde(default)]
-    literal: bool,
-    #[serde(default)]
-    call: bool,
-    #[serde(default)]
-    code: String,
-    #[serde(default)]
-    call_code: String,
-    #[serde(default)]
-    value: String,
-    #[serde(default)]
-    target: String,
-    #[serde(default)]
-    observe: String,
-    #[serde(default)]
-    declarations: String,
-    #[serde(default)]
-    parameters: String,
-    #[serde(default)]
-    variables: String,
-    #[serde(default)]
-    sections: String,
-    #[serde(default)]
-    globals: String,
-    #[serde(default)]
-    before: String,
-    #[serde(default)]
-    statement: String,
-    #[serde(default)]
-    after: String,
-    #[serde(default)]
-    caller: String,
-    #[serde(default)]
-    arguments: String,
-}
-
 /// Reads the places of the suite at `root`, and leaves out those with mistakes. A suite without the file has none.
 pub(crate) fn read(
     root: &files::Root,
     dialects: &Dialects,
     sources: &Sources,
 ) -> (Places, Vec<CaseFileError>) {
-    let path = root.path().join(PLACES);
-    if !path.exists() {
-        return (Places::default(), Vec::new());
-    }
-    let shown = root.shown(PLACES);
-    let text = match files::read(&path) {
-        Ok(text) => text,
-        Err(mistake) => return (Places::default(), vec![mistake.in_file(&shown)]),
-    };
-    let (places, mistakes) = of_text(&text, dialects, Some(sources));
-    let errors = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
-    (places, errors.collect())
+    root.read_own(PLACES, |text| of_text(text, dialects, Some(sources)))
 }
 
 impl Places {
@@ -135,8 +64,7 @@ impl Places {
     #[must_use]
     pub fn of_file(shown: &str, text: &str, dialects: &Dialects) -> (Places, Vec<CaseFileError>) {
         let (places, mistakes) = of_text(text, dialects, None);
-        let errors = mistakes.into_iter().map(|mistake| mistake.in_file(shown));
-        (places, errors.collect())
+        (places, in_file(mistakes, shown))
     }
 }
 
@@ -146,7 +74,7 @@ fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Place
         Ok(file) => file,
         Err(mistake) => return (Places::default(), vec![mistake]),
     };
-    let units = in_order(file.unit);
+    let units = toml_text::in_order(file.unit);
     let mut reader = PlacesReader {
         dialects,
         sources,
@@ -158,35 +86,13 @@ fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Place
         sources: reader.places(Role::Source, file.source),
         targets: reader.places(Role::Target, file.target),
         surroundings: reader.places(Role::Surrounding, file.surrounding),
-        units: units.into_iter().map(|(_, key)| unit(key)).collect(),
+        units: units.into_iter().map(|(_, unit)| unit).collect(),
         configuration: file.configuration,
         plain: Vec::new(),
         in_turn: reader.in_turn(&file.in_turn),
     };
     places.plain = reader.plain(&places, &file.plain);
     (places, reader.mistakes)
-}
-
-fn unit(key: UnitKey) -> PlaceUnit {
-    let UnitKey {
-        text,
-        observe,
-        parameters,
-        arguments,
-    } = key;
-    PlaceUnit {
-        text,
-        observe,
-        parameters,
-        arguments,
-    }
-}
-
-/// Returns the entries of a table in the order in which the file has them.
-fn in_order<T>(table: BTreeMap<Spanned<String>, T>) -> Vec<(Spanned<String>, T)> {
-    let mut entries: Vec<(Spanned<String>, T)> = table.into_iter().collect();
-    entries.sort_by_key(|(name, _)| name.span().start);
-    entries
 }
 
 struct PlacesReader<'a> {
@@ -201,7 +107,7 @@ struct PlacesReader<'a> {
 impl PlacesReader<'_> {
     fn places(&mut self, role: Role, table: BTreeMap<Spanned<String>, PlaceKey>) -> Vec<ProgramPlace> {
         let mut places = Vec::new();
-        for (name, key) in in_order(table) {
+        for (name, key) in toml_text::in_order(table) {
             let before = self.mistakes.len();
             let place = self.place(role, &name, key);
             if self.mistakes.len() == before {
@@ -234,32 +140,13 @@ impl PlacesReader<'_> {
         let units = self.units(&path, key.units.as_deref());
         ProgramPlace {
             name: name.get_ref().as_str().into(),
-            groups: key.groups,
             dialects,
             only_rejected,
             only,
             units,
-            literal: key.literal,
-            call: key.call,
-            code: key.code,
-            call_code: key.call_code,
-            value: key.value,
-            target: key.target,
-            observe: key.observe,
             is_in_its_statement: key.statement.contains("{error}"),
             is_behind_a_parameter: key.declarations.contains("{from}"),
-            texts: PlaceTexts {
-                declarations: key.declarations,
-                parameters: key.parameters,
-                variables: key.variables,
-                sections: key.sections,
-                globals: key.globals,
-                before: key.before,
-                statement: key.statement,
-                after: key.after,
-                caller: key.caller,
-                arguments: key.arguments,
-            },
+            key,
         }
     }
 

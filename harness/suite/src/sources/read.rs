@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use super::sections::{SectionForm, headings};
 use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, recordings};
-use crate::error::{CaseFileError, Mistake};
+use crate::error::{CaseFileError, Mistake, in_file};
 use crate::near::suggestion;
 use crate::toml_text::{self, Strings};
 use crate::{Dialects, files};
@@ -68,11 +68,8 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
         ),
         Err(mistake) => reader.mistakes.push(mistake),
     }
-    let in_file = |mistakes: Vec<Mistake>| -> Vec<CaseFileError> {
-        let mistakes = mistakes.into_iter();
-        mistakes.map(|mistake| mistake.in_file(&shown)).collect()
-    };
-    let (mut errors, remarks) = (in_file(reader.mistakes), in_file(reader.remarks));
+    let mut errors = in_file(reader.mistakes, &shown);
+    let remarks = in_file(reader.remarks, &shown);
     let (rules, mistakes) = rules(root);
     sources.extend([recordings::read(root), rules]);
     errors.extend(mistakes);
@@ -89,17 +86,11 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
 
 /// Returns Stickler's own rules as a source, whose sections are the rules.
 fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
-    let path = root.path().join(RULES);
-    let read = match path.exists() {
-        true => files::read(&path),
-        false => Ok(String::new()),
-    };
-    let (text, mut mistakes) = match read {
-        Ok(text) => (text, Vec::new()),
-        Err(mistake) => (String::new(), vec![mistake]),
-    };
-    let headings = headings(&text);
-    mistakes.extend(unfit_rules(&headings));
+    let (headings, errors) = root.read_own(RULES, |text| {
+        let headings = headings(text);
+        let mistakes = unfit_rules(&headings);
+        (headings, mistakes)
+    });
     let source = Source {
         key: RULE.to_owned(),
         title: "Rules".to_owned(),
@@ -117,9 +108,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         limitations: BTreeMap::new(),
         line: 1,
     };
-    let shown = root.shown(RULES);
-    let mistakes = mistakes.into_iter().map(|mistake| mistake.in_file(&shown));
-    (source, mistakes.collect())
+    (source, errors)
 }
 
 /// Returns what is wrong with the names of rules: one that stands twice, and one that is no name.
