@@ -9,6 +9,7 @@ use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::output::{BOLD, DIM};
+use crate::run_plan;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -22,7 +23,7 @@ use stickler_suite::Case;
 /// No folder of cases; nothing selected.
 pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = &arguments.selection;
-    let plan = case_folder::plan(selection, None);
+    let plan = run_plan::plan(selection, None);
     let folder = CaseFolder::locate(selection.cases.as_deref())?;
     let Loaded { suite, left_out, .. } = folder.load_for(&plan)?;
     let cases = match arguments.left_out {
