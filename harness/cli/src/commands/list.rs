@@ -35,25 +35,17 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     }
     if arguments.sources {
         sources::write(out, &suite.sources, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.places {
+    } else if arguments.places {
         places::write(out, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.features {
+    } else if arguments.features {
         features::write(out, &suite.features, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.basis {
+    } else if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    for case in cases {
-        match arguments.json {
-            true => write_json(out, &CaseLine::new(case))?,
-            false => writeln!(out, "{}@{}", case.id, case.dialect)?,
-        }
+    } else {
+        cases.into_iter().try_for_each(|case| match arguments.json {
+            true => write_json(out, &CaseLine::new(case)),
+            false => writeln!(out, "{}@{}", case.id, case.dialect),
+        })?;
     }
     Ok(case_folder::exit_of(&suite))
 }
