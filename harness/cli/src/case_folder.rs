@@ -1,14 +1,10 @@
 //! Finds the folder of cases, loads the cases, and reports mistakes in their files.
 
-use crate::arguments::SelectionArguments;
 use crate::carried_cases;
-use crate::engines;
 use crate::exit::Exit;
 use crate::output;
-use crate::shell;
+use crate::run_plan;
 use anyhow::{Context, bail};
-use jiff::tz::TimeZone;
-use jiff::{Timestamp, Unit};
 use std::collections::BTreeSet;
 use std::env;
 use std::fs;
@@ -17,7 +13,6 @@ use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
 use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite};
 use stickler_types::{DialectName, Question};
-use stickler_workers::Shard;
 
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
@@ -299,7 +294,7 @@ fn note_left_out(left_out: &[Case]) {
         };
         output::note(format!(
             "{cases} and no document says how; `stickler list{} --dialect {dialect} --left-out` lists {}",
-            places(None),
+            run_plan::places(None),
             if number == 1 { "it" } else { "them" }
         ));
     }
@@ -332,45 +327,6 @@ pub fn nothing_selected(suite: &Suite) -> Exit {
         }
     });
     Exit::NothingTested.worst(exit_of(suite))
-}
-
-/// Returns the time of now, to the second.
-pub fn now() -> Timestamp {
-    let now = Timestamp::now();
-    // Rounding a time to seconds fails only at the end of time.
-    now.round(Unit::Second).unwrap_or(now)
-}
-
-/// Returns the plan of a run that begins now and selects the requested cases.
-pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
-    Plan {
-        filters: selection
-            .filter
-            .iter()
-            .map(|text| Filter::new(text.as_str()))
-            .collect(),
-        dialects: selection.dialect.clone(),
-        shard,
-        rerun_prefix: format!("{} run{}", shell::program(), places(selection.cases.as_deref())),
-        today: now().to_zoned(TimeZone::UTC).date(),
-        started: now().to_string(),
-        command: shell::command_line(),
-        ..Plan::default()
-    }
-}
-
-/// Returns the folder of a run's reports: the one that is named, or `reports/latest` in the folder that contains `reports/`.
-pub fn report_folder(named: Option<&Path>, root: &Path) -> PathBuf {
-    named.map_or_else(|| root.join("reports").join("latest"), Path::to_owned)
-}
-
-/// Returns the options with which another command reads the same cases and the same stickler.toml.
-pub fn places(cases: Option<&Path>) -> String {
-    let named = [("--cases", cases), ("--config", engines::config_file())];
-    let option = |(name, path): (&str, Option<&Path>)| {
-        path.map(|path| format!(" {name} {}", shell::quote(&path.to_string_lossy())))
-    };
-    named.into_iter().filter_map(option).collect()
 }
 
 #[cfg(test)]

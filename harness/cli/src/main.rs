@@ -23,6 +23,7 @@ mod named_case;
 mod output;
 mod progress;
 mod reduction_engine;
+mod run_plan;
 mod shell;
 mod snippet;
 mod source_file;

@@ -1,7 +1,8 @@
 //! Finds the case that a command names.
 
 use crate::arguments::SelectionArguments;
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::CaseFolder;
+use crate::run_plan;
 use anyhow::bail;
 use std::path::Path;
 use stickler_run::{Filter, Plan};
@@ -33,7 +34,7 @@ impl<'n> NamedCase<'n> {
             filter: Some(name.to_owned()),
             ..SelectionArguments::default()
         };
-        let plan = case_folder::plan(&selection, None);
+        let plan = run_plan::plan(&selection, None);
         let dialect = Filter::new(name).dialect();
         let suite = CaseFolder::locate(cases)?.load_selected(&plan, dialect);
         let named = NamedCase { suite, plan, name };

@@ -71,16 +71,18 @@ impl Standing {
     }
 }
 
-/// A section of a document, with the results of one engine.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+/// A section of a source with the results of one engine.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, serde::Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[cfg_attr(test, schemars(rename = "ClaimResult"))]
 pub struct Claim<'a> {
     /// The name of the engine.
     pub engine: &'a str,
-    /// The document, such as `ironplc-type-conversions`.
+    /// The key of the source.
     pub source: &'a str,
-    /// The section, such as `Integer widening`; empty where a basis names a whole document.
+    /// The section of the source.
     pub section: &'a str,
-    /// The results of the claim's cases.
+    /// The number of cases by what came of them.
     pub standing: Standing,
 }
 

@@ -13,9 +13,8 @@ pub use page::write;
 use crate::LogError;
 use crate::engine;
 use crate::events::Reader;
-use crate::overview::kept;
 use older_case::OlderCase;
-use serde::{Serialize, Serializer};
+use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use std::io::BufRead;
 use stickler_run::{CaseEvent, Event, Header, Verdict};
@@ -63,13 +62,17 @@ pub struct Change {
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub expectation_changed: bool,
     /// The texts of the change; `None` beyond the first [`MAX_DETAILED`] of each kind.
-    #[serde(skip_serializing_if = "Option::is_none", serialize_with = "texts")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub detail: Option<Box<ComparedTexts>>,
 }
 
 /// The texts of a case with different results, with one fact per line.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize)]
 pub struct ComparedTexts {
+    /// The title of the case in the newer run.
+    pub title: String,
+    /// The claim of the case in the newer run: source and section.
+    pub basis: String,
     /// The expectation in the newer run; `None` where neither log contains it, as for a case that only records.
     pub expected: Option<String>,
     /// The result and the observations in the older run; `None` where the engine met an expectation that has changed since.
@@ -78,8 +81,9 @@ pub struct ComparedTexts {
     pub new: String,
     /// The command that runs the case again.
     pub rerun: String,
-    /// The case in the newer run, its texts clipped.
-    pub case: CaseEvent,
+    /// The file and line of the case in the newer run.
+    #[serde(skip)]
+    pub place: String,
 }
 
 /// A case that only one of the runs contains.
@@ -269,7 +273,9 @@ impl Matching {
                     old: known.said(expected.as_deref(), expectation_changed),
                     rerun: engine::rerun(engine::named(&self.found.new.engines, &case.engine), &case),
                     expected,
-                    case: kept(&case),
+                    place: case.place(),
+                    title: case.title,
+                    basis: case.basis,
                 })
             }),
         });
@@ -321,26 +327,4 @@ fn pairs(old: &Header, new: &Header) -> Result<Vec<(String, String)>, Comparison
         });
     }
     Ok(pairs)
-}
-
-/// Serializes the expected text and the text of each run's result, for other programs.
-fn texts<S: Serializer>(detail: &Option<Box<ComparedTexts>>, serializer: S) -> Result<S::Ok, S::Error> {
-    #[derive(Serialize)]
-    struct ChangedTexts<'a> {
-        title: &'a str,
-        basis: &'a str,
-        expected: Option<&'a str>,
-        old: Option<&'a str>,
-        new: &'a str,
-        rerun: &'a str,
-    }
-    let texts = detail.as_deref().map(|detail| ChangedTexts {
-        title: &detail.case.title,
-        basis: &detail.case.basis,
-        expected: detail.expected.as_deref(),
-        old: detail.old.as_deref(),
-        new: &detail.new,
-        rerun: &detail.rerun,
-    });
-    texts.serialize(serializer)
 }

@@ -1,5 +1,6 @@
 //! Compares what engines do where no document states what they must do. Observations are recorded, never judged.
 
+use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use stickler_run::CaseEvent;
 use stickler_types::WordTable;
@@ -24,7 +25,7 @@ struct Seen {
 }
 
 /// Cases of one probe on which the engines form the same groups by their results.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
 pub struct Disagreement<'o> {
     /// The id of the first case.
     pub id: &'o str,

@@ -9,7 +9,7 @@ use crate::pending::PendingFile;
 use crate::{ReportError, engine};
 #[cfg(test)]
 pub(crate) use document::ResultsDocument;
-use document::{CaseResult, ClaimResult, EngineResult};
+use document::{CaseResult, EngineResult};
 use serde::Serialize;
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -100,16 +100,7 @@ impl Results {
         write!(out, "\n]")?;
         key(out, "duration_ms", &footer.duration_ms)?;
         key(out, "engines", &engines(header, footer))?;
-        list(
-            out,
-            "claims",
-            overview.claims.iter().map(|claim| ClaimResult {
-                engine: claim.engine,
-                source: claim.source,
-                section: claim.section,
-                standing: claim.standing,
-            }),
-        )?;
+        list(out, "claims", overview.claims.iter())?;
         list(out, "causes", &overview.causes)?;
         out.write_all(b"}\n")
     }

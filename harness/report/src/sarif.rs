@@ -7,14 +7,13 @@ mod document;
 
 use crate::basis::Basis;
 use crate::overview::Overview;
-use crate::text::outdated;
+use crate::text::{outdated, percent_encoded};
 use crate::unexpected::Unexpected;
 use document::{
     Document, Fingerprints, Invocation, Level, Message, Notification, Region, SarifDriver, SarifLocation,
     SarifResult, SarifRule, SarifRun, Tool,
 };
 use std::collections::BTreeMap;
-use std::fmt::Write;
 use stickler_run::Header;
 use stickler_types::counted;
 
@@ -130,20 +129,6 @@ fn uri(path: &str) -> String {
         true => format!("file://{encoded}"),
         false => encoded,
     }
-}
-
-/// Encodes every byte that is neither unreserved in RFC 3986 nor in `kept`.
-fn percent_encoded(text: &str, kept: &str) -> String {
-    let mut encoded = String::with_capacity(text.len());
-    for byte in text.bytes() {
-        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) || kept.as_bytes().contains(&byte) {
-            encoded.push(char::from(byte));
-        } else {
-            // Writing to a String cannot fail.
-            let _ = write!(encoded, "%{byte:02X}");
-        }
-    }
-    encoded
 }
 
 /// Returns the mistakes in case files and the entries of baselines that are out of date.

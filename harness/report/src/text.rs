@@ -109,6 +109,20 @@ pub(crate) fn verdicts(totals: &Totals, is_meant: impl Fn(Verdict) -> bool) -> S
     counts.join(", ")
 }
 
+/// Encodes every byte that is neither unreserved in RFC 3986 nor in `kept`.
+pub(crate) fn percent_encoded(text: &str, kept: &str) -> String {
+    let mut encoded = String::with_capacity(text.len());
+    for byte in text.bytes() {
+        if byte.is_ascii_alphanumeric() || b"-._~".contains(&byte) || kept.as_bytes().contains(&byte) {
+            encoded.push(char::from(byte));
+        } else {
+            // Writing to a String cannot fail.
+            let _ = write!(encoded, "%{byte:02X}");
+        }
+    }
+    encoded
+}
+
 /// Formats milliseconds for people: `34 ms`, `1.2 s`, `2 min 5 s`.
 pub(crate) fn duration(milliseconds: u64) -> String {
     match milliseconds {

@@ -1,9 +1,9 @@
 //! `stickler bless`: rewrites baselines from the results of a run.
 
 use crate::arguments::BlessArguments;
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::CaseFolder;
 use crate::exit::Exit;
-use crate::{baselines, output};
+use crate::{baselines, output, run_plan};
 use anyhow::{Context, bail};
 use jiff::civil::Date;
 use std::fs;
@@ -25,7 +25,7 @@ const MAX_CHANGES: usize = 40;
 /// with a mistake, or one that cannot be written.
 pub fn execute(arguments: &BlessArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
-    let report = case_folder::report_folder(arguments.report.as_deref(), &folder.root);
+    let report = run_plan::report_folder(arguments.report.as_deref(), &folder.root);
     let (dialects, runs) = read(&report)?;
     let (day, runs) = chosen(runs, &arguments.engine)?;
     if arguments.baseline.is_some() && runs.len() > 1 {

@@ -3,7 +3,7 @@
 use crate::arguments::{ExportArguments, SelectionArguments};
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
-use crate::{output, shell};
+use crate::{output, run_plan, shell};
 use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::PathBuf;
@@ -28,7 +28,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
         filter: arguments.filter.clone(),
         dialect: vec![arguments.dialect],
     };
-    let plan = case_folder::plan(&selection, None);
+    let plan = run_plan::plan(&selection, None);
     let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
     let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
@@ -113,7 +113,7 @@ fn exit(exported: &Exported) -> Exit {
 
 /// Returns the plan of a project file that is created now.
 fn project(file: PathBuf) -> ProjectPlan {
-    let created = case_folder::now().to_string();
+    let created = run_plan::now().to_string();
     ProjectPlan { file, created }
 }
 
@@ -181,7 +181,7 @@ fn show(exported: &Exported, arguments: &ExportArguments, out: &mut dyn Write) -
             out,
             "  {} import FILE --export {folder} {names}{}",
             shell::program(),
-            case_folder::places(None)
+            run_plan::places(None)
         )?;
     }
     Ok(())

@@ -1,10 +1,10 @@
 //! `stickler import`: judges and reports results that were copied out of an editor, like a run of any engine.
 
 use crate::arguments::{ImportArguments, SelectionArguments};
-use crate::case_folder::{self, CaseFolder};
+use crate::case_folder::CaseFolder;
 use crate::commands::record;
 use crate::exit::{self, Exit};
-use crate::{baselines, output, shell};
+use crate::{baselines, output, run_plan, shell};
 use anyhow::{Context, bail};
 use std::fs;
 use std::io::{Read, Write};
@@ -47,8 +47,7 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         (None, true) => Suite::default(),
     };
     let baseline = plan.matched_baseline(&suite, &engine);
-    let report =
-        (!arguments.no_report).then(|| case_folder::report_folder(arguments.report.as_deref(), &root));
+    let report = (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &root));
     let (imported, overview) = judged(
         &export,
         &texts,
@@ -149,7 +148,7 @@ fn plan(
         "{} export {}{}",
         shell::program(),
         shell::quote(&again),
-        case_folder::places(arguments.cases.as_deref())
+        run_plan::places(arguments.cases.as_deref())
     );
     for kind in export.with() {
         rerun_prefix.push_str(" --with ");
@@ -160,7 +159,7 @@ fn plan(
         rerun_prefix,
         // A page of one case runs the case again; no engine can be named there.
         asked_for: [(engine.name.clone(), Reference::NAME.to_owned())].into(),
-        ..case_folder::plan(&SelectionArguments::default(), None)
+        ..run_plan::plan(&SelectionArguments::default(), None)
     })
 }
 

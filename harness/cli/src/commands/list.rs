@@ -9,6 +9,7 @@ use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::output::{BOLD, DIM};
+use crate::run_plan;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
@@ -22,7 +23,7 @@ use stickler_suite::Case;
 /// No folder of cases; nothing selected.
 pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = &arguments.selection;
-    let plan = case_folder::plan(selection, None);
+    let plan = run_plan::plan(selection, None);
     let folder = CaseFolder::locate(selection.cases.as_deref())?;
     let Loaded { suite, left_out, .. } = folder.load_for(&plan)?;
     let cases = match arguments.left_out {
@@ -34,25 +35,17 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     }
     if arguments.sources {
         sources::write(out, &suite.sources, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.places {
+    } else if arguments.places {
         places::write(out, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.features {
+    } else if arguments.features {
         features::write(out, &suite.features, &cases, arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    if arguments.basis {
+    } else if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;
-        return Ok(case_folder::exit_of(&suite));
-    }
-    for case in cases {
-        match arguments.json {
-            true => write_json(out, &CaseLine::new(case))?,
-            false => writeln!(out, "{}@{}", case.id, case.dialect)?,
-        }
+    } else {
+        cases.into_iter().try_for_each(|case| match arguments.json {
+            true => write_json(out, &CaseLine::new(case)),
+            false => writeln!(out, "{}@{}", case.id, case.dialect),
+        })?;
     }
     Ok(case_folder::exit_of(&suite))
 }

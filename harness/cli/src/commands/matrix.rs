@@ -6,7 +6,7 @@ use crate::engines::NamedEngine;
 use crate::exit::Exit;
 use crate::matrix_table::{DialectMatrix, Documents, EngineAnswers};
 use crate::progress::Progress;
-use crate::{engines, interrupt, shell};
+use crate::{engines, interrupt, run_plan, shell};
 use std::io::{self, Write};
 use std::sync::Arc;
 use stickler_conversions::implicit;
@@ -50,7 +50,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     // No document speaks of the pairs that a dialect of stickler.toml does not inherit.
-    let Loaded { suite, .. } = folder.load_implicit_for(&case_folder::plan(&selection, None))?;
+    let Loaded { suite, .. } = folder.load_implicit_for(&run_plan::plan(&selection, None))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let recordings: Vec<Recording> = match arguments.recorded || arguments.engine.is_empty() {

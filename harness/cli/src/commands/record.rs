@@ -3,7 +3,7 @@
 use crate::arguments::RecordArguments;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use crate::{case_folder, engines, interrupt};
+use crate::{engines, interrupt, run_plan};
 use anyhow::{Context, bail};
 use jiff::tz::TimeZone;
 use std::env::consts;
@@ -111,7 +111,7 @@ pub fn write(recording: &Recording, path: &Path) -> anyhow::Result<()> {
 
 /// Returns today's date, as a recording has it.
 pub fn today() -> String {
-    case_folder::now().to_zoned(TimeZone::UTC).date().to_string()
+    run_plan::now().to_zoned(TimeZone::UTC).date().to_string()
 }
 
 fn origin(arguments: &RecordArguments, identity: &Identity) -> anyhow::Result<RecordingOrigin> {

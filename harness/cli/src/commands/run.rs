@@ -10,7 +10,7 @@ use crate::documented::statements;
 use crate::engines::NamedEngine;
 use crate::exit::{self, Exit};
 use crate::progress::Progress;
-use crate::{baselines, engines, interrupt, output, shell};
+use crate::{baselines, engines, interrupt, output, run_plan, shell};
 use anyhow::bail;
 use std::collections::BTreeMap;
 use std::env;
@@ -93,7 +93,7 @@ fn run(
     }
     understood(&selected, engines)?;
     let report_folder =
-        (!arguments.no_report).then(|| case_folder::report_folder(arguments.report.as_deref(), &folder.root));
+        (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
     let stated = match &report_folder {
         Some(_) => statements(&selected, folder),
@@ -193,7 +193,7 @@ fn baselines(
 }
 
 fn plan(arguments: &RunArguments) -> Plan {
-    let mut plan = case_folder::plan(&arguments.selection, arguments.shard);
+    let mut plan = run_plan::plan(&arguments.selection, arguments.shard);
     plan.rerun_prefix.push_str(&judged_alike(arguments));
     Plan {
         jobs: arguments.jobs.map_or(0, usize::from),

@@ -150,13 +150,12 @@ fn write_whole(out: &mut dyn Write, group: &ChangedAlike<'_>, several: bool) -> 
     let Some((change, detail)) = detailed else {
         return writeln!(out);
     };
-    let case = &detail.case;
     if group.changes.len() > 1 {
-        writeln!(out, "     {DIM}such as{DIM:#}  {}", case.id)?;
+        writeln!(out, "     {DIM}such as{DIM:#}  {}", change.id)?;
     }
-    writeln!(out, "     {}", visible(&case.title))?;
-    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&case.basis))?;
-    writeln!(out, "     {DIM}at      {DIM:#} {}", case.place())?;
+    writeln!(out, "     {}", visible(&detail.title))?;
+    writeln!(out, "     {DIM}basis   {DIM:#} {}", visible(&detail.basis))?;
+    writeln!(out, "     {DIM}at      {DIM:#} {}", detail.place)?;
     write_texts(out, change, detail)?;
     writeln!(out, "     {DIM}rerun   {DIM:#} {}\n", visible(&detail.rerun))
 }

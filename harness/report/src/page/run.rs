@@ -2,6 +2,7 @@
 
 use crate::claims::Standing;
 use crate::discrepancies::cause_page_of;
+use crate::observations::Disagreement;
 use crate::overview::Overview;
 use crate::text::visible;
 use serde::Serialize;
@@ -28,7 +29,7 @@ pub(super) struct RunData<'o> {
     causes_left_out: usize,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     observations: u64,
-    disagreements: Vec<DisagreementData<'o>>,
+    disagreements: Vec<Disagreement<'o>>,
     disagreements_left_out: usize,
 }
 
@@ -78,20 +79,13 @@ struct ReproducerData<'o> {
     printed: &'o str,
 }
 
-#[derive(Serialize)]
-struct DisagreementData<'o> {
-    id: &'o str,
-    name: &'o str,
-    /// Each value with the engines that gave it.
-    values: Vec<(&'o str, Vec<String>)>,
-    cases: u64,
-}
-
 /// Returns the data of a run; `None` for a run without header or footer.
 pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
     let (header, footer) = (overview.header.as_ref()?, overview.footer.as_ref()?);
     let causes = causes(overview);
-    let disagreements = overview.observed.disagreements(&overview.engines());
+    let mut disagreements = overview.observed.disagreements(&overview.engines());
+    let disagreements_left_out = disagreements.len().saturating_sub(MAX_DISAGREEMENTS);
+    disagreements.truncate(MAX_DISAGREEMENTS);
     Some(RunData {
         header,
         footer,
@@ -100,17 +94,8 @@ pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
         causes_left_out: overview.causes.len() - causes.len(),
         causes,
         observations: overview.observations,
-        disagreements_left_out: disagreements.len().saturating_sub(MAX_DISAGREEMENTS),
-        disagreements: disagreements
-            .into_iter()
-            .take(MAX_DISAGREEMENTS)
-            .map(|disagreement| DisagreementData {
-                id: disagreement.id,
-                name: disagreement.name,
-                values: disagreement.values,
-                cases: disagreement.cases,
-            })
-            .collect(),
+        disagreements_left_out,
+        disagreements,
     })
 }
 

@@ -1,6 +1,7 @@
 //! The content of `results.json`. Its published schema is made of these types.
 
-use crate::claims::Standing;
+#[cfg(test)]
+use crate::claims::Claim;
 #[cfg(test)]
 use stickler_run::{BaselineHeader, Cause, DefinedHeader, SourceHeader};
 use stickler_run::{BaselineNote, CaseEvent, EngineHeader, Fact, Grade, Observed, Totals, Verdict};
@@ -43,7 +44,7 @@ pub(crate) struct ResultsDocument<'d> {
     /// The sources that the cases of the suite may cite.
     pub(super) sources: Vec<SourceHeader>,
     /// The claims, each with the numbers of its cases.
-    pub(super) claims: Vec<ClaimResult<'d>>,
+    pub(super) claims: Vec<Claim<'d>>,
     /// The causes of failing cases, those that explain most cases first.
     pub(super) causes: Vec<Cause>,
     /// The cases that did not pass.
@@ -67,20 +68,6 @@ pub(super) struct EngineResult<'d> {
     pub(super) rerun: &'d str,
     /// The number of times that each verdict came.
     pub(super) totals: Totals,
-}
-
-/// A section of a source with the results of one engine.
-#[derive(serde::Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub(super) struct ClaimResult<'d> {
-    /// The name of the engine.
-    pub(super) engine: &'d str,
-    /// The key of the source.
-    pub(super) source: &'d str,
-    /// The section of the source.
-    pub(super) section: &'d str,
-    /// The number of cases by what came of them.
-    pub(super) standing: Standing,
 }
 
 /// A case that did not pass.

@@ -89,7 +89,7 @@ fn changes(title: &str, changes: Vec<&Change>) -> String {
     }
     let mut claims: BTreeMap<&str, Vec<&Change>> = BTreeMap::new();
     for change in changes {
-        let basis = change.detail.as_deref().map(|detail| detail.case.basis.as_str());
+        let basis = change.detail.as_deref().map(|detail| detail.basis.as_str());
         let claim = basis.unwrap_or("Further cases, whose claims are in the comparison of the two runs");
         claims.entry(claim).or_default().push(change);
     }

@@ -1,10 +1,10 @@
 //! `feed.xml`: what each new version of an engine fixed and broke, as an Atom feed. Basis: RFC 4287.
 
 use super::history::{History, VersionStep};
+use crate::text::percent_encoded;
 use jiff::Timestamp;
 use quick_xml::Writer;
 use quick_xml::events::{BytesDecl, BytesText, Event};
-use std::fmt::Write as _;
 use std::io;
 
 /// The name of the feed in the folder of the site.
@@ -50,7 +50,7 @@ pub(super) fn feed(histories: &[History<'_>]) -> io::Result<Vec<u8>> {
 
 fn entry(xml: &mut Writer<Vec<u8>>, history: &History<'_>, step: &VersionStep<'_>) -> io::Result<()> {
     let [engine, old, new] = [history.name, step.old.version, step.new.version];
-    let id = [engine, old, new].map(percent_encoded).join(":");
+    let id = [engine, old, new].map(|text| percent_encoded(text, "")).join(":");
     xml.create_element("entry").write_inner_content(|xml| {
         text(xml, "id", &format!("urn:x-stickler:change:{id}"))?;
         text(xml, "title", &format!("{engine} {new}: {}", step.numbers()))?;
@@ -72,19 +72,4 @@ fn text(xml: &mut Writer<Vec<u8>>, name: &str, text: &str) -> io::Result<()> {
     let shown = crate::text::visible(text).replace(['\u{FFFE}', '\u{FFFF}'], "\u{FFFD}");
     let element = xml.create_element(name);
     element.write_text_content(BytesText::new(&shown)).map(drop)
-}
-
-/// Returns a text with every character escaped that has a meaning of its own in a URI.
-fn percent_encoded(text: &str) -> String {
-    let mut encoded = String::new();
-    for byte in text.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' => {
-                encoded.push(char::from(byte))
-            }
-            // Writing to a String cannot fail.
-            _ => drop(write!(encoded, "%{byte:02X}")),
-        }
-    }
-    encoded
 }
