@@ -28,19 +28,28 @@ pub(crate) struct Smallest {
 }
 
 impl Smallest {
+    /// Returns a program that was made small elsewhere.
+    pub(crate) const fn known(program: String, deviation: Deviation) -> Smallest {
+        Smallest {
+            program,
+            deviation,
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        }
+    }
+
     /// Returns the program of a case as it is, without header and marks.
     pub(crate) fn unreduced(event: &CaseEvent, sign: &Sign) -> Smallest {
         let (program, lines) = without_marks(event.program.as_deref().unwrap_or_default());
+        let deviation = Deviation {
+            sign: sign.clone(),
+            expected: moved(&event.expected, &lines),
+            got: moved(&event.got, &lines),
+        };
         Smallest {
-            program,
-            deviation: Deviation {
-                sign: sign.clone(),
-                expected: moved(&event.expected, &lines),
-                got: moved(&event.got, &lines),
-            },
             reduction: Reduced::Not,
-            flaky: None,
-            questions: 0,
+            ..Smallest::known(program, deviation)
         }
     }
 }
@@ -154,11 +163,8 @@ fn operand_alone(
             continue;
         };
         let found = Smallest {
-            program,
-            deviation,
-            reduction: Reduced::Smallest,
-            flaky: None,
             questions,
+            ..Smallest::known(program, deviation)
         };
         // What another group has shown is no chance.
         return match is_known {

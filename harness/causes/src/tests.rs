@@ -21,7 +21,7 @@ use crate::values;
 use crate::work::operations;
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use stickler_run::{Fact, Grade, Reduced, Verdict};
+use stickler_run::{Fact, Grade, Verdict};
 use stickler_suite::Features;
 use stickler_types::{Diagnostic, Dialect, DialectName, Value};
 
@@ -83,6 +83,13 @@ fn diagnostic(code: Option<&str>, message: &str, line: Option<u32>, column: Opti
     })
 }
 
+fn lacking(reason: &str) -> Fact {
+    Fact::NotImplemented {
+        reason: reason.to_owned(),
+        promised_by: None,
+    }
+}
+
 impl Failing {
     /// Returns what had to happen, what happened, and the verdict.
     fn facts(&self, program: &str) -> (Vec<Fact>, Vec<Fact>, Verdict) {
@@ -121,14 +128,8 @@ impl Failing {
         } else if let Some(fault) = &self.fault {
             let fault = fault.parse().expect("a fault");
             (Fact::Accepted, Fact::Fault { fault, line: None })
-        } else if let Some(reason) = self.lacks.clone() {
-            (
-                Fact::Accepted,
-                Fact::NotImplemented {
-                    reason,
-                    promised_by: None,
-                },
-            )
+        } else if let Some(reason) = &self.lacks {
+            (Fact::Accepted, lacking(reason))
         } else if let Some(reason) = self.unusable.clone() {
             (Fact::Accepted, Fact::Unusable { reason })
         } else {
@@ -153,19 +154,10 @@ impl Failing {
         };
         let program = self.program.clone().unwrap_or_else(text);
         let (expected, got, verdict) = self.facts(&program);
-        let grade = if self.otherwise.is_some() {
-            Grade::Code
-        } else {
-            Grade::Line
-        };
-        let sign = Sign::of(&program, verdict, (&expected, &got), grade);
-        Smallest {
-            program,
-            deviation: Deviation { sign, expected, got },
-            reduction: Reduced::Smallest,
-            flaky: None,
-            questions: 0,
-        }
+        let of_codes = self.otherwise.is_some();
+        let grade = if of_codes { Grade::Code } else { Grade::Line };
+        let deviation = Deviation::new(&program, verdict, (expected, got), grade);
+        Smallest::known(program, deviation)
     }
 
     fn essence(&self) -> Essence {
@@ -301,13 +293,7 @@ fn answer(question: &str, inputs: &[String]) -> String {
         let place = text.lines().position(|line| line == wanted);
         place.expect("a line of the program") as u32 + 1
     };
-    let lacking = |reason: &str| {
-        let reason = reason.to_owned();
-        vec![Fact::NotImplemented {
-            reason,
-            promised_by: None,
-        }]
-    };
+    let lacking = |reason: &str| vec![lacking(reason)];
     let sign =
         |text: &str, got: Vec<Fact>| Sign::of(text, Verdict::Fail, (&[Fact::Accepted], &got), Grade::Code);
     let deviation = || {
@@ -315,23 +301,12 @@ fn answer(question: &str, inputs: &[String]) -> String {
             name: "x".to_owned(),
             value: Value::parse(text).expect("a literal"),
         };
-        let (expected, got) = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
-        Deviation {
-            sign: Sign::of("", Verdict::Fail, (&expected, &got), Grade::Line),
-            expected,
-            got,
-        }
+        let facts = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
+        Deviation::new("", Verdict::Fail, facts, Grade::Line)
     };
-    let bodies =
-        |texts: Vec<String>| joined(texts.into_iter().filter(|one| *one != text).map(|one| body(&one)));
-    let lines = |texts: Vec<String>| {
-        joined(
-            texts
-                .into_iter()
-                .filter(|one| *one != text)
-                .map(|one| in_line(&one)),
-        )
-    };
+    let others = |texts: Vec<String>| texts.into_iter().filter(|one| *one != text);
+    let bodies = |texts: Vec<String>| joined(others(texts).map(|one| body(&one)));
+    let lines = |texts: Vec<String>| joined(others(texts).map(|one| in_line(&one)));
     let alone = |program: &ReadProgram<'_, '_>| {
         alone(program)
             .into_iter()
