@@ -18,7 +18,7 @@ use crate::sign::Sign;
 use crate::suspect::{self, unimplemented};
 use crate::title::{condition, title};
 use crate::values;
-use crate::work::operations;
+use crate::work::{WORKS, operations};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use stickler_run::{Fact, Grade, Verdict};
@@ -397,4 +397,11 @@ fn the_parts_of_a_program_are_found_as_the_tables_say() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn each_piece_of_work_has_features_of_the_list() {
+    let features = Features::built_in();
+    let unknown = WORKS.keys().filter(|key| features.get(key).is_none());
+    assert_eq!(Vec::from_iter(unknown), [""; 0]);
 }
