@@ -278,7 +278,7 @@ pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
 
 /// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
 /// that they leave; and of each of its lines the number in the program with marks.
-fn without_marks(program: &str) -> (String, Vec<u32>) {
+pub(crate) fn without_marks(program: &str) -> (String, Vec<u32>) {
     let mut unmarked = String::with_capacity(program.len());
     let mut rest = program;
     while let Some(start) = rest.find("(*!") {
@@ -301,7 +301,7 @@ fn without_marks(program: &str) -> (String, Vec<u32>) {
 }
 
 /// Returns facts with the numbers of their lines changed to those of a program of which only `lines` are left.
-fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
+pub(crate) fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     let place = |line: &mut u32| {
         if let Some(at) = lines.iter().position(|former| former == line) {
             *line = at as u32 + 1;
