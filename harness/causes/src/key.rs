@@ -5,12 +5,11 @@ use crate::normal::Normal;
 use crate::program::read;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
-use crate::sign::Sign;
 use crate::title::title;
 use crate::values::value_features;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use stickler_run::{Answers, Grade, Reduced, Symptom, judge};
+use stickler_run::{Answers, Grade, Symptom, judge};
 use stickler_suite::{Case, Expectation, ExpectedValue};
 use stickler_types::{DialectName, NamedValue, Outcome};
 
@@ -44,18 +43,9 @@ impl CauseKey {
         if !judged.verdict.is_discrepancy() {
             return None;
         }
-        let facts = (&judged.expected[..], &judged.got[..]);
-        let smallest = Smallest {
-            program: program.to_owned(),
-            deviation: Deviation {
-                sign: Sign::of(program, judged.verdict, facts, strict),
-                expected: judged.expected.clone(),
-                got: judged.got.clone(),
-            },
-            reduction: Reduced::Smallest,
-            flaky: None,
-            questions: 0,
-        };
+        let facts = (judged.expected, judged.got);
+        let deviation = Deviation::new(program, judged.verdict, facts, strict);
+        let smallest = Smallest::known(program.to_owned(), deviation);
         let essence = Essence::of(&smallest, &Normal::unasked(&smallest));
         let labels = match smallest.deviation.sign.symptom {
             Symptom::Value | Symptom::Missing => read(program, value_features),

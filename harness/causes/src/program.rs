@@ -50,9 +50,11 @@ impl<'s> Program<'s> {
             initial: HashMap::new(),
         };
         walk(&self.unit, &mut collector);
+        let index = collector.parts.iter().enumerate();
         ReadProgram {
             program: self,
             names: collector.names,
+            index: index.map(|(at, part)| (part.id, at)).collect(),
             parts: collector.parts,
             initial: collector.initial,
         }
@@ -105,6 +107,7 @@ pub(crate) struct ReadProgram<'t, 's> {
     pub(crate) program: &'t Program<'s>,
     pub(crate) names: Vec<DeclaredName<'t, 's>>,
     pub(crate) parts: Vec<Part<'t, 's>>,
+    index: HashMap<ExpressionId, usize>,
     /// The types of what begins with an initial value, by the place of that.
     initial: HashMap<Span, &'t TypeSpecification<'s>>,
 }
@@ -124,7 +127,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
     }
 
     pub(crate) fn part(&self, id: ExpressionId) -> Option<&Part<'t, 's>> {
-        self.parts.iter().find(|part| part.id == id)
+        self.parts.get(*self.index.get(&id)?)
     }
 
     /// Returns the expression that another one is a part of.
@@ -259,11 +262,8 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the literal with which a variable begins.
     pub(crate) fn initial(&self, name: &str) -> Option<&'s str> {
-        let mut groups = self
-            .names
-            .iter()
-            .filter(|one| one.name.is(name))
-            .filter_map(|one| one.group);
+        let named = self.names.iter().filter(|one| one.name.is(name));
+        let mut groups = named.filter_map(|one| one.group);
         groups.find_map(|group| match group.initializer.as_ref()?.kind {
             InitializerKind::Expression(value) => self.literal(value),
             _ => None,

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
 use stickler_run::{
-    AnswerStore, Answers, CaseJudge, Fact, Reproducer, Symptom, Verdict, ask, ask_stored, question,
+    AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored, question,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_types::{NamedValue, Observation, Outcome, RunRequest, Value};
@@ -70,6 +70,17 @@ pub(crate) fn wrong_values<'f>(
 }
 
 impl Deviation {
+    /// Returns the deviation of a program with a verdict. `strict` is the worst grade of a rejection that still passed.
+    pub(crate) fn new(
+        program: &str,
+        verdict: Verdict,
+        (expected, got): (Vec<Fact>, Vec<Fact>),
+        strict: Grade,
+    ) -> Deviation {
+        let sign = Sign::of(program, verdict, (&expected, &got), strict);
+        Deviation { sign, expected, got }
+    }
+
     /// Removes the promise from what the engine did, of a program of which the claim does not speak.
     pub(crate) fn forget_promise(&mut self) {
         for fact in &mut self.got {
@@ -136,13 +147,9 @@ impl Questioner<'_> {
         if !judged.verdict.is_discrepancy() {
             return Ok((judged.got, None));
         }
-        let facts = (&judged.expected[..], &judged.got[..]);
         let strict = self.judge.plan.needed(self.judge.engine, case);
-        let deviation = Deviation {
-            sign: Sign::of(&case.source, judged.verdict, facts, strict),
-            expected: judged.expected,
-            got: judged.got.clone(),
-        };
+        let facts = (judged.expected, judged.got.clone());
+        let deviation = Deviation::new(&case.source, judged.verdict, facts, strict);
         Ok((judged.got, Some(deviation)))
     }
 

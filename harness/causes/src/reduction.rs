@@ -28,19 +28,28 @@ pub(crate) struct Smallest {
 }
 
 impl Smallest {
+    /// Returns a program that was made small elsewhere.
+    pub(crate) const fn known(program: String, deviation: Deviation) -> Smallest {
+        Smallest {
+            program,
+            deviation,
+            reduction: Reduced::Smallest,
+            flaky: None,
+            questions: 0,
+        }
+    }
+
     /// Returns the program of a case as it is, without header and marks.
     pub(crate) fn unreduced(event: &CaseEvent, sign: &Sign) -> Smallest {
         let (program, lines) = without_marks(event.program.as_deref().unwrap_or_default());
+        let deviation = Deviation {
+            sign: sign.clone(),
+            expected: moved(&event.expected, &lines),
+            got: moved(&event.got, &lines),
+        };
         Smallest {
-            program,
-            deviation: Deviation {
-                sign: sign.clone(),
-                expected: moved(&event.expected, &lines),
-                got: moved(&event.got, &lines),
-            },
             reduction: Reduced::Not,
-            flaky: None,
-            questions: 0,
+            ..Smallest::known(program, deviation)
         }
     }
 }
@@ -154,11 +163,8 @@ fn operand_alone(
             continue;
         };
         let found = Smallest {
-            program,
-            deviation,
-            reduction: Reduced::Smallest,
-            flaky: None,
             questions,
+            ..Smallest::known(program, deviation)
         };
         // What another group has shown is no chance.
         return match is_known {
@@ -272,7 +278,7 @@ pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
 
 /// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
 /// that they leave; and of each of its lines the number in the program with marks.
-fn without_marks(program: &str) -> (String, Vec<u32>) {
+pub(crate) fn without_marks(program: &str) -> (String, Vec<u32>) {
     let mut unmarked = String::with_capacity(program.len());
     let mut rest = program;
     while let Some(start) = rest.find("(*!") {
@@ -295,7 +301,7 @@ fn without_marks(program: &str) -> (String, Vec<u32>) {
 }
 
 /// Returns facts with the numbers of their lines changed to those of a program of which only `lines` are left.
-fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
+pub(crate) fn moved(facts: &[Fact], lines: &[u32]) -> Vec<Fact> {
     let place = |line: &mut u32| {
         if let Some(at) = lines.iter().position(|former| former == line) {
             *line = at as u32 + 1;

@@ -2,28 +2,29 @@
 //! crate find in a program.
 
 use crate::alone::alone;
-use crate::claim::keeps_work;
+use crate::claim::{keeps_claim, keeps_work};
 use crate::essence::Essence;
 use crate::forms;
 use crate::guard::Constructs;
+use crate::key::CauseKey;
 use crate::lines::{described, line_with_number};
 use crate::normal::Normal;
 use crate::patterns;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
 use crate::question::Deviation;
-use crate::reduction::Smallest;
+use crate::reduction::{Smallest, moved, without_marks};
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::sign::Sign;
 use crate::suspect::{self, unimplemented};
 use crate::title::{condition, title};
 use crate::values;
-use crate::work::operations;
+use crate::work::{WORKS, operations};
 use serde::Deserialize;
 use std::collections::BTreeMap;
-use stickler_run::{Fact, Grade, Reduced, Verdict};
+use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 use stickler_suite::Features;
-use stickler_types::{Diagnostic, Dialect, DialectName, Value};
+use stickler_types::{Diagnostic, Dialect, DialectName, Fault, NamedValue, Outcome, Value};
 
 /// A small program, and what a compiler made of it. `same_cause.toml` says what each key means.
 #[derive(Deserialize, Default)]
@@ -83,6 +84,13 @@ fn diagnostic(code: Option<&str>, message: &str, line: Option<u32>, column: Opti
     })
 }
 
+fn lacking(reason: &str) -> Fact {
+    Fact::NotImplemented {
+        reason: reason.to_owned(),
+        promised_by: None,
+    }
+}
+
 impl Failing {
     /// Returns what had to happen, what happened, and the verdict.
     fn facts(&self, program: &str) -> (Vec<Fact>, Vec<Fact>, Verdict) {
@@ -121,14 +129,8 @@ impl Failing {
         } else if let Some(fault) = &self.fault {
             let fault = fault.parse().expect("a fault");
             (Fact::Accepted, Fact::Fault { fault, line: None })
-        } else if let Some(reason) = self.lacks.clone() {
-            (
-                Fact::Accepted,
-                Fact::NotImplemented {
-                    reason,
-                    promised_by: None,
-                },
-            )
+        } else if let Some(reason) = &self.lacks {
+            (Fact::Accepted, lacking(reason))
         } else if let Some(reason) = self.unusable.clone() {
             (Fact::Accepted, Fact::Unusable { reason })
         } else {
@@ -153,19 +155,10 @@ impl Failing {
         };
         let program = self.program.clone().unwrap_or_else(text);
         let (expected, got, verdict) = self.facts(&program);
-        let grade = if self.otherwise.is_some() {
-            Grade::Code
-        } else {
-            Grade::Line
-        };
-        let sign = Sign::of(&program, verdict, (&expected, &got), grade);
-        Smallest {
-            program,
-            deviation: Deviation { sign, expected, got },
-            reduction: Reduced::Smallest,
-            flaky: None,
-            questions: 0,
-        }
+        let of_codes = self.otherwise.is_some();
+        let grade = if of_codes { Grade::Code } else { Grade::Line };
+        let deviation = Deviation::new(&program, verdict, (expected, got), grade);
+        Smallest::known(program, deviation)
     }
 
     fn essence(&self) -> Essence {
@@ -285,6 +278,38 @@ fn yes(is_it: bool) -> String {
     if is_it { "yes" } else { "no" }.to_owned()
 }
 
+fn key(program: &str, values: &[NamedValue], outcome: &Outcome) -> Option<CauseKey> {
+    CauseKey::of_program(program, DialectName::IRONPLC_ED3, values, outcome)
+}
+
+/// Returns whether a claim of a kind says something of a program of which a compiler says something.
+fn claims(program: &str, claim: &str, said: &str) -> bool {
+    let mut failing = Failing {
+        program: Some(program.to_owned()),
+        ..Failing::default()
+    };
+    match said.starts_with('P') {
+        true => failing.rejected = Some(said.to_owned()),
+        false => failing.unusable = Some(said.to_owned()),
+    }
+    let smallest = failing.smallest();
+    let value = || Fact::Value {
+        name: "x".to_owned(),
+        value: Value::parse("INT#-5").expect("a literal"),
+    };
+    let case = CaseEvent {
+        expected: vec![match claim {
+            "value" => value(),
+            "mistake" => Fact::Diagnostic(Diagnostic::default()),
+            _ => Fact::Accepted,
+        }],
+        got: smallest.deviation.got.clone(),
+        program: Some(program.to_owned()),
+        ..CaseEvent::default()
+    };
+    keeps_claim(&case, &smallest)
+}
+
 /// Returns the answer to a question about a program, by the inputs of a row.
 fn answer(question: &str, inputs: &[String]) -> String {
     let text = whole(&inputs[0]);
@@ -301,13 +326,7 @@ fn answer(question: &str, inputs: &[String]) -> String {
         let place = text.lines().position(|line| line == wanted);
         place.expect("a line of the program") as u32 + 1
     };
-    let lacking = |reason: &str| {
-        let reason = reason.to_owned();
-        vec![Fact::NotImplemented {
-            reason,
-            promised_by: None,
-        }]
-    };
+    let lacking = |reason: &str| vec![lacking(reason)];
     let sign =
         |text: &str, got: Vec<Fact>| Sign::of(text, Verdict::Fail, (&[Fact::Accepted], &got), Grade::Code);
     let deviation = || {
@@ -315,23 +334,12 @@ fn answer(question: &str, inputs: &[String]) -> String {
             name: "x".to_owned(),
             value: Value::parse(text).expect("a literal"),
         };
-        let (expected, got) = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
-        Deviation {
-            sign: Sign::of("", Verdict::Fail, (&expected, &got), Grade::Line),
-            expected,
-            got,
-        }
+        let facts = (vec![fact(&inputs[1])], vec![fact(&inputs[2])]);
+        Deviation::new("", Verdict::Fail, facts, Grade::Line)
     };
-    let bodies =
-        |texts: Vec<String>| joined(texts.into_iter().filter(|one| *one != text).map(|one| body(&one)));
-    let lines = |texts: Vec<String>| {
-        joined(
-            texts
-                .into_iter()
-                .filter(|one| *one != text)
-                .map(|one| in_line(&one)),
-        )
-    };
+    let others = |texts: Vec<String>| texts.into_iter().filter(|one| *one != text);
+    let bodies = |texts: Vec<String>| joined(others(texts).map(|one| body(&one)));
+    let lines = |texts: Vec<String>| joined(others(texts).map(|one| in_line(&one)));
     let alone = |program: &ReadProgram<'_, '_>| {
         alone(program)
             .into_iter()
@@ -360,12 +368,50 @@ fn answer(question: &str, inputs: &[String]) -> String {
             let unread = || vec![diagnostic(Some("P0002"), "", Some(5), inputs[2].parse().ok())];
             yes(sign(&text, unread()) == sign(&other(), unread()))
         }
+        "mistyped_alike" => {
+            let mistyped = || vec![diagnostic(Some("P4035"), "", Some(5), Some(6))];
+            yes(sign(&text, mistyped()) == sign(&other(), mistyped()))
+        }
+        "without_marks" => {
+            let (program, lines) = without_marks(&text);
+            let lines: Vec<String> = lines.iter().map(u32::to_string).collect();
+            format!("{program}{}", lines.join(" "))
+        }
+        "keeps_claim" => yes(claims(&text, &inputs[1], &inputs[2])),
+        "hides" => {
+            let of = |expected: Fact, code: &str| {
+                let got = [diagnostic(Some(code), "", Some(1), Some(6))];
+                Sign::of("x := y;", Verdict::Fail, (&[expected], &got), Grade::Code)
+            };
+            let hides = of(diagnostic(Some("P4022"), "", Some(1), Some(1)), &inputs[0]);
+            let hidden = of(Fact::Accepted, &inputs[1]);
+            yes(hides.is_kept_by(&hidden) && !hidden.is_kept_by(&hides))
+        }
+        "same_key" => {
+            let keys = [text.clone(), other()].map(|text| {
+                let diagnostics = vec![Diagnostic {
+                    code: Some("P4017".to_owned()),
+                    line: Some(5),
+                    ..Diagnostic::default()
+                }];
+                let key = key(&text, &[], &Outcome::Rejected { diagnostics }).expect("a rejection");
+                assert!(key.title.contains("is rejected"), "{}", key.title);
+                (key.symptom, key.constructs)
+            });
+            yes(keys[0] == keys[1])
+        }
+        "symptom_of_key" => {
+            let value = |text: &str| vec![("a".to_owned(), Value::parse(text).expect("a literal"))];
+            let found = key(&text, &value("INT#5"), &Outcome::executed(value(&inputs[1])));
+            found.map_or(String::new(), |key| key.symptom)
+        }
         "missing_alike" => yes(sign(&text, lacking("no")) == sign(&other(), lacking("no"))),
         "alone" => joined(alone(&program)),
         "alone_has" => yes(alone(&program).contains(&inputs[1])),
         "only_initial_values" => lines(forms::only_initial_values(&program)),
         "with_one_statement" => bodies(forms::with_one_statement(&program)),
         "with_other_operand" => bodies(forms::with_other_operand(&program, 5)),
+        "with_other_initial_value" => lines(forms::with_other_operand(&program, 5)),
         "in_two_steps" => {
             let found = forms::in_two_steps(&program).map(|one| {
                 one.split_once("END_VAR\n")
@@ -378,6 +424,7 @@ fn answer(question: &str, inputs: &[String]) -> String {
         "with_fitting_operand" => lines(forms::with_fitting_operand(&program)),
         "with_first_parts" => bodies(forms::with_first_parts(&program)),
         "with_plainer_type" => lines(forms::with_plainer_type(&program)),
+        "first_plainer_type" => lines(forms::with_plainer_type(&program).into_iter().take(1).collect()),
         "with_same_types" => lines(forms::with_same_types(&program)),
         "plainer_numbers" => bodies(
             values::plainer_numbers(&program)
@@ -422,4 +469,21 @@ fn the_parts_of_a_program_are_found_as_the_tables_say() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn each_piece_of_work_has_features_of_the_list() {
+    let features = Features::built_in();
+    let unknown = WORKS.keys().filter(|key| features.get(key).is_none());
+    assert_eq!(Vec::from_iter(unknown), [""; 0]);
+}
+
+#[test]
+fn the_lines_of_facts_are_those_of_the_program_without_marks() {
+    let fault = |line| Fact::Fault {
+        fault: Fault::Subrange,
+        line: Some(line),
+    };
+    let facts = [fault(5), fault(1), Fact::Accepted];
+    assert_eq!(moved(&facts, &[4, 5, 6, 7]), [fault(2), fault(1), Fact::Accepted]);
 }

@@ -29,7 +29,7 @@ pub(crate) struct Work {
 }
 
 /// The roles and words of each feature, from `work.toml`.
-static WORKS: LazyLock<BTreeMap<String, Vec<(Role, String)>>> = LazyLock::new(|| {
+pub(crate) static WORKS: LazyLock<BTreeMap<String, Vec<(Role, String)>>> = LazyLock::new(|| {
     let text = include_str!("work.toml");
     let roles: BTreeMap<Role, BTreeMap<String, Vec<String>>> = toml::from_str(text).unwrap_or_default();
     let mut works: BTreeMap<String, Vec<(Role, String)>> = BTreeMap::new();
