@@ -29,26 +29,7 @@ static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {
     })
 });
 
-const PROGRAM: &str = "\
-FUNCTION TAKE : INT
-VAR_INPUT in : INT; END_VAR
-    TAKE := in;
-END_FUNCTION
-PROGRAM main
-VAR
-    small : SINT := -1;
-    flags : BYTE := 16#02;
-    list  : ARRAY[0..1] OF INT;
-    plain : INT;
-    given : INT;
-    bit   : BOOL;
-END_VAR
-    plain := small;
-    list[0] := small;
-    IF small < 0 THEN given := TAKE(in := small); END_IF;
-    bit := flags.1;
-END_PROGRAM
-";
+const PROGRAM: &str = include_str!("tests/program.st");
 
 /// Returns what a program does where a rule is broken in a place: the values of its variables, or the lines of its errors.
 fn reported(rule: &str, place: BrokenPlace) -> String {
@@ -214,21 +195,7 @@ fn a_saboteur_breaks_no_claim_where_every_case_that_sees_it_only_records() {
 }
 
 /// A list that explains two rules in all targets but one.
-const LIST: &str = r#"
-[[reason]]
-kind = "open"
-text = "No document says it."
-
-[[reason.unnoticed]]
-rules  = ["implicit.lreal-to-real.*"]
-places = ["target.*"]
-except = ["target.assignment"]
-
-[[reason.unnoticed]]
-rules  = ["implicit.from-time.wrong"]
-places = ["target.assignment"]
-pairs  = ["* to DATE"]
-"#;
+const LIST: &str = include_str!("tests/unnoticed.toml");
 
 fn saboteur(rule: &str, place: BrokenPlace) -> Saboteur {
     let rules = Rule::all();
