@@ -3,7 +3,7 @@
 use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
-    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
+    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
     InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit,
     Variable, VariableId, VariableSection,
 };
@@ -209,9 +209,9 @@ impl<'p> SiteWalker<'p> {
                 }
                 self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
             }
-            Statement::For {
+            Statement::For(ForLoop {
                 from, to, by, body, ..
-            } => {
+            }) => {
                 self.expression(from, ExpressionContext::Bound, visit);
                 self.expression(to, ExpressionContext::Bound, visit);
                 if let Some(by) = by {

@@ -56,8 +56,8 @@ fn settled_variables(
     let mut counting = HashSet::new();
     lists(statements, &mut |list| {
         for statement in list {
-            if let Statement::For { variable, .. } = statement {
-                counting.insert(*variable);
+            if let Statement::For(parts) = statement {
+                counting.insert(parts.variable);
             }
         }
     });

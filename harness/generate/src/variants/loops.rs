@@ -44,20 +44,14 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
 /// statement cannot be unrolled, because EXIT in a copy of the body would leave another loop, or none.
 fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<Statement>> {
     match statement {
-        Statement::For {
-            variable,
-            from,
-            to,
-            by,
-            body,
-        } if !has_loose_exit(body) => {
-            let turns = turns(from, to, by.as_ref())?;
-            let ty = &variables.get(variable.0)?.ty;
+        Statement::For(parts) if !has_loose_exit(&parts.body) => {
+            let turns = turns(&parts.from, &parts.to, parts.by.as_ref())?;
+            let ty = &variables.get(parts.variable.0)?.ty;
             let Type::Elementary(ty) = ty else { return None };
             let mut statements = Vec::new();
             for turn in turns {
-                statements.push(assigned(*variable, *ty, turn));
-                statements.extend_from_slice(body);
+                statements.push(assigned(parts.variable, *ty, turn));
+                statements.extend_from_slice(&parts.body);
             }
             Some(statements)
         }

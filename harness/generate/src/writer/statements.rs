@@ -2,7 +2,7 @@
 
 use super::source_writer::SourceWriter;
 use crate::model::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, Type, Variable,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ForLoop, Place, Statement, Type, Variable,
     VariableId,
 };
 
@@ -41,15 +41,9 @@ impl SourceWriter<'_> {
             Statement::Case(selector, branches, otherwise) => {
                 self.case(selector, branches, otherwise.as_deref(), pou);
             }
-            Statement::For {
-                variable,
-                from,
-                to,
-                by,
-                body,
-            } => {
-                self.for_head(*variable, from, to, by.as_ref(), pou);
-                self.statements(body, pou);
+            Statement::For(parts) => {
+                self.for_head(parts, pou);
+                self.statements(&parts.body, pou);
                 self.closing("END_FOR");
             }
             Statement::While(condition, body) => {
@@ -166,14 +160,14 @@ impl SourceWriter<'_> {
         self.style.notation = notation;
     }
 
-    fn for_head(
-        &mut self,
-        variable: VariableId,
-        from: &Expression,
-        to: &Expression,
-        by: Option<&Expression>,
-        pou: PouText<'_>,
-    ) {
+    fn for_head(&mut self, parts: &ForLoop, pou: PouText<'_>) {
+        let ForLoop {
+            variable,
+            from,
+            to,
+            by,
+            ..
+        } = parts;
         self.word("FOR");
         self.blank();
         if let Some(variable) = pou.variables.get(variable.0) {
