@@ -132,12 +132,7 @@ impl SourceWriter<'_> {
         self.deeper();
         for branch in branches {
             self.new_line();
-            for (number, label) in branch.labels.iter().enumerate() {
-                if number > 0 {
-                    self.comma();
-                }
-                self.label(label, pou);
-            }
+            self.list(&branch.labels, |writer, label| writer.label(label, pou));
             self.put(":");
             self.statements(&branch.body, pou);
         }
@@ -205,13 +200,10 @@ impl SourceWriter<'_> {
         };
         self.put(&variable.name);
         self.put("(");
-        for (number, input) in inputs.iter().enumerate() {
-            if number > 0 {
-                self.comma();
-            }
-            self.parameter(parameters, input);
-            self.expression(&input.value, pou.variables);
-        }
+        self.list(inputs, |writer, input| {
+            writer.parameter(parameters, input);
+            writer.expression(&input.value, pou.variables);
+        });
         for (number, (output, place)) in outputs.iter().enumerate() {
             if number > 0 || !inputs.is_empty() {
                 self.comma();
