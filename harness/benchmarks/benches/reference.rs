@@ -27,35 +27,7 @@ END_PROGRAM
 }
 
 /// A typical function, repeated under many names.
-const FUNCTION: &str = "
-(* Limits a value and counts how often it had to. *)
-FUNCTION Clamp_@ : REAL
-VAR_INPUT
-    value      : REAL;           (* in engineering units *)
-    low, high  : REAL := 100.0;
-END_VAR
-VAR
-    table : ARRAY[0..9] OF INT := [1, 2, 3, 5(0)];
-    index : INT;
-    found : BOOL := FALSE;
-END_VAR
-    Clamp_@ := value;
-    FOR index := 0 TO 9 DO
-        IF table[index] > 16#7F AND NOT found OR index = 3 THEN
-            found := TRUE;
-            table[index] := table[index] + 2 * index - DINT_TO_INT(12_345);
-        ELSIF value < low THEN
-            Clamp_@ := LIMIT(low, value * 1.5E-3, high);
-        END_IF;
-    END_FOR;
-    CASE index OF
-        0, 1: Clamp_@ := low;
-        2..5: Clamp_@ := high;
-    ELSE
-        Clamp_@ := (low + high) / 2.0;
-    END_CASE;
-END_FUNCTION
-";
+const FUNCTION: &str = include_str!("texts/clamp.st");
 
 fn large_source() -> String {
     (0..1_500)

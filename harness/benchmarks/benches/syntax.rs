@@ -12,33 +12,7 @@ use stickler_types::DialectName;
 const LENGTH: usize = 10_000_000;
 
 /// A typical function block.
-const USUAL: &str = "
-(* Keeps the mean of the last samples, and drives the motor by it. *)
-FUNCTION_BLOCK Motor
-VAR_INPUT
-    start : BOOL;            (* the start command *)
-    speed : REAL := 10.5;
-    mode  : INT;
-END_VAR
-VAR
-    samples : ARRAY[0..15] OF REAL := [16(0.0)];
-    index   : UINT;
-    status  : WORD := 16#00FF;
-    delay   : TIME := T#1s500ms;
-END_VAR
-    samples[index] := speed * 1.25 + INT_TO_REAL(mode);
-    index := (index + 1) MOD 16;
-    IF start OR status.3 AND NOT status.4 THEN
-        status.0 := FALSE;
-    ELSIF mode = 3 AND speed > 100.0 THEN
-        speed := LIMIT(0.0, speed - samples[15] / 16.0, 50.0);
-    ELSE
-        FOR index := 0 TO 15 BY 1 DO
-            speed := speed + samples[index] / 16.0;
-        END_FOR;
-    END_IF;
-END_FUNCTION_BLOCK
-";
+const USUAL: &str = include_str!("texts/motor.st");
 
 /// A program without a space that could be omitted: the worst case, two tokens every three bytes; no aim is set for it.
 const DENSE: &str = "PROGRAM p x:=a+b*c-d[i];y:=(x+1)*2;f(a,b);END_PROGRAM\n";

@@ -41,45 +41,14 @@ pub fn distinctive(program: &Program) -> Vec<String> {
         ty.is_some_and(|ty| {
             ty == ElementaryType::Bool || ty.is_integer() || ty.is_bit_string() || ty.is_real()
         }) || name.ends_with('#')
-            || COMMON.contains(&name.as_str())
+            || COMMON.lines().any(|common| common == name)
     };
     let names = features(program).into_keys();
     names.filter(|name| !is_common(name)).collect()
 }
 
-/// The features that most generated programs have.
-const COMMON: [&str; 30] = [
-    "array-type",
-    "based-literal",
-    "case-else",
-    "case-list",
-    "conversion",
-    "conversion-overloaded",
-    "date-and-time-literal",
-    "date-literal",
-    "duration-literal",
-    "else",
-    "elsif",
-    "empty-statement",
-    "field-initial-value",
-    "for-by",
-    "initial-value",
-    "literal-exponent",
-    "literal-underscore",
-    "long-date-and-time-literal",
-    "long-date-literal",
-    "long-duration-literal",
-    "long-time-of-day-literal",
-    "named-argument",
-    "parentheses",
-    "string-literal",
-    "time-of-day-literal",
-    "typed-literal",
-    "typed-literal-boolean",
-    "typed-literal-string",
-    "var-input",
-    "wide-string-literal",
-];
+/// The features that most generated programs have, one a line.
+const COMMON: &str = include_str!("features/common.txt");
 
 /// Counts how often each feature occurs in a program, and each operator, literal and variable of a type: `+ of INT`, `read INT`.
 #[must_use]

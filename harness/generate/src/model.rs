@@ -21,7 +21,7 @@ pub use lookup::subscripts;
 pub use program::{
     Function, FunctionBlock, InitialValue, MainPou, Program, Variable, VariableId, VariableSection,
 };
-pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, Statement};
+pub use statement::{AssignmentTarget, CaseBranch, CaseLabel, ForLoop, Statement};
 pub use types::{ArrayType, DeclaredKind, Type, TypeDeclaration};
 pub use unit::Unit;
 pub use visitor::{visit, visit_mut};

@@ -22,7 +22,7 @@ mod statements;
 mod tests;
 
 use crate::generator::DialectProfile;
-use crate::model::{MainPou, Program, Type, Variable};
+use crate::model::{Program, Type, Variable};
 use stickler_syntax::parse;
 use stickler_syntax::tree::SourceUnit;
 use stickler_types::{Dialect, DialectName, ElementaryType};
@@ -37,16 +37,7 @@ pub fn read(text: &str, dialect: DialectName) -> Option<Program> {
     let mut reader = Reader {
         unit: &unit,
         profile: DialectProfile::of(dialect),
-        program: Program {
-            dialect,
-            types: Vec::new(),
-            functions: Vec::new(),
-            blocks: Vec::new(),
-            main: MainPou {
-                variables: Vec::new(),
-                body: Vec::new(),
-            },
-        },
+        program: Program::empty(dialect),
         variables: Vec::new(),
         function: None,
     };

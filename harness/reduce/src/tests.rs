@@ -4,78 +4,7 @@ use crate::{Interestingness, Reduction, ReductionBudget, StopReason, text};
 use stickler_types::DialectName;
 
 /// A text with one of everything.
-const MACHINE: &str = "(* A machine, as somebody might have written it. *)
-TYPE
-    Color : (RED, GREEN, BLUE);
-    Point : STRUCT
-        x : INT := 3;
-        y : DINT;
-    END_STRUCT;
-END_TYPE
-
-FUNCTION Scale : DINT
-VAR_INPUT
-    value, factor : INT;
-    offset : DINT;
-END_VAR
-    (* a comment *)
-    Scale := INT_TO_DINT(value * factor) + offset;
-END_FUNCTION
-
-FUNCTION_BLOCK Counter
-VAR_INPUT
-    step : INT := 1;
-END_VAR
-VAR_OUTPUT
-    count : INT;
-END_VAR
-    count := count + step;
-    IF count > 100 THEN
-        count := 0;
-    END_IF;
-END_FUNCTION_BLOCK
-
-PROGRAM main
-VAR CONSTANT
-    limit : INT := 7;
-END_VAR
-VAR
-    a, b, c : INT := 5;
-    total : DINT;
-    list : ARRAY[1..10] OF INT := [3, 1, 4, 1, 5, 9, 2, 6, 5, 3];
-    corner : Point;
-    paint : Color := GREEN;
-    counter : Counter;
-    mask : WORD := 16#00FF;
-    name : STRING := 'some name';
-END_VAR
-    FOR a := 1 TO limit DO
-        counter(step := list[a]);
-        IF counter.count > 10 THEN
-            total := total + Scale(value := a, factor := b, offset := 12);
-        ELSIF b = 3 THEN
-            b := 4;
-        ELSE
-            mask := mask XOR WORD#16#0F0F;
-        END_IF;
-    END_FOR;
-    CASE b OF
-        1, 2: c := c - 1;
-        3..9: c := c * (b + 2) MOD 17;
-    ELSE
-        paint := BLUE;
-    END_CASE;
-    WHILE c > 3 DO
-        c := c - 2;
-        corner.y := corner.y + 1;
-    END_WHILE;
-    REPEAT
-        b := b + 1;
-    UNTIL b > 20
-    END_REPEAT;
-    list[3] := c + b;
-END_PROGRAM
-";
+const MACHINE: &str = include_str!("tests/machine.st");
 
 /// Reduces a text while it contains all of these words.
 fn reduce(start: &str, words: &[&str]) -> Reduction<String> {

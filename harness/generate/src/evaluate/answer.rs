@@ -129,15 +129,19 @@ impl fmt::Display for OpenQuestion {
 }
 
 /// The reason why a program has no values.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Debug, thiserror::Error)]
 pub enum EvaluationError {
     /// The program stops with this fault.
+    #[error("the program stops: {0}")]
     Fault(Fault),
     /// The program takes more than [`super::MAX_STEPS`] steps, or more memory than so small a program needs.
+    #[error("the program takes too many steps or too much memory")]
     StepLimit,
     /// The program contains raw text, which has no meaning in the model.
+    #[error("the program holds raw text")]
     Raw,
     /// The program is ill-formed: a part of the model contradicts another; the text names the contradiction.
+    #[error("the model contradicts itself: {0}")]
     IllFormed(&'static str),
 }
 
@@ -145,16 +149,3 @@ pub enum EvaluationError {
 pub(super) const fn ill_formed(contradiction: &'static str) -> EvaluationError {
     EvaluationError::IllFormed(contradiction)
 }
-
-impl fmt::Display for EvaluationError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            EvaluationError::Fault(fault) => write!(f, "the program stops: {fault}"),
-            EvaluationError::StepLimit => f.write_str("the program takes too many steps or too much memory"),
-            EvaluationError::Raw => f.write_str("the program holds raw text"),
-            EvaluationError::IllFormed(why) => write!(f, "the model contradicts itself: {why}"),
-        }
-    }
-}
-
-impl std::error::Error for EvaluationError {}

@@ -114,22 +114,9 @@ impl<'p> ModelEvaluator<'p> {
         }
     }
 
-    /// Resolves a type through its aliases.
-    pub fn resolved(&self, mut ty: &'p Type) -> &'p Type {
-        // An alias stands for no other alias, so this ends; an ill-formed model is cut off.
-        for _ in 0..=self.program.types.len() {
-            let Type::Declared(index) = ty else { break };
-            let Some(crate::model::DeclaredKind::Alias(named)) = self
-                .program
-                .types
-                .get(*index)
-                .map(|declaration| &declaration.kind)
-            else {
-                break;
-            };
-            ty = named;
-        }
-        ty
+    /// Returns the type that an alias stands for; any other type itself.
+    pub fn resolved(&self, ty: &'p Type) -> &'p Type {
+        self.program.unaliased(ty)
     }
 
     /// Returns the elementary type that a type is or stands for.

@@ -4,7 +4,7 @@ use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::layout::extent;
 use super::{EvaluationError, ill_formed};
-use crate::model::{DeclaredKind, Place, PlaceSelector, Type, VariableId, VariableSection};
+use crate::model::{Place, PlaceSelector, Type, Unit, VariableId, VariableSection};
 use stickler_types::{Fault, Value};
 
 impl<'p> ModelEvaluator<'p> {
@@ -63,14 +63,10 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 Ok((element * self.layout.size(&array.element)?, &array.element))
             }
-            (PlaceSelector::Field(field), Type::Declared(structure)) => {
+            (PlaceSelector::Field(field), ty @ Type::Declared(structure)) => {
                 let offset = self.layout.field(*structure, *field).ok_or(nothing)?;
-                match self.program.types.get(*structure).map(|declared| &declared.kind) {
-                    Some(DeclaredKind::Structure(fields)) => {
-                        Ok((offset, &fields.get(*field).ok_or(nothing)?.1))
-                    }
-                    _ => Err(nothing),
-                }
+                let fields = self.program.fields(ty).ok_or(nothing)?;
+                Ok((offset, &fields.get(*field).ok_or(nothing)?.1))
             }
             (PlaceSelector::Output(output), Type::Block(block)) => {
                 let offsets = self.layout.blocks.get(*block).ok_or(nothing)?;
@@ -105,93 +101,49 @@ impl<'p> ModelEvaluator<'p> {
         Ok(())
     }
 
-    /// Returns the elementary values of the variables of the main program and of the outputs of its instances, with their
-    /// paths.
+    /// Returns the values of [`Program::observed`](crate::model::Program::observed), in its order.
     pub fn values(&mut self, main: Activation<'p>) -> Result<Vec<(String, Value)>, EvaluationError> {
-        let mut values = Vec::with_capacity(main.offsets.size);
+        let mut addresses = Vec::with_capacity(main.offsets.size);
         for (variable, &offset) in main.variables.iter().zip(&main.offsets.variables) {
-            let mut path = variable.name.clone();
-            self.leaves(main, &mut path, &variable.ty, main.base + offset, &mut values)?;
+            self.observed(&variable.ty, main.base + offset, &mut addresses)?;
         }
-        Ok(values)
+        let values = self.program.observed().into_iter().zip(addresses);
+        values
+            .map(|((path, ty), address)| Ok((path, self.load(main, address)?.into_value(ty)?)))
+            .collect()
     }
 
-    fn leaves(
-        &mut self,
-        main: Activation<'p>,
-        path: &mut String,
+    /// Collects the addresses of the elementary values in a variable; of an instance those of its outputs.
+    fn observed(
+        &self,
         ty: &'p Type,
         address: usize,
-        values: &mut Vec<(String, Value)>,
+        addresses: &mut Vec<usize>,
     ) -> Result<(), EvaluationError> {
         match self.resolved(ty) {
-            Type::Elementary(ty) => {
-                let value = self.load(main, address)?.into_value(*ty)?;
-                values.push((path.clone(), value));
-            }
+            Type::Elementary(_) => addresses.push(address),
             Type::Array(array) => {
                 let size = self.layout.size(&array.element)?;
-                let mut subscripts: Vec<i64> = array.dimensions.iter().map(|&(low, _)| low).collect();
                 for element in 0..super::layout::elements(array)? {
-                    let written: Vec<String> = subscripts.iter().map(i64::to_string).collect();
-                    let length = path.len();
-                    path.push_str(&format!("[{}]", written.join(",")));
-                    self.leaves(main, path, &array.element, address + element * size, values)?;
-                    path.truncate(length);
-                    next(&mut subscripts, &array.dimensions);
+                    self.observed(&array.element, address + element * size, addresses)?;
                 }
             }
-            Type::Declared(index) => {
-                if let Some(DeclaredKind::Structure(fields)) =
-                    self.program.types.get(*index).map(|declared| &declared.kind)
-                {
-                    for (field, (name, ty, _)) in fields.iter().enumerate() {
-                        let offset = self.layout.field(*index, field).unwrap_or_default();
-                        self.inside(main, path, name, ty, address + offset, values)?;
-                    }
+            ty @ Type::Declared(index) => {
+                for (field, (_, ty, _)) in self.program.fields(ty).unwrap_or_default().iter().enumerate() {
+                    let offset = self.layout.field(*index, field).unwrap_or_default();
+                    self.observed(ty, address + offset, addresses)?;
                 }
             }
             Type::Block(index) => {
-                let (Some(block), Some(offsets)) =
-                    (self.program.blocks.get(*index), self.layout.blocks.get(*index))
-                else {
-                    return Ok(());
-                };
-                for (variable, &offset) in block.variables.iter().zip(&offsets.variables) {
+                let offsets = self.layout.blocks.get(*index).map(|block| &block.variables);
+                let variables = Unit::Block(*index).variables(self.program).iter();
+                for (variable, offset) in variables.zip(offsets.into_iter().flatten()) {
                     if variable.section == VariableSection::Output {
-                        self.inside(main, path, &variable.name, &variable.ty, address + offset, values)?;
+                        self.observed(&variable.ty, address + offset, addresses)?;
                     }
                 }
             }
         }
         Ok(())
-    }
-
-    fn inside(
-        &mut self,
-        main: Activation<'p>,
-        path: &mut String,
-        name: &str,
-        ty: &'p Type,
-        address: usize,
-        values: &mut Vec<(String, Value)>,
-    ) -> Result<(), EvaluationError> {
-        let length = path.len();
-        path.push('.');
-        path.push_str(name);
-        self.leaves(main, path, ty, address, values)?;
-        path.truncate(length);
-        Ok(())
-    }
-}
-
-/// Advances subscripts to the next element, the last subscript varying fastest.
-fn next(subscripts: &mut [i64], dimensions: &[(i64, i64)]) {
-    for (subscript, &(low, high)) in subscripts.iter_mut().zip(dimensions).rev() {
-        if *subscript < high {
-            *subscript += 1;
-            return;
-        }
-        *subscript = low;
     }
 }

@@ -173,38 +173,3 @@ fn shifted(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128
         question,
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use StandardFunction::*;
-
-    fn of(function: StandardFunction, ty: ElementaryType, raw: u64, count: i128) -> u64 {
-        shifted(function, ty, raw, count).unwrap().raw
-    }
-
-    #[test]
-    fn shifts_and_rotations_are_those_of_the_width() {
-        let ty = ElementaryType::Byte;
-        assert_eq!(
-            [Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 1)),
-            [0x02, 0x40, 0x03, 0xC0]
-        );
-        assert_eq!([Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 0)), [0x81; 4]);
-        assert_eq!(
-            [Shl, Shr, Rol, Ror].map(|f| of(f, ty, 0x81, 8)),
-            [0, 0, 0x81, 0x81]
-        );
-        let wide = ElementaryType::Lword;
-        assert_eq!(of(Rol, wide, 0xA5C3_9669_5A3C_1D81, 63), 0xD2E1_CB34_AD1E_0EC0);
-        assert_eq!(of(Shl, wide, 0xA5C3_9669_5A3C_1D81, 63), 0x8000_0000_0000_0000);
-    }
-
-    #[test]
-    fn a_count_outside_the_width_is_an_open_question() {
-        let question = |count| shifted(Shl, ElementaryType::Word, 1, count).unwrap().question;
-        assert_eq!(question(15), None);
-        assert_eq!(question(16), Some(OpenQuestion::ShiftCount));
-        assert_eq!(question(-1), Some(OpenQuestion::NegativeShiftCount));
-    }
-}

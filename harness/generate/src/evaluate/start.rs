@@ -3,7 +3,7 @@
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion, ill_formed};
-use crate::model::{DeclaredKind, InitialValue, Type, Variable, VariableSection};
+use crate::model::{InitialValue, Type, Variable, VariableSection};
 use stickler_types::ElementaryType;
 
 impl<'p> ModelEvaluator<'p> {
@@ -48,19 +48,13 @@ impl<'p> ModelEvaluator<'p> {
             }
             Some(InitialValue::Structure(fields)) => {
                 let none = ill_formed("fields of a variable that is not a structure");
-                let Type::Declared(structure) = self.resolved(&variable.ty) else {
+                let resolved = self.resolved(&variable.ty);
+                let (Type::Declared(structure), Some(declared)) = (resolved, self.program.fields(resolved))
+                else {
                     return Err(none);
                 };
                 for (field, value) in fields {
                     let offset = self.layout.field(*structure, *field).ok_or(none)?;
-                    let Some(DeclaredKind::Structure(declared)) = self
-                        .program
-                        .types
-                        .get(*structure)
-                        .map(|declaration| &declaration.kind)
-                    else {
-                        return Err(none);
-                    };
                     let (_, ty, _) = declared.get(*field).ok_or(none)?;
                     self.assign(unit, at + offset, ty, value)?;
                 }
@@ -80,8 +74,8 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 Ok(())
             }
-            Type::Declared(index) => match self.program.types.get(*index).map(|declared| &declared.kind) {
-                Some(DeclaredKind::Structure(fields)) => {
+            resolved @ Type::Declared(index) => match self.program.fields(resolved) {
+                Some(fields) => {
                     for (field, (_, ty, initial)) in fields.iter().enumerate() {
                         let offset = self.layout.field(*index, field).unwrap_or_default();
                         self.default(unit, ty, at + offset)?;
@@ -92,7 +86,7 @@ impl<'p> ModelEvaluator<'p> {
                     Ok(())
                 }
                 // The first value of an enumeration.
-                _ => self.store(at, MemoryCell::Plain(0)),
+                None => self.store(at, MemoryCell::Plain(0)),
             },
             Type::Block(index) => {
                 let missing = ill_formed("an instance of an undeclared function block");

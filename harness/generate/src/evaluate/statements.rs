@@ -4,7 +4,7 @@ use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::{EvaluationError, OpenQuestion, ill_formed};
 use crate::model::{
-    AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Place, Statement, Type, VariableId,
+    AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, ForLoop, Place, Statement, Type,
 };
 use stickler_types::{ElementaryType, Fault};
 
@@ -17,16 +17,6 @@ pub(super) enum Flow {
     Exit,
     /// RETURN ended it, which ends the unit.
     Return,
-}
-
-/// The parts of a FOR loop.
-#[derive(Clone, Copy)]
-struct For<'p> {
-    variable: VariableId,
-    from: &'p Expression,
-    to: &'p Expression,
-    by: Option<&'p Expression>,
-    body: &'p [Statement],
 }
 
 impl<'p> ModelEvaluator<'p> {
@@ -70,22 +60,7 @@ impl<'p> ModelEvaluator<'p> {
                 }
                 self.statements(unit, otherwise.as_deref().unwrap_or_default())
             }
-            Statement::For {
-                variable,
-                from,
-                to,
-                by,
-                body,
-            } => self.counted(
-                unit,
-                For {
-                    variable: *variable,
-                    from,
-                    to,
-                    by: by.as_ref(),
-                    body,
-                },
-            ),
+            Statement::For(parts) => self.counted(unit, parts),
             Statement::While(condition, body) => {
                 while self.condition(unit, condition)? {
                     match self.turn(unit, body)? {
@@ -231,12 +206,12 @@ impl<'p> ModelEvaluator<'p> {
     /// value the variable holds then; after EXIT and RETURN it holds the value of that iteration.
     ///
     /// Basis: iec-61131-3: 7.3.3.4.2.
-    fn counted(&mut self, unit: Activation<'p>, parts: For<'p>) -> Result<Flow, EvaluationError> {
+    fn counted(&mut self, unit: Activation<'p>, parts: &'p ForLoop) -> Result<Flow, EvaluationError> {
         let (address, ty) = self.variable(unit, parts.variable)?;
         let ty = self.elementary(ty)?;
-        let mut value = self.integer(unit, parts.from)?;
-        let to = self.integer(unit, parts.to)?;
-        let by = match parts.by {
+        let mut value = self.integer(unit, &parts.from)?;
+        let to = self.integer(unit, &parts.to)?;
+        let by = match &parts.by {
             Some(by) => self.integer(unit, by)?,
             None => 1,
         };
@@ -252,12 +227,12 @@ impl<'p> ModelEvaluator<'p> {
             }
             let raw = ty.wrap(value);
             self.store(address, MemoryCell::Plain(raw))?;
-            match self.turn(unit, parts.body)? {
+            match self.turn(unit, &parts.body)? {
                 Flow::Next => {}
                 Flow::Exit => return Ok(Flow::Next),
                 Flow::Return => return Ok(Flow::Return),
             }
-            self.check_unchanged(unit, &parts, address, raw, to)?;
+            self.check_unchanged(unit, parts, address, raw, to)?;
             value += by;
         }
         self.store(
@@ -272,13 +247,13 @@ impl<'p> ModelEvaluator<'p> {
     fn check_unchanged(
         &mut self,
         unit: Activation<'p>,
-        parts: &For<'p>,
+        parts: &'p ForLoop,
         address: usize,
         raw: u64,
         to: i128,
     ) -> Result<(), EvaluationError> {
         let changed = self.memory.get(address) != Some(&MemoryCell::Plain(raw))
-            || (!is_literal(parts.to) && self.integer(unit, parts.to)? != to);
+            || (!is_literal(&parts.to) && self.integer(unit, &parts.to)? != to);
         if changed {
             self.open(OpenQuestion::LoopChanged, unit, || {
                 "in the body of the loop".to_owned()

@@ -4,7 +4,7 @@ use super::constructs::{Construct, ConstructSet, palette};
 use super::profile::{DIALECTS, DialectProfile};
 use super::scope::{PouRole, PouScope};
 use super::settings::GeneratorSettings;
-use crate::model::{MainPou, Program, VariableId};
+use crate::model::{Program, VariableId};
 use crate::random::Random;
 use arbitrary::Unstructured;
 use stickler_types::{DialectName, ElementaryType};
@@ -76,16 +76,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
             constructs,
             palette,
             deepest,
-            program: Program {
-                dialect,
-                types: Vec::new(),
-                functions: Vec::new(),
-                blocks: Vec::new(),
-                main: MainPou {
-                    variables: Vec::new(),
-                    body: Vec::new(),
-                },
-            },
+            program: Program::empty(dialect),
             function_costs: Vec::new(),
             block_costs: Vec::new(),
             pou: PouScope::new(PouRole::Main),

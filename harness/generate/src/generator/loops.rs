@@ -5,7 +5,8 @@ use super::places::{assign, integer, whole};
 use super::scope::{PathStep, VisiblePlace};
 use super::type_context::TypeContext;
 use crate::model::{
-    BinaryOperator, Expression, ExpressionKind, LiteralForm, StandardFunction, Statement, Type, VariableId,
+    BinaryOperator, Expression, ExpressionKind, ForLoop, LiteralForm, StandardFunction, Statement, Type,
+    VariableId,
 };
 use stickler_types::ElementaryType;
 
@@ -60,13 +61,13 @@ impl ProgramBuilder<'_, '_> {
         let body = self.looped(depth, turns);
         self.pou.locked.truncate(locked);
         self.pou.loops.pop();
-        made.push(Statement::For {
+        made.push(Statement::For(ForLoop {
             variable,
             from: bounds.from,
             to: bounds.to,
             by: bounds.by,
             body,
-        });
+        }));
         made.push(self.reset(variable, ty));
         self.pou.idle.push((variable, ty));
     }
@@ -74,22 +75,15 @@ impl ProgramBuilder<'_, '_> {
     /// Draws a few numbers of an integer type: the subscripts of an array, or numbers near zero or near the limits of the
     /// type. The step after the last number stays within the type.
     fn range(&mut self, ty: ElementaryType) -> LoopRange {
+        let range = |from, to, by| LoopRange { from, to, by };
         let (least, greatest) = limits(ty);
         if self.random.chance(1, 2)
             && let Some((low, high)) = self.dimension(least.saturating_add(1), greatest.saturating_sub(1))
         {
             return if ty.is_signed() && self.random.chance(1, 4) {
-                LoopRange {
-                    from: high,
-                    to: low,
-                    by: -1,
-                }
+                range(high, low, -1)
             } else {
-                LoopRange {
-                    from: low,
-                    to: high,
-                    by: 1,
-                }
+                range(low, high, 1)
             };
         }
         let turns = self.random.between(1, MAX_TURNS);
@@ -104,17 +98,9 @@ impl ProgramBuilder<'_, '_> {
         };
         let highest = lowest + span - step;
         if ty.is_signed() && self.random.chance(1, 4) {
-            LoopRange {
-                from: highest,
-                to: lowest,
-                by: -step,
-            }
+            range(highest, lowest, -step)
         } else {
-            LoopRange {
-                from: lowest,
-                to: highest,
-                by: step,
-            }
+            range(lowest, highest, step)
         }
     }
 

@@ -20,6 +20,23 @@ pub struct Program {
     pub main: MainPou,
 }
 
+impl Program {
+    /// Creates a program without declarations and statements.
+    #[must_use]
+    pub const fn empty(dialect: DialectName) -> Program {
+        Program {
+            dialect,
+            types: Vec::new(),
+            functions: Vec::new(),
+            blocks: Vec::new(),
+            main: MainPou {
+                variables: Vec::new(),
+                body: Vec::new(),
+            },
+        }
+    }
+}
+
 /// A function.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Function {

@@ -11,21 +11,8 @@ pub enum Statement {
     If(Vec<(Expression, Vec<Statement>)>, Option<Vec<Statement>>),
     /// CASE of an integer or enumeration; no label occurs twice.
     Case(Expression, Vec<CaseBranch>, Option<Vec<Statement>>),
-    /// FOR over an integer variable that the body does not assign; the BY value is not 0, and the step after the last one
-    /// stays within the type. The generator assigns the variable right after the loop, because no document states which
-    /// value it holds then.
-    For {
-        /// The control variable.
-        variable: VariableId,
-        /// The first value of the control variable.
-        from: Expression,
-        /// The last value of the control variable, inclusive.
-        to: Expression,
-        /// The step, a literal; `None` for 1.
-        by: Option<Expression>,
-        /// The statements that the loop repeats.
-        body: Vec<Statement>,
-    },
+    /// FOR.
+    For(ForLoop),
     /// WHILE; the generator limits the number of iterations by a counter variable.
     While(Expression, Vec<Statement>),
     /// REPEAT … UNTIL.
@@ -47,13 +34,30 @@ pub enum Statement {
     Raw(String),
 }
 
+/// FOR over an integer variable that the body does not assign; the BY value is not 0, and the step after the last one
+/// stays within the type. The generator assigns the variable right after the loop, because no document states which
+/// value it holds then.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ForLoop {
+    /// The control variable.
+    pub variable: VariableId,
+    /// The first value of the control variable.
+    pub from: Expression,
+    /// The last value of the control variable, inclusive.
+    pub to: Expression,
+    /// The step, a literal; `None` for 1.
+    pub by: Option<Expression>,
+    /// The statements that the loop repeats.
+    pub body: Vec<Statement>,
+}
+
 impl Statement {
     /// Returns whether the statement is FOR, WHILE or REPEAT.
     #[must_use]
     pub const fn is_loop(&self) -> bool {
         matches!(
             self,
-            Statement::For { .. } | Statement::While(..) | Statement::Repeat(..)
+            Statement::For(_) | Statement::While(..) | Statement::Repeat(..)
         )
     }
 }

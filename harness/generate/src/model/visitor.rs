@@ -5,7 +5,7 @@
 //! because a reduction spends most of its time there.
 
 use super::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
     InitialValue, Place, PlaceSelector, Program, Statement, Type, TypeDeclaration, Unit, Variable,
     VariableId,
 };
@@ -180,7 +180,7 @@ macro_rules! define_visitor {
                         visitor.statements(body);
                     }
                 }
-                Statement::For { from, to, by, body, .. } => {
+                Statement::For(ForLoop { from, to, by, body, .. }) => {
                     visitor.expression(from);
                     visitor.expression(to);
                     if let Some(by) = by {
@@ -283,7 +283,7 @@ macro_rules! define_visitor {
                     let bodies = branches.into_iter().map(|branch| &$($mutability)? branch.body);
                     bodies.chain(otherwise).collect()
                 }
-                Statement::For { body, .. }
+                Statement::For(ForLoop { body, .. })
                 | Statement::While(_, body)
                 | Statement::Repeat(body, _) => vec![body],
                 Statement::Assign(..)

@@ -17,59 +17,7 @@ static DIALECTS: LazyLock<Dialects> = LazyLock::new(|| {
 static PLACES: LazyLock<Places> = LazyLock::new(|| Places::of_file("places.toml", PLACES_FILE, &DIALECTS).0);
 
 /// The text of a `places.toml`.
-const PLACES_FILE: &str = "\
-[unit.program]
-observe = \"{observe}\"
-text = \"\"\"
-PROGRAM main
-VAR
-    {variables}
-END_VAR
-    {before}
-    {statement}
-END_PROGRAM
-\"\"\"
-
-[source.variable]
-title     = \"a variable\"
-promised  = \"iec-61131-3: 6.5.2.2\"
-groups    = [\"variable\"]
-variables = \"data : {from} := {value};\"
-value     = \"data\"
-
-[source.typed-literal]
-title    = \"a typed literal\"
-promised = \"iec-61131-3: Table 5\"
-literal  = true
-value    = \"{typed}\"
-
-[target.assignment]
-title     = \"a variable\"
-promised  = \"iec-61131-3: 7.3.3.1\"
-groups    = [\"value\"]
-code      = \"P4035\"
-variables = \"into : {to};\"
-target    = \"into\"
-observe   = \"into\"
-statement = \"into := {source}; {error}\"
-
-[target.element]
-title     = \"an element of an array\"
-promised  = \"iec-61131-3: 6.5.1\"
-absent    = [\"matiec\"]
-only      = \"to = ANY_NUM\"
-groups    = [\"value\"]
-code      = \"P4035\"
-variables = \"list : ARRAY[0..1] OF {to};\"
-target    = \"list[1]\"
-observe   = \"list[1]\"
-statement = \"list[1] := {source}; {error}\"
-
-[surrounding.program]
-title     = \"the body of a program\"
-promised  = \"iec-61131-3: 7.3.3.1\"
-statement = \"{statement}\"
-";
+const PLACES_FILE: &str = include_str!("case_file/places.toml");
 
 /// The beginning of an input that is a `places.toml`.
 const BEGINS_PLACES: &str = "# The places";
@@ -128,21 +76,7 @@ pub(super) fn judge(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
 }
 
 /// A table that is put together of places.
-const PLACED: &str = "\
-title    = \"Places\"
-basis    = \"rule: not-stated\"
-dialects = [\"all\"]
-matrix   = \"\"\"
-      INT DINT
-SINT  yes yes
-REAL  no  no
-\"\"\"
-
-[[probe]]
-name   = \"placed\"
-values = \"one\"
-places = { error = \"if no\" }
-";
+const PLACED: &str = include_str!("case_file/placed.toml");
 
 fn check_places(text: &str) -> Result<InputOutcome, OracleFailure> {
     let (places, errors) = Places::of_file("places.toml", text, &DIALECTS);

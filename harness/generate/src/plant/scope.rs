@@ -163,8 +163,8 @@ fn controlled(program: &Program, unit: Unit) -> Vec<VariableId> {
     let mut found = Vec::new();
     let mut waiting: Vec<_> = unit.body(program).iter().collect();
     while let Some(statement) = waiting.pop() {
-        if let Statement::For { variable, .. } = statement {
-            found.push(*variable);
+        if let Statement::For(parts) = statement {
+            found.push(parts.variable);
         }
         waiting.extend(bodies(statement).into_iter().flatten());
     }

@@ -3,7 +3,7 @@
 use super::scope::{element_and_limits, written};
 use crate::model::visit_mut::bodies;
 use crate::model::{
-    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind,
+    Argument, AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
     InitialValue, Place, PlaceSelector, Program, StandardFunction, Statement, Type, UnaryOperator, Unit,
     Variable, VariableId, VariableSection,
 };
@@ -85,21 +85,23 @@ pub(super) fn expressions(
     copy: &mut Program,
     visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
 ) {
-    let walk = |unit| SiteWalker {
+    let mut walker = SiteWalker {
         program: original,
-        unit,
+        unit: Unit::Types,
+        visit,
     };
     for declaration in &mut copy.types {
         if let DeclaredKind::Structure(fields) = &mut declaration.kind {
             for default in fields.iter_mut().filter_map(|(_, _, default)| default.as_mut()) {
-                walk(Unit::Types).expression(default, ExpressionContext::Initial, visit);
+                walker.expression(default, ExpressionContext::Initial);
             }
         }
     }
     for unit in Unit::all(copy) {
         if let Some((variables, body)) = unit.parts_mut(copy) {
-            walk(unit).initial_values(variables, visit);
-            walk(unit).statements(body, visit);
+            walker.unit = unit;
+            walker.initial_values(variables);
+            walker.statements(body);
         }
     }
 }
@@ -129,63 +131,55 @@ fn list(
 }
 
 /// Visits the expressions of one unit.
-#[derive(Clone, Copy)]
-struct SiteWalker<'p> {
+struct SiteWalker<'p, 'v> {
     program: &'p Program,
     unit: Unit,
+    visit: &'v mut dyn FnMut(ExpressionSite, &mut Expression),
 }
 
-impl<'p> SiteWalker<'p> {
-    fn variable(self, id: VariableId) -> Option<&'p Variable> {
+impl<'p> SiteWalker<'p, '_> {
+    fn variable(&self, id: VariableId) -> Option<&'p Variable> {
         self.unit.variables(self.program).get(id.0)
     }
 
-    fn initial_values(
-        self,
-        variables: &mut [Variable],
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn initial_values(&mut self, variables: &mut [Variable]) {
         for initial in variables
             .iter_mut()
             .filter_map(|variable| variable.initial.as_mut())
         {
             match initial {
-                InitialValue::Expression(value) => self.expression(value, ExpressionContext::Initial, visit),
+                InitialValue::Expression(value) => self.expression(value, ExpressionContext::Initial),
                 InitialValue::Array(values) => {
                     for value in values {
-                        self.expression(value, ExpressionContext::Initial, visit);
+                        self.expression(value, ExpressionContext::Initial);
                     }
                 }
                 InitialValue::Structure(values) => {
                     for (_, value) in values {
-                        self.expression(value, ExpressionContext::Initial, visit);
+                        self.expression(value, ExpressionContext::Initial);
                     }
                 }
             }
         }
     }
 
-    fn statements(
-        self,
-        statements: &mut [Statement],
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn statements(&mut self, statements: &mut [Statement]) {
         for statement in statements {
-            self.statement(statement, visit);
+            self.statement(statement);
         }
     }
 
-    fn statement(self, statement: &mut Statement, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
+    fn statement(&mut self, statement: &mut Statement) {
         match statement {
             Statement::Assign(target, value) => {
                 let context = match target {
                     AssignmentTarget::Place(place) | AssignmentTarget::Bit(place, _) => {
-                        self.place(place, visit);
+                        self.place(place);
                         ExpressionContext::Assigned
                     }
                     AssignmentTarget::Result => ExpressionContext::Result,
                 };
-                self.expression(value, context, visit);
+                self.expression(value, context);
             }
             Statement::If(branches, otherwise) => {
                 for (number, (condition, body)) in branches.iter_mut().enumerate() {
@@ -194,38 +188,38 @@ impl<'p> SiteWalker<'p> {
                     } else {
                         ExpressionContext::ElsIf
                     };
-                    self.expression(condition, context, visit);
-                    self.statements(body, visit);
+                    self.expression(condition, context);
+                    self.statements(body);
                 }
-                self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
+                self.statements(otherwise.as_deref_mut().unwrap_or_default());
             }
             Statement::Case(selector, branches, otherwise) => {
-                self.expression(selector, ExpressionContext::Selector, visit);
+                self.expression(selector, ExpressionContext::Selector);
                 for branch in branches {
                     for label in &mut branch.labels {
-                        self.label(label, visit);
+                        self.label(label);
                     }
-                    self.statements(&mut branch.body, visit);
+                    self.statements(&mut branch.body);
                 }
-                self.statements(otherwise.as_deref_mut().unwrap_or_default(), visit);
+                self.statements(otherwise.as_deref_mut().unwrap_or_default());
             }
-            Statement::For {
+            Statement::For(ForLoop {
                 from, to, by, body, ..
-            } => {
-                self.expression(from, ExpressionContext::Bound, visit);
-                self.expression(to, ExpressionContext::Bound, visit);
+            }) => {
+                self.expression(from, ExpressionContext::Bound);
+                self.expression(to, ExpressionContext::Bound);
                 if let Some(by) = by {
-                    self.expression(by, ExpressionContext::Step, visit);
+                    self.expression(by, ExpressionContext::Step);
                 }
-                self.statements(body, visit);
+                self.statements(body);
             }
             Statement::While(condition, body) => {
-                self.expression(condition, ExpressionContext::While, visit);
-                self.statements(body, visit);
+                self.expression(condition, ExpressionContext::While);
+                self.statements(body);
             }
             Statement::Repeat(body, condition) => {
-                self.statements(body, visit);
-                self.expression(condition, ExpressionContext::Until, visit);
+                self.statements(body);
+                self.expression(condition, ExpressionContext::Until);
             }
             Statement::Invoke {
                 instance,
@@ -233,32 +227,27 @@ impl<'p> SiteWalker<'p> {
                 outputs,
             } => {
                 for input in inputs {
-                    self.input(*instance, input, visit);
+                    self.input(*instance, input);
                 }
                 for (_, place) in outputs {
-                    self.place(place, visit);
+                    self.place(place);
                 }
             }
             Statement::Exit | Statement::Return | Statement::Raw(_) => {}
         }
     }
 
-    fn label(self, label: &mut CaseLabel, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
+    fn label(&mut self, label: &mut CaseLabel) {
         match label {
-            CaseLabel::One(value) => self.expression(value, ExpressionContext::Label, visit),
+            CaseLabel::One(value) => self.expression(value, ExpressionContext::Label),
             CaseLabel::Range(low, high) => {
-                self.expression(low, ExpressionContext::Label, visit);
-                self.expression(high, ExpressionContext::Label, visit);
+                self.expression(low, ExpressionContext::Label);
+                self.expression(high, ExpressionContext::Label);
             }
         }
     }
 
-    fn input(
-        self,
-        instance: VariableId,
-        input: &mut Argument,
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn input(&mut self, instance: VariableId, input: &mut Argument) {
         let parameters = self
             .variable(instance)
             .map_or(&[][..], |instance| match instance.ty {
@@ -272,10 +261,10 @@ impl<'p> SiteWalker<'p> {
             Some(VariableSection::InOut) => ExpressionContext::InOut,
             _ => ExpressionContext::Input,
         };
-        self.expression(&mut input.value, context, visit);
+        self.expression(&mut input.value, context);
     }
 
-    fn place(self, place: &mut Place, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
+    fn place(&mut self, place: &mut Place) {
         let mut within = self.variable(place.variable).map(|variable| &variable.ty);
         for selector in &mut place.path {
             if let PlaceSelector::Index(subscripts) = selector {
@@ -284,40 +273,35 @@ impl<'p> SiteWalker<'p> {
                     // Only an ill-formed program subscripts something without limits.
                     let limits = limits.and_then(|(_, limits)| limits.get(number));
                     let &(low, high) = limits.unwrap_or(&(0, 0));
-                    self.expression(subscript, ExpressionContext::Subscript(low, high), visit);
+                    self.expression(subscript, ExpressionContext::Subscript(low, high));
                 }
             }
             within = within.and_then(|ty| self.program.selected_type(ty, selector));
         }
     }
 
-    fn expression(
-        self,
-        expression: &mut Expression,
-        context: ExpressionContext,
-        visit: &mut dyn FnMut(ExpressionSite, &mut Expression),
-    ) {
+    fn expression(&mut self, expression: &mut Expression, context: ExpressionContext) {
         let site = ExpressionSite {
             unit: self.unit,
             context,
         };
-        visit(site, expression);
-        self.inside(expression, visit);
+        (self.visit)(site, expression);
+        self.inside(expression);
     }
 
     /// Visits the operands of an expression.
-    fn inside(self, expression: &mut Expression, visit: &mut dyn FnMut(ExpressionSite, &mut Expression)) {
+    fn inside(&mut self, expression: &mut Expression) {
         match &mut expression.kind {
-            ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place, visit),
+            ExpressionKind::Read(place) | ExpressionKind::Bit(place, _) => self.place(place),
             ExpressionKind::Unary(operator, operand) => {
-                self.expression(operand, ExpressionContext::UnaryOperand(*operator), visit);
+                self.expression(operand, ExpressionContext::UnaryOperand(*operator));
             }
             ExpressionKind::Binary(operator, left, right) => {
                 let (of_left, of_right) = (written(left), written(right));
-                self.expression(left, ExpressionContext::Operand(*operator, of_right), visit);
-                self.expression(right, ExpressionContext::Operand(*operator, of_left), visit);
+                self.expression(left, ExpressionContext::Operand(*operator, of_right));
+                self.expression(right, ExpressionContext::Operand(*operator, of_left));
             }
-            ExpressionKind::Widen(operand) => self.inside(operand, visit),
+            ExpressionKind::Widen(operand) => self.inside(operand),
             ExpressionKind::Convert(signature, operand) => {
                 let own_name = signature
                     .operands
@@ -328,16 +312,16 @@ impl<'p> SiteWalker<'p> {
                 } else {
                     ExpressionContext::Overloaded
                 };
-                self.expression(operand, context, visit);
+                self.expression(operand, context);
             }
             ExpressionKind::Call(_, arguments) => {
                 for argument in arguments {
-                    self.expression(&mut argument.value, ExpressionContext::Argument, visit);
+                    self.expression(&mut argument.value, ExpressionContext::Argument);
                 }
             }
             ExpressionKind::Standard(function, arguments) => {
                 for (number, argument) in arguments.iter_mut().enumerate() {
-                    self.expression(argument, ExpressionContext::Standard(*function, number), visit);
+                    self.expression(argument, ExpressionContext::Standard(*function, number));
                 }
             }
             ExpressionKind::Literal(..) | ExpressionKind::Enumerated(_) | ExpressionKind::Raw(_) => {}

@@ -3,7 +3,7 @@
 use super::Reader;
 use crate::generator::TypeContext;
 use crate::model::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, Statement, Type,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ExpressionKind, ForLoop, Statement, Type,
     VariableId, VariableSection,
 };
 use stickler_syntax::tree::{self, ExpressionId};
@@ -52,7 +52,7 @@ impl Reader<'_> {
             } => {
                 let control = self.place(*control).filter(|place| place.path.is_empty())?;
                 let value = |id| self.value(id, &control.ty, TypeContext::Assigned);
-                Statement::For {
+                Statement::For(ForLoop {
                     variable: control.variable,
                     from: value(*from)?,
                     to: value(*to)?,
@@ -61,7 +61,7 @@ impl Reader<'_> {
                         None => None,
                     },
                     body: self.statements(body)?,
-                }
+                })
             }
             tree::StatementKind::While { condition, body } => {
                 Statement::While(self.condition(*condition)?, self.statements(body)?)

@@ -252,21 +252,12 @@ impl fmt::Display for OutcomeSymptom {
 }
 
 /// The error for a word that names no symptom.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
+#[error(
+    "`{0}` is no symptom; write `crash`, `hang`, `error`, `rejected:CODE`, `not-rejected:CODE`, `value:TYPE`, `missing:TYPE`, \
+     `fault:FAULT` or `no-fault:FAULT`"
+)]
 pub struct UnknownSymptom(String);
-
-impl fmt::Display for UnknownSymptom {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "`{}` is no symptom; write `crash`, `hang`, `error`, `rejected:CODE`, `not-rejected:CODE`, `value:TYPE`, \
-             `missing:TYPE`, `fault:FAULT` or `no-fault:FAULT`",
-            self.0
-        )
-    }
-}
-
-impl std::error::Error for UnknownSymptom {}
 
 impl FromStr for OutcomeSymptom {
     type Err = UnknownSymptom;

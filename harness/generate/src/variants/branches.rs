@@ -1,7 +1,7 @@
 //! The two sides of an IF.
 
 use super::loops::not;
-use super::walk::{bodies, lists};
+use super::walk::{each_body, lists};
 use crate::model::{Program, Statement};
 use crate::random::Random;
 use std::mem;
@@ -10,7 +10,7 @@ use std::mem;
 /// changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    for body in bodies(program) {
+    each_body(program, |body| {
         lists(body.statements, &mut |list| {
             for statement in list {
                 let Statement::If(branches, otherwise) = statement else {
@@ -26,6 +26,6 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
                 }
             }
         });
-    }
+    });
     count
 }

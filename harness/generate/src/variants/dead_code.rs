@@ -1,6 +1,6 @@
 //! Dead code: statements that are never reached or change nothing, and variables that are never read.
 
-use super::walk::{FreeNames, bodies, has_loose_exit, lists, variable};
+use super::walk::{FreeNames, each_body, has_loose_exit, lists, variable};
 use crate::model::{
     AssignmentTarget, Expression, LiteralForm, Place, Program, Statement, Type, Variable, VariableId,
     VariableSection,
@@ -13,7 +13,7 @@ use stickler_types::{ElementaryType, Value};
 pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    for mut body in bodies(program) {
+    each_body(program, |mut body| {
         body.add(variable(
             names.next("unread"),
             Type::Elementary(ElementaryType::Lword),
@@ -44,7 +44,7 @@ pub(super) fn insert(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             body.statements.push(first);
         }
         count += 1;
-    }
+    });
     count
 }
 
@@ -56,8 +56,8 @@ fn settled_variables(
     let mut counting = HashSet::new();
     lists(statements, &mut |list| {
         for statement in list {
-            if let Statement::For { variable, .. } = statement {
-                counting.insert(*variable);
+            if let Statement::For(parts) = statement {
+                counting.insert(parts.variable);
             }
         }
     });

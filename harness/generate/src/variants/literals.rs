@@ -1,6 +1,6 @@
 //! Literals moved to variables and constants, or written with their types.
 
-use super::walk::{FreeNames, bodies, expressions, variable};
+use super::walk::{FreeNames, each_body, expressions, variable};
 use crate::model::{
     Expression, ExpressionKind, InitialValue, LiteralForm, Place, Program, Variable, VariableId,
     VariableSection,
@@ -14,7 +14,7 @@ use crate::random::Random;
 pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    for body in bodies(program) {
+    each_body(program, |body| {
         let mut added: Vec<Variable> = Vec::new();
         let first = body.variables.len();
         expressions(body.statements, &mut |expression| {
@@ -43,14 +43,14 @@ pub(super) fn hoist(program: &mut Program, random: &mut Random<'_, '_>) -> usize
         });
         count += added.len();
         body.variables.append(&mut added);
-    }
+    });
     count
 }
 
 /// Writes some untyped literals with their type. Returns the number of changes.
 pub(super) fn type_all(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    for body in bodies(program) {
+    each_body(program, |body| {
         expressions(body.statements, &mut |expression| {
             if let ExpressionKind::Literal(_, form @ LiteralForm::Untyped) = &mut expression.kind
                 && !random.chance(1, 4)
@@ -59,6 +59,6 @@ pub(super) fn type_all(program: &mut Program, random: &mut Random<'_, '_>) -> us
                 count += 1;
             }
         });
-    }
+    });
     count
 }

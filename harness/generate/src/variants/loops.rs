@@ -1,6 +1,6 @@
 //! Loops: FOR unrolled, and the first iteration of the others peeled off.
 
-use super::walk::{bodies, has_loose_exit, lists};
+use super::walk::{each_body, has_loose_exit, lists};
 use crate::model::visit::bodies as bodies_of;
 use crate::model::{
     AssignmentTarget, Expression, ExpressionKind, LiteralForm, Place, Program, Statement, Type,
@@ -18,7 +18,7 @@ const MAX_ADDED_STATEMENTS: usize = 400;
 pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
     let mut spent = 0;
-    for body in bodies(program) {
+    each_body(program, |body| {
         let variables = &*body.variables;
         lists(body.statements, &mut |list| {
             let mut unrolled = Vec::with_capacity(list.len());
@@ -36,7 +36,7 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
             }
             *list = unrolled;
         });
-    }
+    });
     count
 }
 
@@ -44,20 +44,14 @@ pub(super) fn unroll(program: &mut Program, random: &mut Random<'_, '_>) -> usiz
 /// statement cannot be unrolled, because EXIT in a copy of the body would leave another loop, or none.
 fn unrolled_loop(statement: &Statement, variables: &[Variable]) -> Option<Vec<Statement>> {
     match statement {
-        Statement::For {
-            variable,
-            from,
-            to,
-            by,
-            body,
-        } if !has_loose_exit(body) => {
-            let turns = turns(from, to, by.as_ref())?;
-            let ty = &variables.get(variable.0)?.ty;
+        Statement::For(parts) if !has_loose_exit(&parts.body) => {
+            let turns = turns(&parts.from, &parts.to, parts.by.as_ref())?;
+            let ty = &variables.get(parts.variable.0)?.ty;
             let Type::Elementary(ty) = ty else { return None };
             let mut statements = Vec::new();
             for turn in turns {
-                statements.push(assigned(*variable, *ty, turn));
-                statements.extend_from_slice(body);
+                statements.push(assigned(parts.variable, *ty, turn));
+                statements.extend_from_slice(&parts.body);
             }
             Some(statements)
         }

@@ -1,6 +1,6 @@
 //! Operands in reverse order, or in variables of their own.
 
-use super::walk::{Body, FreeNames, bodies, expressions, lists, variable};
+use super::walk::{Body, FreeNames, each_body, expressions, lists, variable};
 use crate::model::visit_mut::operands;
 use crate::model::{
     AssignmentTarget, BinaryOperator, Expression, ExpressionKind, Place, Program, Statement, VariableId,
@@ -28,7 +28,7 @@ const fn mirrored(operator: BinaryOperator) -> Option<BinaryOperator> {
 /// Exchanges the operands of some operators. Returns the number of changes.
 pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut count = 0;
-    for body in bodies(program) {
+    each_body(program, |body| {
         expressions(body.statements, &mut |expression| {
             if let ExpressionKind::Binary(operator, left, right) = &mut expression.kind
                 && let Some(other) = mirrored(*operator)
@@ -39,7 +39,7 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
                 count += 1;
             }
         });
-    }
+    });
     count
 }
 
@@ -51,7 +51,7 @@ pub(super) fn swap(program: &mut Program, random: &mut Random<'_, '_>) -> usize 
 pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize {
     let mut names = FreeNames::of(program);
     let mut count = 0;
-    for mut body in bodies(program) {
+    each_body(program, |mut body| {
         let mut statements = mem::take(body.statements);
         lists(&mut statements, &mut |list| {
             let mut split = Vec::with_capacity(list.len());
@@ -69,7 +69,7 @@ pub(super) fn split(program: &mut Program, random: &mut Random<'_, '_>) -> usize
             *list = split;
         });
         *body.statements = statements;
-    }
+    });
     count
 }
 

@@ -20,25 +20,16 @@ impl Body<'_> {
     }
 }
 
-/// Returns all bodies of a program.
-pub(super) fn bodies(program: &mut Program) -> Vec<Body<'_>> {
-    let functions = program
-        .functions
-        .iter_mut()
-        .map(|function| (&mut function.variables, &mut function.body));
-    let blocks = program
-        .blocks
-        .iter_mut()
-        .map(|block| (&mut block.variables, &mut block.body));
-    let main = std::iter::once((&mut program.main.variables, &mut program.main.body));
-    functions
-        .chain(blocks)
-        .chain(main)
-        .map(|(variables, statements)| Body {
-            variables,
-            statements,
-        })
-        .collect()
+/// Calls a function with each body of a program.
+pub(super) fn each_body(program: &mut Program, mut visit: impl FnMut(Body<'_>)) {
+    for unit in Unit::all(program) {
+        if let Some((variables, statements)) = unit.parts_mut(program) {
+            visit(Body {
+                variables,
+                statements,
+            });
+        }
+    }
 }
 
 /// Source of names that are not used in a program.

@@ -101,27 +101,19 @@ impl<'p> SourceWriter<'p> {
             InitialValue::Expression(value) => self.expression(value, variables),
             InitialValue::Array(values) => {
                 self.put("[");
-                for (number, value) in values.iter().enumerate() {
-                    if number > 0 {
-                        self.comma();
-                    }
-                    self.expression(value, variables);
-                }
+                self.list(values, |writer, value| writer.expression(value, variables));
                 self.put("]");
             }
             InitialValue::Structure(values) => {
                 let fields = self.program.fields(ty).unwrap_or_default();
                 self.put("(");
-                for (number, (field, value)) in values.iter().enumerate() {
-                    if number > 0 {
-                        self.comma();
-                    }
+                self.list(values, |writer, (field, value)| {
                     if let Some((name, ..)) = fields.get(*field) {
-                        self.put(name);
+                        writer.put(name);
                     }
-                    self.between_blanks(":=");
-                    self.expression(value, variables);
-                }
+                    writer.between_blanks(":=");
+                    writer.expression(value, variables);
+                });
                 self.put(")");
             }
         }
@@ -135,12 +127,9 @@ impl<'p> SourceWriter<'p> {
             Type::Array(array) => {
                 self.word("ARRAY");
                 self.put("[");
-                for (number, (low, high)) in array.dimensions.iter().enumerate() {
-                    if number > 0 {
-                        self.comma();
-                    }
-                    self.put(&format!("{low}..{high}"));
-                }
+                self.list(&array.dimensions, |writer, (low, high)| {
+                    writer.put(&format!("{low}..{high}"))
+                });
                 self.put("]");
                 self.between_blanks("OF");
                 self.type_name(&array.element);
@@ -173,12 +162,7 @@ impl<'p> SourceWriter<'p> {
         match declared {
             DeclaredKind::Enumeration(names) => {
                 self.put("(");
-                for (number, name) in names.iter().enumerate() {
-                    if number > 0 {
-                        self.comma();
-                    }
-                    self.put(name);
-                }
+                self.list(names, |writer, name| writer.put(name));
                 self.put(")");
             }
             DeclaredKind::Alias(ty) => self.type_name(ty),

@@ -70,13 +70,20 @@ impl SourceWriter<'_> {
     ) {
         self.word(name);
         self.put("(");
-        for (number, argument) in arguments.into_iter().enumerate() {
+        self.list(arguments, |writer, argument| {
+            writer.expression(argument, variables)
+        });
+        self.put(")");
+    }
+
+    /// Writes the items of a list, with commas between them.
+    pub fn list<T>(&mut self, items: impl IntoIterator<Item = T>, mut write: impl FnMut(&mut Self, T)) {
+        for (number, item) in items.into_iter().enumerate() {
             if number > 0 {
                 self.comma();
             }
-            self.expression(argument, variables);
+            write(self, item);
         }
-        self.put(")");
     }
 
     pub fn comma(&mut self) {
@@ -93,15 +100,12 @@ impl SourceWriter<'_> {
         let named = self.style.arguments == ArgumentForm::Named || arguments.len() < called.inputs().count();
         self.put(&called.name);
         self.put("(");
-        for (number, argument) in arguments.iter().enumerate() {
-            if number > 0 {
-                self.comma();
-            }
+        self.list(arguments, |writer, argument| {
             if named {
-                self.parameter(&called.variables, argument);
+                writer.parameter(&called.variables, argument);
             }
-            self.expression(&argument.value, variables);
-        }
+            writer.expression(&argument.value, variables);
+        });
         self.put(")");
     }
 
@@ -232,12 +236,9 @@ impl SourceWriter<'_> {
         match selector {
             PlaceSelector::Index(subscripts) => {
                 self.put("[");
-                for (number, subscript) in subscripts.iter().enumerate() {
-                    if number > 0 {
-                        self.comma();
-                    }
-                    self.expression(subscript, variables);
-                }
+                self.list(subscripts, |writer, subscript| {
+                    writer.expression(subscript, variables)
+                });
                 self.put("]");
                 match program.unaliased(within) {
                     Type::Array(array) => Some(&array.element),

@@ -2,7 +2,7 @@
 
 use super::source_writer::SourceWriter;
 use crate::model::{
-    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, Place, Statement, Type, Variable,
+    Argument, AssignmentTarget, CaseBranch, CaseLabel, Expression, ForLoop, Place, Statement, Type, Variable,
     VariableId,
 };
 
@@ -41,15 +41,9 @@ impl SourceWriter<'_> {
             Statement::Case(selector, branches, otherwise) => {
                 self.case(selector, branches, otherwise.as_deref(), pou);
             }
-            Statement::For {
-                variable,
-                from,
-                to,
-                by,
-                body,
-            } => {
-                self.for_head(*variable, from, to, by.as_ref(), pou);
-                self.statements(body, pou);
+            Statement::For(parts) => {
+                self.for_head(parts, pou);
+                self.statements(&parts.body, pou);
                 self.closing("END_FOR");
             }
             Statement::While(condition, body) => {
@@ -138,12 +132,7 @@ impl SourceWriter<'_> {
         self.deeper();
         for branch in branches {
             self.new_line();
-            for (number, label) in branch.labels.iter().enumerate() {
-                if number > 0 {
-                    self.comma();
-                }
-                self.label(label, pou);
-            }
+            self.list(&branch.labels, |writer, label| writer.label(label, pou));
             self.put(":");
             self.statements(&branch.body, pou);
         }
@@ -166,14 +155,14 @@ impl SourceWriter<'_> {
         self.style.notation = notation;
     }
 
-    fn for_head(
-        &mut self,
-        variable: VariableId,
-        from: &Expression,
-        to: &Expression,
-        by: Option<&Expression>,
-        pou: PouText<'_>,
-    ) {
+    fn for_head(&mut self, parts: &ForLoop, pou: PouText<'_>) {
+        let ForLoop {
+            variable,
+            from,
+            to,
+            by,
+            ..
+        } = parts;
         self.word("FOR");
         self.blank();
         if let Some(variable) = pou.variables.get(variable.0) {
@@ -211,13 +200,10 @@ impl SourceWriter<'_> {
         };
         self.put(&variable.name);
         self.put("(");
-        for (number, input) in inputs.iter().enumerate() {
-            if number > 0 {
-                self.comma();
-            }
-            self.parameter(parameters, input);
-            self.expression(&input.value, pou.variables);
-        }
+        self.list(inputs, |writer, input| {
+            writer.parameter(parameters, input);
+            writer.expression(&input.value, pou.variables);
+        });
         for (number, (output, place)) in outputs.iter().enumerate() {
             if number > 0 || !inputs.is_empty() {
                 self.comma();

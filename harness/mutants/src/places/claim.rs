@@ -218,37 +218,19 @@ impl Rule {
 }
 
 fn bit_rules() -> Vec<Rule> {
-    const CLAIMS: [(BitClaim, &[ClaimBreach], &[PartForm]); 5] = [
-        (
-            BitClaim::Selected,
-            &[ClaimBreach::Refused, ClaimBreach::Wrong],
-            &[PartForm::Short, PartForm::PartialAccess],
-        ),
-        (
-            BitClaim::Outside,
-            &[ClaimBreach::Admitted],
-            &[PartForm::Short, PartForm::PartialAccess],
-        ),
-        (
-            BitClaim::NoBits,
-            &[ClaimBreach::Admitted],
-            &[PartForm::Short, PartForm::PartialAccess],
-        ),
-        (
-            BitClaim::NoSuchForm,
-            &[ClaimBreach::Admitted],
-            &[PartForm::PartialAccess, PartForm::Wider],
-        ),
-        (
-            BitClaim::Rendered,
-            &[ClaimBreach::Refused, ClaimBreach::Wrong],
-            &[PartForm::Short, PartForm::PartialAccess],
-        ),
+    use ClaimBreach::{Admitted, Refused, Wrong};
+    use PartForm::{PartialAccess, Short, Wider};
+    const CLAIMS: [(BitClaim, &[ClaimBreach], [PartForm; 2]); 5] = [
+        (BitClaim::Selected, &[Refused, Wrong], [Short, PartialAccess]),
+        (BitClaim::Outside, &[Admitted], [Short, PartialAccess]),
+        (BitClaim::NoBits, &[Admitted], [Short, PartialAccess]),
+        (BitClaim::NoSuchForm, &[Admitted], [PartialAccess, Wider]),
+        (BitClaim::Rendered, &[Refused, Wrong], [Short, PartialAccess]),
     ];
     let mut rules = Vec::new();
     for (claim, faults, forms) in CLAIMS {
         for direction in [Direction::Read, Direction::Written] {
-            for &form in forms {
+            for form in forms {
                 let claim = ConversionClaim::Bit(claim, direction, form);
                 rules.extend(faults.iter().map(|&fault| Rule { claim, fault }));
             }

@@ -92,6 +92,8 @@ struct Field {
     recorded: usize,
     explained: usize,
     all: usize,
+    /// The fewest cases that notice one of them.
+    fewest: Option<usize>,
 }
 
 impl Field {
@@ -100,6 +102,8 @@ impl Field {
         self.noticed += usize::from(judged.is_noticed());
         self.recorded += usize::from(judged.is_recorded());
         self.explained += usize::from(judged.kind.is_some() && !judged.is_recorded());
+        let noticed = judged.is_noticed().then_some(judged.tally.noticed);
+        self.fewest = self.fewest.into_iter().chain(noticed).min();
     }
 
     /// Returns how many are noticed, how many break no claim (`o`) or are explained (`e`), and how many there are.
@@ -121,30 +125,25 @@ impl Field {
 /// Returns the table of rules: of the saboteurs in sources, targets, surroundings, pairs of types in a target, and bits, how many
 /// are noticed, how many explained, and how many there are; and the fewest cases that notice one of them.
 pub fn by_rule(judged: &[Judged]) -> String {
-    let mut rows: BTreeMap<Rule, ([Field; COLUMNS.len()], usize)> = BTreeMap::new();
+    let mut rows: BTreeMap<Rule, [Field; COLUMNS.len()]> = BTreeMap::new();
     let mut sums = [Field::default(); COLUMNS.len()];
     for one in judged {
         let at = column(one.saboteur.place);
-        let (fields, fewest) = rows
-            .entry(one.saboteur.rule)
-            .or_insert(([Field::default(); COLUMNS.len()], usize::MAX));
-        fields[at].add(one);
+        rows.entry(one.saboteur.rule).or_default()[at].add(one);
         sums[at].add(one);
-        if one.is_noticed() {
-            *fewest = (*fewest).min(one.tally.noticed);
-        }
     }
     let mut table = String::new();
     line(&mut table, "rule", COLUMNS.map(str::to_owned), "fewest cases");
-    for (rule, (fields, fewest)) in rows {
-        let fewest = match fewest {
-            usize::MAX => "-".to_owned(),
-            fewest => fewest.to_string(),
-        };
+    for (rule, fields) in rows {
+        let fewest = spelled(fields.iter().filter_map(|field| field.fewest).min());
         line(&mut table, &rule.to_string(), fields.map(Field::text), &fewest);
     }
     line(&mut table, "all", sums.map(Field::text), "");
     table
+}
+
+fn spelled(fewest: Option<usize>) -> String {
+    fewest.map_or_else(|| "-".to_owned(), |fewest| fewest.to_string())
 }
 
 fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest: &str) {
@@ -157,24 +156,19 @@ fn line(table: &mut String, name: &str, fields: [String; COLUMNS.len()], fewest:
 
 /// Returns the table of places: how many rules are noticed there, and the fewest cases that notice one.
 pub fn by_place(judged: &[Judged]) -> String {
-    let mut rows: BTreeMap<String, (Field, usize)> = BTreeMap::new();
+    let mut rows: BTreeMap<String, Field> = BTreeMap::new();
     let places = judged.iter().filter(|one| column(one.saboteur.place) < 3);
     for one in places {
-        let (field, fewest) = rows
-            .entry(one.saboteur.place.to_string())
-            .or_insert((Field::default(), usize::MAX));
-        field.add(one);
-        if one.is_noticed() {
-            *fewest = (*fewest).min(one.tally.noticed);
-        }
+        rows.entry(one.saboteur.place.to_string()).or_default().add(one);
     }
     let mut table = format!("{:<48}{:>16}{:>14}\n", "place", "rules", "fewest cases");
-    for (place, (field, fewest)) in rows {
-        let fewest = match fewest {
-            usize::MAX => "-".to_owned(),
-            fewest => fewest.to_string(),
-        };
-        let _ = writeln!(table, "{place:<48}{:>16}{fewest:>14}", field.text());
+    for (place, field) in rows {
+        let _ = writeln!(
+            table,
+            "{place:<48}{:>16}{:>14}",
+            field.text(),
+            spelled(field.fewest)
+        );
     }
     table
 }

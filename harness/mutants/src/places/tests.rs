@@ -29,34 +29,11 @@ static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {
     })
 });
 
-const PROGRAM: &str = "\
-FUNCTION TAKE : INT
-VAR_INPUT in : INT; END_VAR
-    TAKE := in;
-END_FUNCTION
-PROGRAM main
-VAR
-    small : SINT := -1;
-    flags : BYTE := 16#02;
-    list  : ARRAY[0..1] OF INT;
-    plain : INT;
-    given : INT;
-    bit   : BOOL;
-END_VAR
-    plain := small;
-    list[0] := small;
-    IF small < 0 THEN given := TAKE(in := small); END_IF;
-    bit := flags.1;
-END_PROGRAM
-";
+const PROGRAM: &str = include_str!("tests/program.st");
 
 /// Returns what a program does where a rule is broken in a place: the values of its variables, or the lines of its errors.
 fn reported(rule: &str, place: BrokenPlace) -> String {
-    let rule = *Rule::all()
-        .iter()
-        .find(|known| known.to_string() == rule)
-        .expect("the rule is known");
-    let engine = SabotagedReference::new(Saboteur { rule, place });
+    let engine = SabotagedReference::new(saboteur(rule, place));
     let observe = ["plain", "list[0]", "given", "bit"].map(|name| Observation::last(name, ""));
     let request = RunRequest::once(DialectName::IRONPLC_ED3, PROGRAM, &observe);
     let mut session = EngineSession::open(&engine).expect("it opens");
@@ -98,14 +75,7 @@ fn a_rule_is_broken_in_its_place_and_nowhere_else() {
 fn an_error_that_is_admitted_is_not_reported() {
     let source = "PROGRAM main\nVAR a : INT; b : SINT; END_VAR\nb := a;\nb := -129;\nEND_PROGRAM\n";
     let left = |rule: &str| {
-        let admitted = Saboteur {
-            rule: *Rule::all()
-                .iter()
-                .find(|known| known.to_string() == rule)
-                .expect("the rule is known"),
-            place: BrokenPlace::Target("assignment"),
-        };
-        let engine = SabotagedReference::new(admitted);
+        let engine = SabotagedReference::new(saboteur(rule, BrokenPlace::Target("assignment")));
         let mut session = EngineSession::open(&engine).expect("it opens");
         let outcome = session.check(DialectName::IRONPLC_ED3, source);
         let Outcome::Rejected { diagnostics } = outcome.expect("it answers") else {
@@ -214,21 +184,7 @@ fn a_saboteur_breaks_no_claim_where_every_case_that_sees_it_only_records() {
 }
 
 /// A list that explains two rules in all targets but one.
-const LIST: &str = r#"
-[[reason]]
-kind = "open"
-text = "No document says it."
-
-[[reason.unnoticed]]
-rules  = ["implicit.lreal-to-real.*"]
-places = ["target.*"]
-except = ["target.assignment"]
-
-[[reason.unnoticed]]
-rules  = ["implicit.from-time.wrong"]
-places = ["target.assignment"]
-pairs  = ["* to DATE"]
-"#;
+const LIST: &str = include_str!("tests/unnoticed.toml");
 
 fn saboteur(rule: &str, place: BrokenPlace) -> Saboteur {
     let rules = Rule::all();
@@ -243,28 +199,26 @@ fn saboteur(rule: &str, place: BrokenPlace) -> Saboteur {
 fn a_star_stands_for_any_text_but_for_the_exceptions() {
     use stickler_types::ElementaryType::{Date, Lreal, Real, Time, Tod};
     let list = ExplainedSaboteurs::from_text(LIST).expect("it is readable");
-    let is_explained = |rule, place| list.kind(&saboteur(rule, place)).is_some();
-    let refused = "implicit.lreal-to-real.refused";
-    assert!(is_explained(refused, BrokenPlace::Target("field")));
-    assert!(is_explained(
-        "implicit.lreal-to-real.wrong",
-        BrokenPlace::Target("field")
-    ));
-    assert!(is_explained(refused, BrokenPlace::Cell(Lreal, Real, "field")));
-    assert!(!is_explained(refused, BrokenPlace::Source("field")));
-    assert!(!is_explained(
-        "implicit.real-to-lreal.refused",
-        BrokenPlace::Target("field")
-    ));
-    assert!(!is_explained(refused, BrokenPlace::Target("assignment")));
-    assert!(!is_explained(
-        refused,
-        BrokenPlace::Cell(Lreal, Real, "assignment")
-    ));
-    let wrong = "implicit.from-time.wrong";
-    assert!(is_explained(wrong, BrokenPlace::Cell(Time, Date, "assignment")));
-    assert!(!is_explained(wrong, BrokenPlace::Cell(Time, Tod, "assignment")));
-    assert!(!is_explained(wrong, BrokenPlace::Target("assignment")));
+    let (refused, wrong) = ("implicit.lreal-to-real.refused", "implicit.from-time.wrong");
+    for (rule, place, is_explained) in [
+        (refused, BrokenPlace::Target("field"), true),
+        ("implicit.lreal-to-real.wrong", BrokenPlace::Target("field"), true),
+        (refused, BrokenPlace::Cell(Lreal, Real, "field"), true),
+        (refused, BrokenPlace::Source("field"), false),
+        (
+            "implicit.real-to-lreal.refused",
+            BrokenPlace::Target("field"),
+            false,
+        ),
+        (refused, BrokenPlace::Target("assignment"), false),
+        (refused, BrokenPlace::Cell(Lreal, Real, "assignment"), false),
+        (wrong, BrokenPlace::Cell(Time, Date, "assignment"), true),
+        (wrong, BrokenPlace::Cell(Time, Tod, "assignment"), false),
+        (wrong, BrokenPlace::Target("assignment"), false),
+    ] {
+        let kind = list.kind(&saboteur(rule, place));
+        assert_eq!(kind.is_some(), is_explained, "{rule} in {place}");
+    }
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
 use super::literals::integer_site;
 use super::misfits::{MisfitForm, misfit};
+use super::omitted_conversions::omit_conversion;
 use super::operands::stands_for_any_value;
 use super::table::{Plant, function};
 use crate::model::{ExpressionKind, Statement, Unit, VariableSection};
@@ -20,6 +21,11 @@ pub(super) enum Edit {
     Misfit {
         context: ExpressionContext,
         forms: Vec<MisfitForm>,
+    },
+    OmittedConversion(Vec<ExpressionContext>),
+    Integer {
+        contexts: Vec<ExpressionContext>,
+        texts: Vec<String>,
     },
     Literal(Vec<TypedTexts>),
     Constant(Vec<String>),
@@ -49,6 +55,10 @@ impl Edit {
         match self {
             Edit::Function(plant) => plant(fault),
             Edit::Misfit { context, forms } => misfit(fault, *context, forms),
+            Edit::OmittedConversion(contexts) => {
+                omit_conversion(fault, |context| contexts.contains(&context))
+            }
+            Edit::Integer { contexts, texts } => integer(fault, contexts, texts),
             Edit::Literal(alternatives) => alternatives.iter().find_map(|one| literal(fault, one)),
             Edit::Constant(texts) => constant(fault, texts),
             Edit::Value(text) => {
@@ -78,14 +88,38 @@ fn literal(fault: &mut FaultSite<'_, '_>, TypedTexts { ty, texts }: &TypedTexts)
     Some(())
 }
 
+/// Puts one of the texts in one of these contexts, for a value of an integer type.
+fn integer(fault: &mut FaultSite<'_, '_>, contexts: &[ExpressionContext], texts: &[String]) -> Option<()> {
+    let original = fault.original;
+    let is_integer = |ty: &ElementaryType| ty.is_integer();
+    let (number, _, expression) = fault.pick_expression(|site, expression| {
+        contexts.contains(&site.context)
+            && elementary(original, &expression.ty)
+                .as_ref()
+                .is_some_and(is_integer)
+    })?;
+    written(fault, number, elementary(original, &expression.ty)?, texts)
+}
+
 /// Puts one of the texts in a place for a value of an integer type.
 fn constant(fault: &mut FaultSite<'_, '_>, texts: &[String]) -> Option<()> {
     let (number, ty) = integer_site(fault)?;
+    written(fault, number, ty, texts)
+}
+
+/// Replaces an expression of an integer type by one of the texts, in which numbers of that type are named.
+fn written(fault: &mut FaultSite<'_, '_>, number: usize, ty: ElementaryType, texts: &[String]) -> Option<()> {
     let (low, high) = ty.integer_range()?;
-    let text = fault.choose(texts.to_vec())?;
-    let text = text.replace("{type}", ty.name());
-    let text = text.replace("{low}", &low.to_string());
-    let text = text.replace("{high}", &high.to_string());
+    let mut text = fault.choose(texts.to_vec())?.replace("{type}", ty.name());
+    for (name, value) in [
+        ("{low}", low),
+        ("{high}", high),
+        ("{below}", low - 1),
+        ("{above}", high + 1),
+        ("{far}", high * 3),
+    ] {
+        text = text.replace(name, &value.to_string());
+    }
     fault.replace(number, ExpressionKind::Raw(text));
     Some(())
 }

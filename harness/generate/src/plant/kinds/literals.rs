@@ -7,43 +7,15 @@ use super::operands::stands_for_any_value;
 use crate::model::{Expression, ExpressionKind, Type};
 use stickler_types::{Dialect, ElementaryType};
 
-/// Plants an untyped integer literal beyond the type of its target, or below it.
-///
-/// Basis: ironplc-problem-codes: P2026; rule: literal-as-operand (the sign belongs to the literal).
-pub(super) fn integer_for_target(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    too_large(fault, |site, expression| {
-        let with_target = site.context.has_target() || site.context == ExpressionContext::Initial;
-        elementary(original, &expression.ty).filter(|_| with_target)
-    })
-}
-
 /// Plants an untyped integer literal outside the type of the other operand.
 pub(super) fn integer_for_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    too_large(fault, |site, expression| match site.context {
+    let range = |site: ExpressionSite, expression: &Expression| match site.context {
         // Beside a narrower operand that widens, the literal would make the whole narrower, and other literals with it wrong.
-        ExpressionContext::Operand(_, other) => {
-            other.filter(|&other| expression.ty == Type::Elementary(other))
+        ExpressionContext::Operand(_, Some(other)) if expression.ty == Type::Elementary(other) => {
+            range_of_integer(other)
         }
         _ => None,
-    })
-}
-
-/// Plants an untyped integer literal outside the type of the selector as a label of CASE.
-pub(super) fn integer_for_label(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    too_large(fault, |site, expression| {
-        let label = site.context == ExpressionContext::Label;
-        elementary(original, &expression.ty).filter(|_| label)
-    })
-}
-
-/// Puts an untyped integer literal in a place whose type, given by a function, does not hold it.
-fn too_large(
-    fault: &mut FaultSite<'_, '_>,
-    expected: impl Fn(ExpressionSite, &Expression) -> Option<ElementaryType>,
-) -> Option<()> {
-    let range = |site, expression: &Expression| expected(site, expression).and_then(range_of_integer);
+    };
     let (number, site, expression) =
         fault.pick_expression(|site, expression| range(site, expression).is_some())?;
     let (low, high) = range(site, &expression)?;
@@ -54,7 +26,7 @@ fn too_large(
 }
 
 /// Returns the least and the greatest value of an integer type; `None` for a bit string or BOOL.
-fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
+pub(super) fn range_of_integer(ty: ElementaryType) -> Option<(i128, i128)> {
     ty.integer_range().filter(|_| ty.is_integer())
 }
 
@@ -124,21 +96,6 @@ pub(super) fn real(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let texts = vec![beyond.to_owned(), format!("-{beyond}"), format!("{ty}#{beyond}")];
     let text = fault.choose(texts)?;
     fault.replace(number, ExpressionKind::Raw(text));
-    Some(())
-}
-
-/// Plants a constant sum of untyped literals beyond the type of its target.
-///
-/// Basis: language/diagnostics-constants.st.
-pub(super) fn untyped_overflow(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let original = fault.original;
-    let range = |expression: &Expression| elementary(original, &expression.ty).and_then(range_of_integer);
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
-        let with_target = site.context.has_target();
-        with_target && range(expression).is_some()
-    })?;
-    let (_, high) = range(&expression)?;
-    fault.replace(number, ExpressionKind::Raw(format!("{high} + 1")));
     Some(())
 }
 

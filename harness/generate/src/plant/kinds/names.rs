@@ -5,7 +5,8 @@ use super::super::scope::elementary;
 use super::super::walk::ExpressionContext;
 use super::operands::stands_for_any_value;
 use crate::model::{
-    DeclaredKind, Expression, ExpressionKind, Program, Type, TypeDeclaration, Unit, VariableSection,
+    DeclaredKind, Expression, ExpressionKind, Function, FunctionBlock, Program, Type, TypeDeclaration, Unit,
+    VariableSection,
 };
 use stickler_types::ElementaryType;
 
@@ -151,10 +152,16 @@ fn other_case(name: &str) -> Option<String> {
 ///
 /// Basis: language/diagnostics-names.st.
 pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let mut function = fault.choose(fault.original.functions.iter().collect())?.clone();
-    function.name = other_case(&function.name)?;
-    fault.mark = Some(format!(" {} : ", function.name));
-    fault.program.functions.push(function);
+    let function = fault.choose(fault.original.functions.iter().collect())?;
+    function_again(fault, function, &function.name)
+}
+
+/// Declares a function once more, under a name in another case of its letters.
+fn function_again(fault: &mut FaultSite<'_, '_>, function: &Function, name: &str) -> Option<()> {
+    let name = other_case(name)?;
+    fault.mark = Some(format!(" {name} : "));
+    let function = function.clone();
+    fault.program.functions.push(Function { name, ..function });
     Some(())
 }
 
@@ -162,10 +169,15 @@ pub(super) fn function_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
 ///
 /// Basis: ironplc-problem-codes: P4013.
 pub(super) fn block_twice(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let mut block = fault.choose(fault.original.blocks.iter().collect())?.clone();
-    block.name = other_case(&block.name)?;
-    fault.mark = Some(format!(" {}", block.name));
-    fault.program.blocks.push(block);
+    let block = fault.choose(fault.original.blocks.iter().collect())?;
+    block_again(fault, block, &block.name)
+}
+
+fn block_again(fault: &mut FaultSite<'_, '_>, block: &FunctionBlock, name: &str) -> Option<()> {
+    let name = other_case(name)?;
+    fault.mark = Some(format!(" {name}"));
+    let block = block.clone();
+    fault.program.blocks.push(FunctionBlock { name, ..block });
     Some(())
 }
 
@@ -177,18 +189,11 @@ pub(super) fn two_kinds_of_one_name(fault: &mut FaultSite<'_, '_>) -> Option<()>
     if let Some(block) = original.blocks.last()
         && let Some(function) = fault.choose(original.functions.iter().collect())
     {
-        let mut block = block.clone();
-        block.name = other_case(&function.name)?;
-        fault.mark = Some(format!(" {}", block.name));
-        fault.program.blocks.push(block);
-        return Some(());
+        return block_again(fault, block, &function.name);
     }
-    let mut function = original.functions.last()?.clone();
+    let function = original.functions.last()?;
     let declaration = fault.choose(original.types.iter().collect())?;
-    function.name = other_case(&declaration.name)?;
-    fault.mark = Some(format!(" {} : ", function.name));
-    fault.program.functions.push(function);
-    Some(())
+    function_again(fault, function, &declaration.name)
 }
 
 /// Plants a type that is declared twice.

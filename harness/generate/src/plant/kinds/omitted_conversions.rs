@@ -10,50 +10,20 @@ use super::misfits::{converts, never};
 use super::operands::calculates;
 use crate::model::{Expression, ExpressionKind};
 
-/// Omits a conversion from an assigned value.
-pub(super) fn conversion_left_out_of_assignment(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let assigned = |context| matches!(context, ExpressionContext::Assigned | ExpressionContext::Result);
-    omit_conversion(fault, assigned, |argument| !is_call(argument))?;
-    fault.suggested = true;
-    Some(())
-}
-
-/// Omits a conversion from an argument.
-pub(super) fn conversion_left_out_of_argument(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let argument = |context| matches!(context, ExpressionContext::Argument | ExpressionContext::Input);
-    omit_conversion(fault, argument, |_| true)?;
-    fault.suggested = true;
-    Some(())
-}
-
-/// Omits a conversion from a condition.
-pub(super) fn conversion_left_out_of_condition(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let condition = |context| {
-        matches!(
-            context,
-            ExpressionContext::If
-                | ExpressionContext::ElsIf
-                | ExpressionContext::While
-                | ExpressionContext::Until
-        )
-    };
-    omit_conversion(fault, condition, |_| true)
-}
-
 /// Omits a conversion from an operand.
 pub(super) fn conversion_left_out_of_operand(fault: &mut FaultSite<'_, '_>) -> Option<()> {
-    let operand = |context| matches!(context, ExpressionContext::Operand(_, Some(_)));
-    omit_conversion(fault, operand, |_| true)
+    omit_conversion(fault, |context| {
+        matches!(context, ExpressionContext::Operand(_, Some(_)))
+    })
 }
 
-/// Replaces a call of a conversion function by its argument.
-fn omit_conversion(
+/// Replaces a call of a conversion function by its argument. A bare call that is assigned would have another code.
+pub(super) fn omit_conversion(
     fault: &mut FaultSite<'_, '_>,
-    context: fn(ExpressionContext) -> bool,
-    argument_fits: fn(&Expression) -> bool,
+    eligible: impl Fn(ExpressionContext) -> bool,
 ) -> Option<()> {
     let dialect = fault.original.dialect;
-    let (number, _, expression) = fault.pick_expression(|site, expression| {
+    let (number, site, expression) = fault.pick_expression(|site, expression| {
         let ExpressionKind::Convert(signature, argument) = &expression.kind else {
             return false;
         };
@@ -67,8 +37,12 @@ fn omit_conversion(
             ),
             _ => (signature.result, true),
         };
-        context(site.context)
-            && argument_fits(argument)
+        let is_assigned = matches!(
+            site.context,
+            ExpressionContext::Assigned | ExpressionContext::Result
+        );
+        eligible(site.context)
+            && !(is_assigned && is_call(argument))
             && free
             && never(from, into, dialect)
             && converts(from, into, dialect)
@@ -77,6 +51,7 @@ fn omit_conversion(
         return None;
     };
     fault.change(number, |place| *place = *argument);
+    fault.suggested = site.context.has_target();
     Some(())
 }
 

@@ -4,8 +4,8 @@ use crate::evaluate::evaluate;
 use crate::generator::{GeneratorSettings, program as generate};
 use crate::model::visit_mut::{VisitorMut, walk_expression, walk_program, walk_statement, walk_variable};
 use crate::model::{
-    AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, InitialValue,
-    LiteralForm, Program, StandardFunction, Statement, Type, Variable, VariableSection,
+    AssignmentTarget, BinaryOperator, CaseLabel, DeclaredKind, Expression, ExpressionKind, ForLoop,
+    InitialValue, LiteralForm, Program, StandardFunction, Statement, Type, Variable, VariableSection,
 };
 use crate::random::bytes;
 use crate::reduce::{OutcomeSymptom, program};
@@ -171,9 +171,9 @@ const BUGS: [(&str, Bug); 16] = [
     (
         "FOR downwards never begins",
         Bug::Statement(|statement| {
-            if let Statement::For {
+            if let Statement::For(ForLoop {
                 by: Some(by), body, ..
-            } = statement
+            }) = statement
                 && let ExpressionKind::Literal(Value::Plain { ty, raw }, _) = &by.kind
                 && ty.integer_value(*raw) < 0
             {
