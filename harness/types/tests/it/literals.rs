@@ -56,8 +56,32 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
                 .to_string()
         },
         "spelled" => spelled,
+        "names" => |text| named(ElementaryType::from_name(text)),
+        "prefixes" => |text| named(ElementaryType::from_literal_prefix(text)),
+        "long-forms" => |text| named(ty(text).long_form()),
+        "ranges" => |text| {
+            let range = ty(text).integer_range();
+            range.map_or_else(
+                || "-".to_owned(),
+                |(least, greatest)| format!("{least} to {greatest}"),
+            )
+        },
+        "wraps" => |text| {
+            let (name, number) = text.split_once(' ').expect("a type and a number");
+            ty(name)
+                .integer_value(ty(name).wrap(number.parse().expect("a number")))
+                .to_string()
+        },
         _ => return None,
     })
+}
+
+fn ty(name: &str) -> ElementaryType {
+    ElementaryType::from_name(name).expect("a type")
+}
+
+fn named(found: Option<ElementaryType>) -> String {
+    found.map_or("-", ElementaryType::name).to_owned()
 }
 
 fn read<T: fmt::Display>(result: Result<T, LiteralError>) -> String {
@@ -103,7 +127,7 @@ fn written_text(units: &str, wide: bool) -> String {
 /// Reads a literal of a type, as it stands in a program: `REAL 1.5`.
 fn spelled(text: &str) -> String {
     let (ty, literal) = text.split_once(' ').expect("a type and a literal");
-    let written = WrittenValue::parse(ElementaryType::from_name(ty).expect("a type"), literal);
+    let written = WrittenValue::parse(self::ty(ty), literal);
     written.map_or_else(
         |_| "-".to_owned(),
         |one| format!("{} | {}", one.literal, one.value),
