@@ -5,6 +5,7 @@
 
 use std::fmt;
 use stickler_mdtest::{Difference, same};
+use stickler_types::boundaries::boundaries;
 use stickler_types::literal::{self, LiteralError};
 use stickler_types::{ElementaryType, Question, Value, WrittenValue};
 
@@ -66,6 +67,14 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
                 |(least, greatest)| format!("{least} to {greatest}"),
             )
         },
+        "boundaries" => |name| boundaries_of(ty(name)).join(" "),
+        "has-boundaries" => |text| {
+            let (name, literals) = text.split_once(' ').expect("a type and literals");
+            let known = boundaries_of(ty(name));
+            let mut literals = literals.split(' ');
+            let all = literals.all(|literal| known.iter().any(|one| one == literal));
+            if all { "yes" } else { "no" }.to_owned()
+        },
         "wraps" => |text| {
             let (name, number) = text.split_once(' ').expect("a type and a number");
             ty(name)
@@ -78,6 +87,11 @@ fn answers(kind: &str) -> Option<fn(&str) -> String> {
 
 fn ty(name: &str) -> ElementaryType {
     ElementaryType::from_name(name).expect("a type")
+}
+
+fn boundaries_of(ty: ElementaryType) -> Vec<String> {
+    let values = boundaries(ty).into_iter();
+    values.map(|value| value.literal.to_string()).collect()
 }
 
 fn named(found: Option<ElementaryType>) -> String {
