@@ -38,37 +38,3 @@ pub(crate) fn encoded(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
     }
     bits
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ElementaryType::*;
-
-    #[test]
-    fn digits_are_those_that_a_person_writes() {
-        for written in 0..10_000_i128 {
-            let raw = u64::from_str_radix(&written.to_string(), 16).unwrap();
-            assert_eq!(number(raw, Word), written);
-            assert_eq!(encoded(written as u64, Uint, Word), raw);
-            assert!(is_decimal(raw, Word));
-        }
-        assert_eq!(number(0x9999_9999_9999_9999, Lword), greatest(Lword));
-        assert_eq!(encoded(u64::MAX, Ulint, Lword), 0x6744_0737_0955_1615);
-    }
-
-    #[test]
-    fn a_digit_above_nine_counts_with_its_value() {
-        assert_eq!(number(0x1A, Byte), 20);
-        assert_eq!(number(0xFF, Byte), 165);
-        assert_eq!(number(u64::MAX, Lword), 16_666_666_666_666_665);
-        assert!(!is_decimal(0x1A, Byte) && !is_decimal(0xA000, Word));
-    }
-
-    #[test]
-    fn a_number_keeps_the_digits_that_fit() {
-        assert_eq!(encoded(12_345, Int, Word), 0x2345);
-        assert_eq!(encoded(100, Int, Byte), 0);
-        assert_eq!(encoded((-1_i64).cast_unsigned(), Int, Word), 0x9999);
-        assert_eq!(encoded((-123_456_i64).cast_unsigned(), Dint, Byte), 0x44);
-    }
-}

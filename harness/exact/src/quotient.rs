@@ -89,13 +89,8 @@ mod tests {
 
     #[test]
     fn a_quotient_gives_the_nearest_number_and_the_even_one_of_two() {
-        let mut state = 1_u64;
-        let mut next = || {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1_442_695_040_888_963_407);
-            state >> 11
-        };
+        let mut numbers = stickler_types::SplitMix64::new(1).numbers();
+        let mut next = || numbers.next().unwrap_or_default() >> 11;
         for _ in 0..2_000 {
             let (numerator, denominator) = (BigUint::from(next()), BigUint::from(next() | 1));
             let shift = next() % 280;
@@ -111,27 +106,14 @@ mod tests {
     #[test]
     fn ties_between_neighbours_go_to_the_even_one() {
         for ty in [Real, Lreal] {
-            for raw in [
-                0,
-                1,
-                2,
-                3,
-                0x7F_FFFF,
-                0x80_0000,
-                0x3F80_0000,
-                0x3F80_0001,
-                0x7F7F_FFFE,
-            ] {
+            let raws = [0x7F_FFFF, 0x80_0000, 0x3F80_0000, 0x3F80_0001, 0x7F7F_FFFE];
+            for raw in (0..4).chain(raws) {
                 let between = (number(raw, ty) + number(raw + 1, ty)) / BigInt::from(2);
                 let (numerator, denominator) = between.into_raw();
                 let [numerator, denominator] = [numerator, denominator].map(|n| n.to_biguint().unwrap());
                 assert_eq!(nearest(false, &numerator, &denominator, ty), raw + raw % 2);
-                let above = nearest(
-                    false,
-                    &(&numerator * 1_000_000_000_000_u64 + 1_u32),
-                    &(denominator * 1_000_000_000_000_u64),
-                    ty,
-                );
+                let many = 1_000_000_000_000_u64;
+                let above = nearest(false, &(&numerator * many + 1_u32), &(denominator * many), ty);
                 assert_eq!(above, raw + 1);
             }
         }
@@ -152,19 +134,8 @@ mod tests {
     #[test]
     fn a_quotient_is_rounded_to_the_nearest_integer() {
         let rounded = |numerator: u32, denominator: u32| half_to_even(&numerator.into(), &denominator.into());
-        for (numerator, denominator, integer) in [
-            (1, 2, 0_u32),
-            (3, 2, 2),
-            (5, 2, 2),
-            (7, 3, 2),
-            (8, 3, 3),
-            (6, 3, 2),
-        ] {
-            assert_eq!(
-                rounded(numerator, denominator),
-                integer.into(),
-                "{numerator}/{denominator}"
-            );
-        }
+        let given =
+            [(1, 2), (3, 2), (5, 2), (7, 3), (8, 3), (6, 3)].map(|(above, below)| rounded(above, below));
+        assert_eq!(given, [0_u32, 2, 2, 2, 3, 2].map(BigUint::from));
     }
 }

@@ -115,7 +115,7 @@ impl Block {
     }
 
     /// Hands each row `question = answer` to a function, which says what is wrong with it. An arrow may stand for the equals sign,
-    /// a pilcrow begins a new line, and backticks keep the spaces at the ends of a question.
+    /// a pilcrow begins a new line, repetitions are written out, and backticks keep the spaces at the ends of a question.
     pub fn rows(&self, mut row: impl FnMut(&str, &str) -> Result<(), String>) -> Vec<Difference> {
         let mut differences = Vec::new();
         for (number, line) in self.lines() {
@@ -124,7 +124,10 @@ impl Block {
                 Some((question, answer)) => {
                     let question = question.trim();
                     let quoted = question.strip_prefix('`').and_then(|rest| rest.strip_suffix('`'));
-                    row(&quoted.unwrap_or(question).replace('¶', "\n"), answer.trim())
+                    row(
+                        &expanded(&quoted.unwrap_or(question).replace('¶', "\n")),
+                        answer.trim(),
+                    )
                 }
                 None => Err("a row has the form `question = answer`".to_owned()),
             };

@@ -24,31 +24,17 @@ mod tests {
 
     #[test]
     fn narrowing_is_the_value_modulo_the_width() {
+        let values = (0..64).flat_map(|bit| [-1, 0, 1].map(|by| (1_i64 << bit).wrapping_add(by)));
+        let values: Vec<i64> = values.flat_map(|value| [value, value.wrapping_neg()]).collect();
         for ty in ElementaryType::ALL
             .into_iter()
             .filter(|ty| ty.integer_range().is_some())
         {
-            for value in [
-                0,
-                1,
-                -1,
-                127,
-                128,
-                -129,
-                65535,
-                65536,
-                1 << 31,
-                -(1 << 31),
-                1 << 40,
-                i64::MIN,
-                i64::MAX,
-            ] {
-                let bits = value.cast_unsigned();
+            for &value in &values {
                 assert_eq!(
-                    narrow(bits, ty),
+                    narrow(value.cast_unsigned(), ty),
                     ty.wrap(value.into()),
-                    "{value} as {}",
-                    ty.name()
+                    "{value} as {ty}"
                 );
             }
         }

@@ -9,8 +9,8 @@
 //! | `lexed` | the diagnostics of the lexer: a code and the text at which it points |
 //! | `grouping` | an expression with parentheses around each operation, and brackets around what is written in parentheses |
 //! | `tree` | parts of what the tree prints of itself, and how often: `Positional ×2 & Named` |
-//! | `enormous` | how many diagnostics a text has whose repetitions are [written out](stickler_mdtest::expanded), or the only one: `2:6 S0002` |
-//! | `features`, `separable`, `parts`, `renamed` | the features of a program; its names, or why it cannot stand beside others |
+//! | `enormous` | how many diagnostics a text has that is written with repetitions, or the only one: `2:6 S0002` |
+//! | `features`, `feature-uses`, `separable`, `parts`, `renamed` | the features of a program, and where it uses them; its names, or why it cannot stand beside others |
 
 use crate::diagnostic::SpannedDiagnostic;
 use crate::lexer::lex;
@@ -48,6 +48,7 @@ fn the_syntax_is_as_the_files_say() {
             "grouping" => block.rows(|expression, groups| same(grouped(expression), groups.to_owned())),
             "tree" => block.rows(|text, parts| tree(&block.framed(text), of, parts)),
             "features" => block.rows(|text, keys| same(features(&block.framed(text), of), keys.to_owned())),
+            "feature-uses" => block.rows(|text, uses| same(feature_uses(text, of), uses.to_owned())),
             "separable" => block.rows(|text, names| same(separate(text, of), names.to_owned())),
             "parts" => block.rows(|text, reason| {
                 let parts = ProgramParts::of(text, of).map(|parts| parts.statements);
@@ -263,17 +264,16 @@ fn tree(text: &str, dialect: &Dialect, parts: &str) -> Result<(), String> {
 }
 
 fn enormous(text: &str, found: &str) -> Result<(), String> {
-    let text = stickler_mdtest::expanded(text);
-    let (_, diagnostics) = parse(&text, Dialect::of(DialectName::IRONPLC_ED2));
+    let (_, diagnostics) = parse(text, Dialect::of(DialectName::IRONPLC_ED2));
     if diagnostics.is_empty() {
         // Neither the renderer nor the walk recurses along a chain.
         let dialect = Dialect::of(DialectName::IRONPLC_ED2);
-        assert!(!rendered(&text, dialect).is_empty() && !leaves(&text, dialect).is_empty());
+        assert!(!rendered(text, dialect).is_empty() && !leaves(text, dialect).is_empty());
     }
-    let lines = LineIndex::new(&text);
+    let lines = LineIndex::new(text);
     match &diagnostics[..] {
         [only] if found.contains(':') => {
-            let at = lines.position(&text, only.span.start);
+            let at = lines.position(text, only.span.start);
             same(
                 format!("{}:{} {}", at.line, at.column, only.code),
                 found.to_owned(),
@@ -291,6 +291,14 @@ fn features(text: &str, dialect: &Dialect) -> String {
     } else {
         found.join(" ")
     }
+}
+
+fn feature_uses(text: &str, dialect: &Dialect) -> String {
+    let uses = crate::features::feature_uses(text, dialect);
+    let described = uses
+        .iter()
+        .map(|one| format!("{} {}", one.key, one.span.text(text)));
+    described.collect::<Vec<_>>().join("; ")
 }
 
 fn separate(text: &str, dialect: &Dialect) -> String {

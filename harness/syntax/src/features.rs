@@ -397,6 +397,3 @@ impl<'s> FeatureFinder<'_, 's> {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -69,16 +69,7 @@ mod tests {
 
     #[test]
     fn other_words_are_names() {
-        for word in [
-            "x",
-            "_",
-            "step",
-            "class",
-            "end",
-            "INT",
-            "ENDIF",
-            "a_name_longer_than_any_keyword",
-        ] {
+        for word in "x _ step class end INT ENDIF a_name_longer_than_any_keyword".split(' ') {
             assert_eq!(classify(word.as_bytes()), TokenKind::Name, "{word}");
         }
     }

@@ -142,10 +142,10 @@ mod tests {
     #[test]
     fn the_folder_of_the_pages_and_the_table_name_the_same_codes() {
         let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/codes");
-        let mut files: Vec<String> = std::fs::read_dir(folder)
-            .unwrap()
-            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-            .collect();
+        let files = std::fs::read_dir(folder).unwrap();
+        let name =
+            |file: std::io::Result<std::fs::DirEntry>| file.unwrap().file_name().into_string().unwrap();
+        let mut files: Vec<String> = files.map(name).collect();
         files.sort();
         let pages: Vec<String> = Code::ALL.iter().map(|code| format!("{code}.md")).collect();
         assert_eq!(files, pages);
@@ -181,38 +181,30 @@ mod tests {
                     !program.starts_with([' ', '\n']) && program.ends_with('\n'),
                     "{code}:\n{program}"
                 );
-                let lines = || program.lines();
-                assert!(
-                    lines().all(|line| line == line.trim_end() && line.len() < 100),
-                    "{code}:\n{program}"
-                );
-                let units = |word: &str| {
-                    lines()
-                        .filter(|line| line.split(' ').next() == Some(word))
-                        .count()
+                let is_flush = |line: &str| line == line.trim_end() && line.len() < 100;
+                assert!(program.lines().all(is_flush), "{code}:\n{program}");
+                let count = |word: &str| {
+                    let begins = |line: &&str| line.split(' ').next() == Some(word);
+                    program.lines().filter(begins).count()
                 };
-                assert_eq!(units("PROGRAM"), units("END_PROGRAM"), "{code}:\n{program}");
+                for unit in ["PROGRAM", "FUNCTION", "FUNCTION_BLOCK", "TYPE"] {
+                    assert_eq!(count(unit), count(&format!("END_{unit}")), "{code}:\n{program}");
+                }
                 assert!(
-                    units("PROGRAM") == 1 || code == Code::NoProgramDeclaration,
+                    count("PROGRAM") == 1 || code == Code::NoProgramDeclaration,
                     "{code}:\n{program}"
                 );
-                assert_eq!(units("FUNCTION"), units("END_FUNCTION"), "{code}:\n{program}");
-                assert_eq!(
-                    units("FUNCTION_BLOCK"),
-                    units("END_FUNCTION_BLOCK"),
-                    "{code}:\n{program}"
-                );
-                assert_eq!(units("TYPE"), units("END_TYPE"), "{code}:\n{program}");
             }
         }
     }
 
     #[test]
     fn the_codes_that_suppress_others_are_those_of_the_design() {
-        let suppressing = Code::ALL
-            .iter()
-            .filter(|code| code.not_enabled())
-            .map(|code| code.as_str());
-        assert!(suppressing.eq(["P0003", "P0004", "P0010", "P4033"]));
+        let suppressing = Code::ALL.iter().filter(|code| code.not_enabled());
+        assert!(
+            suppressing
+                .map(|code| code.as_str())
+                .eq(["P0003", "P0004", "P0010", "P4033"])
+        );
     }
 }

@@ -176,16 +176,8 @@ mod tests {
 
     #[test]
     fn a_limit_is_told_in_seconds_where_there_are_any() {
-        for (milliseconds, reported) in [
-            (0, "0 ms"),
-            (300, "300 ms"),
-            (1000, "1 s"),
-            (1500, "1.5 s"),
-            (2050, "2.05 s"),
-            (60_000, "60 s"),
-        ] {
-            assert_eq!(Outcome::limit(milliseconds), reported);
-        }
+        let reported = [0, 300, 1000, 1500, 2050, 60_000].map(Outcome::limit);
+        assert_eq!(reported, ["0 ms", "300 ms", "1 s", "1.5 s", "2.05 s", "60 s"]);
     }
 
     #[test]
@@ -213,9 +205,7 @@ mod tests {
             ..Diagnostic::default()
         };
         assert_eq!(first.registered_code(), Some(Code::AssignmentTypeMismatch));
-        let rejected = |diagnostics: &[Diagnostic]| Outcome::Rejected {
-            diagnostics: diagnostics.to_vec(),
-        };
+        let rejected = |diagnostics: Vec<Diagnostic>| Outcome::Rejected { diagnostics };
         let nameless = Diagnostic {
             code: None,
             column: None,
@@ -229,9 +219,12 @@ mod tests {
             warnings: Vec::new(),
         };
         for (outcome, described) in [
-            (rejected(&[first]), "rejected: P4035 on line 6, column 13: no INT"),
-            (rejected(&[nameless]), "rejected: error on line 6: no INT"),
-            (rejected(&[]), "rejected, with no diagnostic"),
+            (
+                rejected(vec![first]),
+                "rejected: P4035 on line 6, column 13: no INT",
+            ),
+            (rejected(vec![nameless]), "rejected: error on line 6: no INT"),
+            (rejected(Vec::new()), "rejected, with no diagnostic"),
             (faulted, "fault subrange on line 3"),
             (Outcome::TimedOut { after_ms: 1500 }, "no answer within 1.5 s"),
         ] {

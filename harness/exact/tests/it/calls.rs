@@ -120,13 +120,7 @@ fn bases(block: &Block, call: &str, sources: &str, names: &HashMap<String, Strin
             Ok((signature, operands)) => expected(&signature, &operands, dialect).basis,
             Err(_) => None,
         };
-        let wanted = match name.trim() {
-            "-" => "-",
-            name => names
-                .get(name)
-                .ok_or_else(|| format!("`{name}` names no source"))?,
-        };
-        same(said.unwrap_or("-"), wanted).map_err(|what| format!("{dialect}: {what}"))?;
+        same(said.unwrap_or("-"), source(name, names)?).map_err(|what| format!("{dialect}: {what}"))?;
     }
     same(sources.split(" | ").count(), dialects(block).count())
 }

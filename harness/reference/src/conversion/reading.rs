@@ -220,25 +220,3 @@ fn plain(text: &str, to: ElementaryType) -> u64 {
         _ => 0,
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use ElementaryType::{Dword, Lreal, Lword, Real, Time, Word};
-
-    #[test]
-    fn long_texts_are_read() {
-        let zeros = "0".repeat(65_534);
-        let nines = "9".repeat(65_535);
-        for reading in [TextReading::WholeText, TextReading::LeadingNumber] {
-            let read = |text: &str, to| read(&text.encode_utf16().collect::<Vec<_>>(), to, reading);
-            assert_eq!(read(&format!("{zeros}7"), Dword), 7);
-            let of_nines = read(&nines, Lword);
-            assert_eq!(of_nines, u64::MAX, "no part of 10^65535 is left but -1");
-            assert_eq!(read(&nines, Lreal), f64::INFINITY.to_bits());
-            assert_eq!(read(&format!("0.{}", &zeros[2..]), Real), 0);
-            assert_eq!(read(&"_".repeat(65_535), Word), 0);
-            assert_eq!(read(&" ".repeat(65_535), Time), 0);
-        }
-    }
-}

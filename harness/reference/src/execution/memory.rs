@@ -144,20 +144,11 @@ impl<'p> MachineMemory<'p> {
 mod tests {
     use super::*;
 
-    const TEXTS: [TextCell; 3] = [
-        TextCell {
-            address: 5,
-            capacity: 2,
-        },
-        TextCell {
-            address: 1,
-            capacity: 10,
-        },
-        TextCell {
-            address: 3,
-            capacity: 10,
-        },
-    ];
+    const TEXTS: [TextCell; 3] = [text(5, 2), text(1, 10), text(3, 10)];
+
+    const fn text(address: u32, capacity: u32) -> TextCell {
+        TextCell { address, capacity }
+    }
 
     #[test]
     fn texts_are_cut_to_their_capacity_and_copied_by_content() {

@@ -6,15 +6,17 @@ use crate::instruction::{
     ArithmeticOperator, ComparisonOperator, FaultKind, Instruction, LogicOperator, LoopTypes, MachineProgram,
     Part, StandardFunction, TextCell,
 };
+use ArithmeticOperator::{Add, Divide, Modulo, Subtract};
 use Instruction::{
     Address, Arithmetic, Call, CallInstance, CheckRange, Clear, Compare, CompareText, Convert, Copy,
     Dereference, Drop, DropText, InstanceAddress, Jump, JumpIfFalse, Load, LoadIndirect, LoadText, Logic,
     LoopStep, LoopTest, Negate, Not, Offset, Push, PushText, Replicate, Return, Standard, Store,
     StoreIndirect, StorePart, StoreText, Subscript, Swap,
 };
+use StandardFunction::{Concat, Len, Mux, Ror, Sel};
 use stickler_types::ElementaryType::{self, Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
 use stickler_types::dialect::COMMON_CHOICES;
-use stickler_types::{BitStringText, MomentText, RealText};
+use stickler_types::{BitStringText, MomentText, RealText, SplitMix64};
 
 const STEPS: u64 = 10_000;
 
@@ -30,22 +32,22 @@ fn program(routines: &[&[Instruction]]) -> MachineProgram {
         program.code.push(Return);
     }
     program.lines = (1..=program.code.len() as u32).collect();
-    program.texts = vec![
-        TextCell {
-            address: 8,
-            capacity: 4,
-        },
-        TextCell {
-            address: 9,
-            capacity: 8,
-        },
-    ];
+    let text = |(address, capacity)| TextCell { address, capacity };
+    program.texts = [(8, 4), (9, 8)].map(text).into();
     program.text_constants = ["abc", "defgh"].map(|text| text.encode_utf16().collect()).into();
     program
 }
 
 fn fault(kind: FaultKind, line: u32) -> Stop {
     Stop::Fault(RaisedFault { kind, line })
+}
+
+fn loop_types(of: ElementaryType, limit: ElementaryType) -> LoopTypes {
+    LoopTypes {
+        control: of,
+        limit,
+        step: of,
+    }
 }
 
 /// Reads an instruction as the rows of `tests/machine` write it.
@@ -64,11 +66,7 @@ fn instruction(text: &str) -> Instruction {
         first: small(1) as u8,
         ty: ty(2),
     };
-    let loop_types = || LoopTypes {
-        control: ty(1),
-        limit: ty(1),
-        step: ty(1),
-    };
+    let loop_types = || loop_types(ty(1), ty(1));
     match words[0] {
         "push" => Push(number(1).cast_unsigned()),
         "push-text" => PushText(small(1)),
@@ -111,9 +109,9 @@ fn instruction(text: &str) -> Instruction {
                 MomentText::Literal,
             ),
         }),
-        "add" => Arithmetic(ArithmeticOperator::Add, ty(1)),
-        "subtract" => Arithmetic(ArithmeticOperator::Subtract, ty(1)),
-        "divide" => Arithmetic(ArithmeticOperator::Divide, ty(1)),
+        "add" => Arithmetic(Add, ty(1)),
+        "subtract" => Arithmetic(Subtract, ty(1)),
+        "divide" => Arithmetic(Divide, ty(1)),
         "less" => Compare(ComparisonOperator::Less, ty(1)),
         "less-text" => CompareText(ComparisonOperator::Less),
         "xor" => Logic(LogicOperator::Xor),
@@ -126,9 +124,9 @@ fn instruction(text: &str) -> Instruction {
         },
         "loop-test" => LoopTest(loop_types()),
         "loop-step" => LoopStep(loop_types()),
-        "concat" => standard(StandardFunction::Concat),
-        "len" => standard(StandardFunction::Len),
-        "sel" => standard(StandardFunction::Sel),
+        "concat" => standard(Concat),
+        "len" => standard(Len),
+        "sel" => standard(Sel),
         "jump" => Jump(small(1)),
         "jump-if-false" => JumpIfFalse(small(1)),
         "call" => Call(small(1)),
@@ -198,13 +196,9 @@ fn steps_are_counted_over_all_scans() {
 #[test]
 fn a_program_without_routines_is_an_error() {
     let started = Machine::new(&MachineProgram::default(), 1).startup();
-    let is_missing = matches!(
-        started,
-        Err(Stop::Inconsistent(Inconsistency {
-            what: "routine of this number",
-            ..
-        }))
-    );
+    let missing = "routine of this number";
+    let is_missing =
+        matches!(started, Err(Stop::Inconsistent(Inconsistency { what, .. })) if what == missing);
     assert!(is_missing, "{started:?}");
 }
 
@@ -213,19 +207,8 @@ fn any_instruction(bits: u64) -> Instruction {
     let small = (bits >> 8) as u32 % 20;
     let ty = [Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring][(bits >> 16) as usize % 9];
     let other = [Int, String, Ulint, Bool][(bits >> 24) as usize % 4];
-    let operator = [
-        ArithmeticOperator::Add,
-        ArithmeticOperator::Divide,
-        ArithmeticOperator::Modulo,
-    ];
-    let operator = operator[(bits >> 32) as usize % 3];
-    let functions = [
-        StandardFunction::Mux,
-        StandardFunction::Sel,
-        StandardFunction::Concat,
-        StandardFunction::Ror,
-    ];
-    let function = functions[(bits >> 40) as usize % 4];
+    let operator = [Add, Divide, Modulo][(bits >> 32) as usize % 3];
+    let function = [Mux, Sel, Concat, Ror][(bits >> 40) as usize % 4];
     let rule = ConversionRule::between(ty, other, &COMMON_CHOICES).unwrap_or(ConversionRule::ToBcd);
     match bits as u8 % 28 {
         0..4 => Push(small.into()),
@@ -277,23 +260,14 @@ fn any_instruction(bits: u64) -> Instruction {
         24 => Jump(small),
         25 => JumpIfFalse(small),
         26 => Call(small % 3),
-        _ => LoopStep(LoopTypes {
-            control: ty,
-            limit: other,
-            step: ty,
-        }),
+        _ => LoopStep(loop_types(ty, other)),
     }
 }
 
 #[test]
 fn no_instruction_panics_whatever_it_finds() {
-    let mut state = 1_u64;
-    let mut next = || {
-        state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (state ^ (state >> 29)).wrapping_mul(0x94D0_49BB_1331_11EB)
-    };
+    let mut numbers = SplitMix64::new(1).numbers();
+    let mut next = || numbers.next().unwrap_or_default();
     let mut ended = [0; 3];
     for _ in 0..20_000 {
         let code: Vec<_> = (0..12).map(|_| any_instruction(next())).collect();

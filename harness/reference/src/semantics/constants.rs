@@ -264,25 +264,3 @@ pub(super) fn combine(
     }
     .ok_or(TOO_LARGE)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::combine;
-    use stickler_syntax::tree::BinaryOperator;
-    use stickler_types::Code;
-
-    #[test]
-    fn division_goes_toward_zero_and_zero_divides_nothing() {
-        assert_eq!(combine(BinaryOperator::Divide, -7, 2), Ok(-3));
-        assert_eq!(combine(BinaryOperator::Modulo, -7, 2), Ok(-1));
-        let error = combine(BinaryOperator::Modulo, 1, 0).map_err(|(code, _)| code);
-        assert_eq!(error, Err(Code::ConstantExpressionDivisionByZero));
-    }
-
-    #[test]
-    fn what_does_not_fit_is_said_to_be_too_large() {
-        let error = combine(BinaryOperator::Multiply, i128::MAX, 2).map_err(|(code, _)| code);
-        assert_eq!(error, Err(Code::ConstantExpressionOverflow));
-        assert_eq!(combine(BinaryOperator::Power, 2, 64), Ok(1 << 64));
-    }
-}

@@ -36,49 +36,40 @@ fn attempt_to_set(before: u32, name: &str, literal: &str) -> Result<Outcome, Req
 
 #[test]
 fn a_name_that_no_variable_has_is_an_error() {
-    let names = ["small", "a", "a[3]", "a[1].x", "n.3", "", "a[", "n[1]"];
-    for name in names {
-        let outcome = attempt(PROGRAM, 1, &[Observation::last(name, "")], &[]);
+    let observed = |name: &str| attempt(PROGRAM, 1, &[Observation::last(name, "")], &[]);
+    for name in ["small", "a", "a[3]", "a[1].x", "n.3", "", "a[", "n[1]"] {
+        let outcome = observed(name);
         assert!(
             matches!(outcome, Err(RequestError::UnknownName { .. })),
             "{name}: {outcome:?}"
         );
     }
-    for name in ["N", "A[2]"] {
-        assert!(
-            attempt(PROGRAM, 1, &[Observation::last(name, "")], &[]).is_ok(),
-            "{name}"
-        );
-    }
+    assert!(observed("N").is_ok() && observed("A[2]").is_ok());
 }
 
 #[test]
 fn a_request_that_does_not_fit_the_program_is_an_error() {
-    let name = || "n".to_owned();
+    let no_scan = |scan| {
+        Err(RequestError::NoSuchScan {
+            name: "n".to_owned(),
+            scan,
+        })
+    };
     let third = Observation {
         after: Some(3),
         ..Observation::last("n", "")
     };
-    assert_eq!(
-        attempt(PROGRAM, 2, &[third], &[]),
-        Err(RequestError::NoSuchScan {
-            name: name(),
-            scan: 3
-        })
-    );
-    for scan in [0, 3] {
-        assert_eq!(
-            attempt_to_set(scan, "n", "INT#5"),
-            Err(RequestError::NoSuchScan { name: name(), scan })
-        );
-    }
-    for (name, literal) in [
-        ("n", "DINT#5"),
-        ("s", "INT#5"),
-        ("n", "STRING#'5'"),
-        ("c", "COLOR#BLUE"),
-        ("c", "PAINT#RED"),
+    assert_eq!(attempt(PROGRAM, 2, &[third], &[]), no_scan(3));
+    assert_eq!(attempt_to_set(0, "n", "INT#5"), no_scan(0));
+    assert_eq!(attempt_to_set(3, "n", "INT#5"), no_scan(3));
+    for setting in [
+        "n := DINT#5",
+        "s := INT#5",
+        "n := STRING#'5'",
+        "c := COLOR#BLUE",
+        "c := PAINT#RED",
     ] {
+        let (name, literal) = setting.split_once(" := ").expect("a setting");
         let outcome = attempt_to_set(1, name, literal);
         assert!(
             matches!(outcome, Err(RequestError::WrongType { .. })),

@@ -198,7 +198,7 @@ fn shuffled_pieces_are_diagnosed() {
 
 #[test]
 fn hostile_texts_need_little_stack() {
-    let deep: Vec<String> = [
+    let begun = [
         "(",
         "[",
         "f(",
@@ -210,32 +210,23 @@ fn hostile_texts_need_little_stack() {
         "(*",
         "a.",
         "+ a ** (b ",
-    ]
-    .iter()
-    .map(|piece| format!("PROGRAM p x := {}", piece.repeat(100_000)))
-    .chain([
-        format!(
-            "PROGRAM p {}{} END_PROGRAM",
-            "IF a THEN ".repeat(200),
-            "END_IF; ".repeat(200)
-        ),
-        format!(
-            "PROGRAM p x := {}1{}; END_PROGRAM",
-            "(".repeat(200),
-            ")".repeat(200)
-        ),
-        format!(
-            "PROGRAM p x := {}1{}; END_PROGRAM",
-            "a OR b XOR (".repeat(150),
-            ")".repeat(150)
-        ),
+    ];
+    let begun = begun.map(|piece| format!("PROGRAM p x := {}", piece.repeat(100_000)));
+    let nested = |first: &str, before: &str, inner: &str, after: &str, times| {
+        let (before, after) = (before.repeat(times), after.repeat(times));
+        format!("PROGRAM p {first}{before}{inner}{after}; END_PROGRAM")
+    };
+    let others = [
+        nested("", "IF a THEN ", "", "END_IF; ", 200),
+        nested("x := ", "(", "1", ")", 200),
+        nested("x := ", "a OR b XOR (", "1", ")", 150),
         format!("PROGRAM p x := 1{}; END_PROGRAM", "+1".repeat(500_000)),
         format!("TYPE t : {}", "STRUCT a : ".repeat(100_000)),
         format!("TYPE t : {}INT; END_TYPE", "ARRAY[1..2] OF ".repeat(199)),
         format!("PROGRAM p VAR x : t := {}", "[(a := ".repeat(100_000)),
         format!("PROGRAM p x := {}; END_PROGRAM", "9".repeat(1_000_000)),
-    ])
-    .collect();
+    ];
+    let deep: Vec<String> = begun.into_iter().chain(others).collect();
     let work = move || {
         for text in &deep {
             hold(text, Dialect::of(DialectName::PLCNEXT));

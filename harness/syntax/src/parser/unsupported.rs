@@ -33,6 +33,16 @@ impl<'s> Parser<'s, '_> {
         words.iter().any(|word| self.at_word(word))
     }
 
+    /// Moves over a word that belongs to a feature that is not implemented; says whether it is one.
+    fn unsupported_word(&mut self, words: &[&str], features: &str) -> bool {
+        let found = self.at_any_word(words);
+        if found {
+            let span = self.bump().span;
+            self.unsupported(span, features);
+        }
+        found
+    }
+
     /// CLASS, INTERFACE, NAMESPACE or USING begins a declaration here.
     pub(super) fn at_foreign_declaration(&self) -> bool {
         self.kind() == TokenKind::Name
@@ -70,15 +80,12 @@ impl<'s> Parser<'s, '_> {
             span: self.bump().span,
         };
         let span = start.to(name.span);
-        self.unsupported(
-            span,
-            if class {
-                "classes (CLASS)"
-            } else {
-                "interfaces (INTERFACE)"
-            },
-        );
-        self.skip_past_word(if class { "END_CLASS" } else { "END_INTERFACE" });
+        let (features, end) = match class {
+            true => ("classes (CLASS)", "END_CLASS"),
+            false => ("interfaces (INTERFACE)", "END_INTERFACE"),
+        };
+        self.unsupported(span, features);
+        self.skip_past_word(end);
         Some(unknown_type(name))
     }
 
@@ -92,10 +99,8 @@ impl<'s> Parser<'s, '_> {
 
     /// FINAL or ABSTRACT in front of a POU's name.
     pub(super) fn unsupported_modifiers(&mut self) {
-        while self.nth(1) == TokenKind::Name && self.at_any_word(&["FINAL", "ABSTRACT"]) {
-            let span = self.bump().span;
-            self.unsupported(span, "object-oriented function blocks (FINAL, ABSTRACT)");
-        }
+        let features = "object-oriented function blocks (FINAL, ABSTRACT)";
+        while self.nth(1) == TokenKind::Name && self.unsupported_word(&["FINAL", "ABSTRACT"], features) {}
     }
 
     /// EXTENDS or IMPLEMENTS and the names behind it; says whether there was one.
@@ -137,57 +142,40 @@ impl<'s> Parser<'s, '_> {
 
     /// PUBLIC, PRIVATE, PROTECTED or INTERNAL behind a section's keyword.
     pub(super) fn unsupported_access(&mut self) -> bool {
-        let found = self.at_any_word(&["PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL"]);
-        if found {
-            let span = self.bump().span;
-            self.unsupported(span, "access specifiers (PUBLIC, PRIVATE, PROTECTED, INTERNAL)");
-        }
-        found
+        let features = "access specifiers (PUBLIC, PRIVATE, PROTECTED, INTERNAL)";
+        self.unsupported_word(&["PUBLIC", "PRIVATE", "PROTECTED", "INTERNAL"], features)
     }
 
     /// `AT` and a location where none is implemented: without a name, in a structure, or by the name of a variable.
     pub(super) fn unsupported_location(&mut self) {
         if self.kind() == TokenKind::At {
             let start = self.bump().span;
-            if matches!(
-                self.kind(),
-                TokenKind::Direct | TokenKind::Unknown | TokenKind::Name
-            ) {
+            use TokenKind::{Direct, Name, Unknown};
+            if matches!(self.kind(), Direct | Unknown | Name) {
                 self.bump();
             }
-            self.unsupported(
-                start.to(self.previous_span()),
-                "locations (`AT`) of anything but a variable of a section",
-            );
+            let features = "locations (`AT`) of anything but a variable of a section";
+            self.unsupported(start.to(self.previous_span()), features);
         }
     }
 
     /// R_EDGE or F_EDGE behind the type of an input.
     pub(super) fn unsupported_edge(&mut self) {
-        if self.at_any_word(&["R_EDGE", "F_EDGE"]) {
-            let span = self.bump().span;
-            self.unsupported(span, "edge qualifiers (R_EDGE, F_EDGE)");
-        }
+        self.unsupported_word(&["R_EDGE", "F_EDGE"], "edge qualifiers (R_EDGE, F_EDGE)");
     }
 
     /// OVERLAP behind STRUCT.
     pub(super) fn unsupported_overlap(&mut self) -> bool {
-        let found = self.at_word("OVERLAP") && !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma);
-        if found {
-            let span = self.bump().span;
-            self.unsupported(span, "overlapping structures (STRUCT OVERLAP)");
-        }
-        found
+        !matches!(self.nth(1), TokenKind::Colon | TokenKind::Comma)
+            && self.unsupported_word(&["OVERLAP"], "overlapping structures (STRUCT OVERLAP)")
     }
 
     /// `REF_TO T`, `POINTER TO T` or `REFERENCE TO T`; says whether there was one.
     pub(super) fn unsupported_reference(&mut self) -> ParseResult<bool> {
         let start = self.token().span;
-        let to = usize::from(self.nth(1) == TokenKind::To);
-        let words: &[&str] = if to == 1 {
-            &["POINTER", "REFERENCE"]
-        } else {
-            &["REF_TO"]
+        let (to, words): (usize, &[&str]) = match self.nth(1) {
+            TokenKind::To => (1, &["POINTER", "REFERENCE"]),
+            _ => (0, &["REF_TO"]),
         };
         let begins_type = matches!(
             self.nth(1 + to),
@@ -199,11 +187,8 @@ impl<'s> Parser<'s, '_> {
         for _ in 0..=to {
             self.bump();
         }
-        let end = self.previous_span();
-        self.unsupported(
-            start.to(end),
-            "references and pointers (REF_TO, POINTER TO, REFERENCE TO)",
-        );
+        let features = "references and pointers (REF_TO, POINTER TO, REFERENCE TO)";
+        self.unsupported(start.to(self.previous_span()), features);
         self.ignored_type()?;
         Ok(true)
     }

@@ -3,15 +3,14 @@
 use super::*;
 use crate::real::{self, Real};
 use ElementaryType::{Lreal, Real as Single};
+use stickler_types::SplitMix64;
 
 /// Returns raw forms of positive finite numbers around each power of two, and scattered ones.
 fn raw_forms(ty: ElementaryType) -> Vec<u64> {
     let (shift, exponents) = if ty == Single { (23, 255) } else { (52, 2047) };
-    let mut state = 0x0123_4567_89AB_CDEF_u64;
-    let scattered = std::iter::repeat_with(move || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        (state >> 1) % (exponents << shift)
-    });
+    let scattered = SplitMix64::new(1)
+        .numbers()
+        .map(|bits| (bits >> 1) % (exponents << shift));
     let near_powers = (0..exponents).flat_map(|exponent| {
         let first = exponent << shift;
         [first.saturating_sub(1), first, first + 1]
@@ -110,6 +109,14 @@ fn no_fewer_digits_read_back() {
     }
 }
 
+fn spelled(decimal: &RoundedDecimal) -> String {
+    decimal
+        .digits
+        .iter()
+        .map(|digit| char::from(b'0' + digit))
+        .collect()
+}
+
 #[test]
 fn the_canonical_writer_of_literals_finds_the_same_digits() {
     for ty in [Single, Lreal] {
@@ -118,12 +125,7 @@ fn the_canonical_writer_of_literals_finds_the_same_digits() {
             stickler_types::literal::write_real(&mut written, raw, ty).unwrap();
             let digits = written.split('E').next().unwrap_or_default().replace('.', "");
             let decimal = shortest_of(raw, ty);
-            let own: String = decimal
-                .digits
-                .iter()
-                .map(|digit| char::from(b'0' + digit))
-                .collect();
-            assert_eq!(own, digits.trim_matches('0'), "{written}");
+            assert_eq!(spelled(&decimal), digits.trim_matches('0'), "{written}");
         }
     }
 }
@@ -159,11 +161,7 @@ fn the_number_of_significant_digits_is_kept() {
             }
             // 255 digits are more than enough to read back.
             let decimal = significant(significand, exponent, 255);
-            let digits: String = decimal
-                .digits
-                .iter()
-                .map(|digit| char::from(b'0' + digit))
-                .collect();
+            let digits = spelled(&decimal);
             let (number, one) = (digits.parse::<BigUint>().unwrap(), BigUint::from(1_u32));
             let scale = decimal.exponent + 1 - digits.len() as i32;
             let power = BigUint::from(10_u32).pow(scale.unsigned_abs());
