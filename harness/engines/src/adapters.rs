@@ -6,6 +6,7 @@
 
 mod adapter;
 mod builder;
+mod codes;
 mod command;
 mod compilers;
 mod dependencies;

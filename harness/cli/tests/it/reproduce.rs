@@ -81,7 +81,7 @@ fn a_file_of_ones_own_shows_the_variables_that_are_named() {
     let driver = read(&folder.path().join("shown"), "driver.c");
     for line in [
         "for (unsigned scan = 1; scan <= 2; scan++) {",
-        "printf(\"speed = %d\\n\", (int)program.SPEED.value);",
+        "printf(\"speed = %d\\n\", (int)memory.program.SPEED.value);",
     ] {
         assert!(driver.contains(line), "{driver}");
     }

@@ -252,7 +252,7 @@ fn rejected(ended: &Ended) -> Outcome {
     if ended.status.code() != Some(1) || diagnostics.is_empty() {
         return ended.crashed();
     }
-    diagnostics::outcome(diagnostics)
+    Compiler::Ironplc.data().codes.outcome(diagnostics)
 }
 
 /// The result of running a program and reading its values back.
