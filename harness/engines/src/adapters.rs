@@ -6,6 +6,7 @@
 
 mod adapter;
 mod builder;
+mod codes;
 mod command;
 mod compilers;
 mod dependencies;
@@ -19,7 +20,6 @@ pub(crate) mod plain;
 mod probe_variable;
 mod recipe;
 mod rename;
-mod reproduction;
 mod rounds;
 mod rusty;
 mod source;
@@ -27,7 +27,7 @@ mod strucpp;
 mod values;
 
 use crate::{Ability, Engine, EngineError, NoReproduction, Reproduction, RunRequest};
-use adapter::Adapter;
+use adapter::{AdapterEngine, reproduce};
 use dependencies::DependencySearch;
 pub use dependencies::{Dependency, DependencyPaths, FoundBy, FoundDependency};
 pub use described::{DescribedEngine, Description};
@@ -97,10 +97,10 @@ impl Compiler {
         ability: Ability,
     ) -> Result<Reproduction, NoReproduction> {
         match self {
-            Compiler::Ironplc => Ironplc::reproduce(request, ability),
-            Compiler::Matiec => Matiec::reproduce(request, ability),
-            Compiler::Rusty => Rusty::reproduce(request, ability),
-            Compiler::Strucpp => Strucpp::reproduce(request, ability),
+            Compiler::Ironplc => reproduce::<Ironplc>(request, ability),
+            Compiler::Matiec => reproduce::<Matiec>(request, ability),
+            Compiler::Rusty => reproduce::<Rusty>(request, ability),
+            Compiler::Strucpp => reproduce::<Strucpp>(request, ability),
         }
     }
 
@@ -119,10 +119,10 @@ impl Compiler {
     pub fn seek(self, called: &str, table: &str, paths: &DependencyPaths) -> CompilerSearch {
         let mut search = DependencySearch::new(table, paths);
         let engine = match self {
-            Compiler::Ironplc => Ironplc::find(called, &mut search).map(boxed),
-            Compiler::Matiec => Matiec::find(called, &mut search).map(boxed),
-            Compiler::Rusty => Rusty::find(called, &mut search).map(boxed),
-            Compiler::Strucpp => Strucpp::find(called, &mut search).map(boxed),
+            Compiler::Ironplc => AdapterEngine::<Ironplc>::find(called, &mut search),
+            Compiler::Matiec => AdapterEngine::<Matiec>::find(called, &mut search),
+            Compiler::Rusty => AdapterEngine::<Rusty>::find(called, &mut search),
+            Compiler::Strucpp => AdapterEngine::<Strucpp>::find(called, &mut search),
         };
         CompilerSearch {
             located: search.into_located(),
@@ -140,8 +140,4 @@ pub struct CompilerSearch {
     pub located: Vec<FoundDependency>,
     /// The engine, or the error that says what is missing or does not work.
     pub engine: Result<Box<dyn Engine>, EngineError>,
-}
-
-fn boxed<E: Engine + 'static>(engine: E) -> Box<dyn Engine> {
-    Box::new(engine)
 }

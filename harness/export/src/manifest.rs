@@ -2,7 +2,9 @@
 //! case.
 
 use crate::ExportError;
+use crate::encoding::ValueEncoding;
 use crate::page::{FIRST_OBSERVATION, PageText};
+use crate::page_case::PageCase;
 use crate::record::CaseRecord;
 use serde::{Deserialize, Serialize};
 use std::fs;
@@ -175,6 +177,16 @@ impl Manifest {
     }
 }
 
+impl StepRecord {
+    /// Returns the encoding of the observed value of a case; compared only where the case only has to run.
+    pub(crate) fn encoding(&self, ready: &PageCase<'_>) -> ValueEncoding {
+        let observed = self.observe.map(|observe| &ready.case.observe[observe]);
+        observed.map_or(ValueEncoding::Compared, |observed| {
+            ValueEncoding::of(&observed.type_name)
+        })
+    }
+}
+
 impl PageRecord {
     /// Returns whether the page is only compiled, and has no array.
     pub(crate) fn is_compiled(&self) -> bool {
@@ -182,11 +194,6 @@ impl PageRecord {
     }
 
     pub(crate) fn of(page: &PageText<'_, '_>, file: String) -> PageRecord {
-        let steps = page.steps.iter().map(|step| StepRecord {
-            case: step.case,
-            observe: step.observe,
-            place: step.place,
-        });
         PageRecord {
             file,
             number: page.number,
@@ -197,7 +204,7 @@ impl PageRecord {
                 .iter()
                 .map(|ready| CaseRecord::of(ready.case))
                 .collect(),
-            steps: steps.collect(),
+            steps: page.steps.clone(),
             answered: (0..page.cases.len())
                 .filter(|case| page.cases[*case].answered)
                 .collect(),

@@ -20,6 +20,7 @@
 
 use crate::encode;
 use crate::encoding::ValueEncoding;
+use crate::manifest::StepRecord;
 use crate::page_case::{PageCase, PageKind, expected};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -35,19 +36,6 @@ pub(crate) const FIRST_OBSERVATION: usize = 8;
 /// The factor of all page identities, so that the number of an observation can be added to an identity and separated again.
 pub(crate) const PAGE_NUMBER_STEP: usize = 1000;
 
-/// An observation of a page.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(crate) struct PageStep {
-    /// The index of the case on the page.
-    pub(crate) case: usize,
-    /// The index of the variable among those that the case observes; `None` where the case only has to run.
-    pub(crate) observe: Option<usize>,
-    /// The index of the observation's first element.
-    pub(crate) place: usize,
-    /// The encoding of the value in the array.
-    pub(crate) encoding: ValueEncoding,
-}
-
 /// The text of a page, and the places of its cases in it.
 pub(crate) struct PageText<'c, 'r> {
     /// The number of the page, from 1.
@@ -55,7 +43,7 @@ pub(crate) struct PageText<'c, 'r> {
     pub(crate) kind: PageKind,
     pub(crate) cases: &'r [PageCase<'c>],
     /// The observations of the page, in order; the first has the number 1. Empty for a page that is only compiled.
-    pub(crate) steps: Vec<PageStep>,
+    pub(crate) steps: Vec<StepRecord>,
     /// The identity of the page, a multiple of [`PAGE_NUMBER_STEP`].
     pub(crate) identity: i32,
     /// The number of elements of the page's array; 0 where it has no array.
@@ -321,26 +309,24 @@ impl<'c, 'r> PageText<'c, 'r> {
 
     /// Returns the types whose values are taken apart, in their order.
     fn types(&self) -> Vec<ElementaryType> {
-        let types = self.steps.iter().filter_map(|step| match step.encoding {
-            ValueEncoding::Numbers(ty) => Some(ty),
-            ValueEncoding::Compared => None,
-        });
+        let types = self
+            .steps
+            .iter()
+            .filter_map(|step| match step.encoding(&self.cases[step.case]) {
+                ValueEncoding::Numbers(ty) => Some(ty),
+                ValueEncoding::Compared => None,
+            });
         types.collect::<BTreeSet<_>>().into_iter().collect()
     }
 }
 
 /// Returns the observations of the cases, and the index of the element after the last of them.
-fn steps(cases: &[PageCase<'_>]) -> (Vec<PageStep>, usize) {
+fn steps(cases: &[PageCase<'_>]) -> (Vec<StepRecord>, usize) {
     let mut steps = Vec::new();
     let mut place = FIRST_OBSERVATION;
     for (case, ready) in cases.iter().enumerate().filter(|(_, ready)| !ready.answered) {
         let mut add = |observe, encoding: ValueEncoding| {
-            steps.push(PageStep {
-                case,
-                observe,
-                place,
-                encoding,
-            });
+            steps.push(StepRecord { case, observe, place });
             place += 2 + encoding.pieces();
         };
         if ready.encodings.is_empty() {
@@ -357,7 +343,7 @@ fn steps(cases: &[PageCase<'_>]) -> (Vec<PageStep>, usize) {
 fn write_readout(
     text: &mut String,
     ready: &PageCase<'_>,
-    step: &PageStep,
+    step: &StepRecord,
     renaming: &Renaming<'_>,
     kinds: &[ElementaryType],
 ) {
@@ -371,7 +357,7 @@ fn write_readout(
                 "{MARGIN}IF {name} = {literal} THEN stickler_equal := 1; ELSE stickler_equal := 2; END_IF;"
             );
         }
-        if let ValueEncoding::Numbers(ty) = step.encoding {
+        if let ValueEncoding::Numbers(ty) = step.encoding(ready) {
             let kind = kinds
                 .iter()
                 .position(|kind| *kind == ty)

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
+use stickler_engines::protocol::ObserveMessage;
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue};
 use stickler_types::{Code, DialectName, Observation, Question, Value};
 
@@ -23,7 +24,7 @@ pub(crate) struct CaseRecord {
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     values: Vec<ValueRecord>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    observe: Vec<ObserveRecord>,
+    observe: Vec<ObserveMessage>,
 }
 
 /// The demand on the acceptance of the program.
@@ -45,16 +46,6 @@ struct ValueRecord {
     line: u32,
 }
 
-/// An observed variable.
-#[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
-struct ObserveRecord {
-    name: String,
-    #[serde(rename = "type")]
-    type_name: String,
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    after: Option<u32>,
-}
-
 impl CaseRecord {
     pub(crate) fn of(case: &Case) -> CaseRecord {
         let expectation = &*case.expectation;
@@ -63,11 +54,6 @@ impl CaseRecord {
             after: value.after,
             value: value.value.to_string(),
             line: value.line,
-        });
-        let observe = case.observe.iter().map(|observe| ObserveRecord {
-            name: observe.name.to_string(),
-            type_name: observe.type_name.to_string(),
-            after: observe.after,
         });
         let diagnostics = expectation.diagnostics.iter();
         CaseRecord {
@@ -88,7 +74,7 @@ impl CaseRecord {
                 .map(|reported| (reported.line, reported.code.as_str().to_owned()))
                 .collect(),
             values: values.collect(),
-            observe: observe.collect(),
+            observe: case.observe.iter().map(ObserveMessage::from).collect(),
         }
     }
 
@@ -114,11 +100,6 @@ impl CaseRecord {
                 code: known.map_err(|_| format!("`{code}` of {} is no code", self.id))?,
             })
         });
-        let observe = self.observe.iter().map(|record| Observation {
-            name: record.name.as_str().into(),
-            type_name: record.type_name.as_str().into(),
-            after: record.after,
-        });
         Ok(Case {
             title: self.title.as_str().into(),
             basis: self.basis.as_str().into(),
@@ -135,7 +116,7 @@ impl CaseRecord {
                 values: values.collect::<Result<_, String>>()?,
                 ..Expectation::default()
             }),
-            observe: observe.collect(),
+            observe: self.observe.iter().map(Observation::from).collect(),
             question: self.question.clone().map(Arc::new),
             ..Case::of_program(&self.id, dialect, &self.source)
         })

@@ -1,7 +1,12 @@
-//! What the adapters have in common: an engine of an adapter, and its sessions.
+//! What the adapters have in common: finding a compiler, an engine of an adapter, and its sessions.
 
+use super::Compiler;
+use super::compilers::last_word;
+use super::dependencies::DependencySearch;
 use super::fingerprint::Fingerprint;
-use super::recipe::{Tools, Workplace};
+use super::locate::speaks_not;
+use super::recipe::{Recipe, Tools, Workplace};
+use super::source::{MainProgram, main_program};
 use crate::engine::no_rendering;
 use crate::{
     Ability, Diagnostic, Engine, EngineError, Identity, NoReproduction, Outcome, Packed, Reproduction,
@@ -11,18 +16,49 @@ use stickler_types::DialectName;
 
 /// How one compiler is asked about programs.
 pub(super) trait Adapter: Send + Sync + Sized {
+    /// The compiler.
+    const COMPILER: Compiler;
+
     /// The number of programs that [`Adapter::run_pack`] is best given at a time. Beyond it, the cost of starting the compilers for
     /// each pack is less than that of a failing program to its pack.
     const PACK_SIZE: usize = 1;
 
+    /// Returns the adapter of a compiler whose tools were found; those that belong to others are added.
+    ///
+    /// # Errors
+    /// A fragment that says what is missing or does not work.
+    fn new(tools: &mut Tools) -> Result<Self, String>;
+
+    /// Returns what tells versions apart of what the compiler says of its version.
+    fn version(said: &str) -> String {
+        last_word(said)
+    }
+
+    /// Adds to the identity of the engine what only this compiler on this machine tells.
+    fn identify(&self, _: &mut Identity) {}
+
     /// Adds everything that decides the compiler's answers to a fingerprint.
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint;
 
-    /// Returns the reproduction of a request, as [`Engine::reproduce`] does.
+    /// Returns the recipe by which a person sees whether a program is accepted.
+    ///
+    /// # Errors
+    /// The outcome of a program that the adapter would not check either.
+    fn translation(dialect: DialectName, source: &str) -> Result<Recipe, Outcome>;
+
+    /// Returns the recipe by which a person executes the main program of a request.
     ///
     /// # Errors
     /// [`NoReproduction`], where the adapter would not run the program either.
-    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction>;
+    fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction>;
+
+    /// Returns the recipe that renders a program.
+    ///
+    /// # Errors
+    /// The outcome of a program that is not rendered.
+    fn rendering(_: DialectName, _: &str) -> Result<Recipe, Outcome> {
+        Err(no_rendering())
+    }
 
     /// Executes a program, as [`Session::run`] does.
     ///
@@ -55,11 +91,58 @@ pub(super) trait Adapter: Send + Sync + Sized {
     }
 }
 
+/// Checks that a compiler speaks a dialect, or the one that it extends.
+///
+/// # Errors
+/// [`Outcome::Unsupported`] where it does not.
+fn speaks<A: Adapter>(dialect: DialectName) -> Result<(), Outcome> {
+    let mut spoken = A::COMPILER.data().dialects.keys();
+    match spoken.any(|spoken| spoken.0.base() == dialect.base()) {
+        true => Ok(()),
+        false => Err(speaks_not(dialect)),
+    }
+}
+
+/// Returns the reproduction of a request, as [`Engine::reproduce`] does.
+///
+/// # Errors
+/// [`NoReproduction`], where the adapter would not run the program either.
+pub(super) fn reproduce<A: Adapter>(
+    request: &RunRequest<'_>,
+    ability: Ability,
+) -> Result<Reproduction, NoReproduction> {
+    let RunRequest { dialect, source, .. } = *request;
+    speaks::<A>(dialect)?;
+    let recipe = match (ability, main_program(request)) {
+        (Ability::Render, _) => A::rendering(dialect, source)?,
+        (Ability::Execute | Ability::Scans, Some(main)) => A::execution(request, &main)?,
+        (Ability::Check, _) | (_, None) => A::translation(dialect, source)?.accepted(),
+    };
+    Ok(recipe.on(A::COMPILER))
+}
+
 /// An engine of an adapter, whose compiler was found on this machine.
 pub(super) struct AdapterEngine<A> {
-    pub(super) identity: Identity,
-    pub(super) tools: Tools,
-    pub(super) adapter: A,
+    identity: Identity,
+    tools: Tools,
+    adapter: A,
+}
+
+impl<A: Adapter + 'static> AdapterEngine<A> {
+    /// Finds a compiler, which is `called` so in reports.
+    ///
+    /// # Errors
+    /// A fragment that says what is missing or does not work.
+    pub(super) fn find(called: &str, search: &mut DependencySearch<'_>) -> Result<Box<dyn Engine>, String> {
+        let (mut identity, mut tools) = A::COMPILER.data().find(called, search, A::version)?;
+        let adapter = A::new(&mut tools)?;
+        adapter.identify(&mut identity);
+        Ok(Box::new(AdapterEngine {
+            identity,
+            tools,
+            adapter,
+        }))
+    }
 }
 
 impl<A: Adapter> Engine for AdapterEngine<A> {
@@ -75,7 +158,7 @@ impl<A: Adapter> Engine for AdapterEngine<A> {
     }
 
     fn reproduce(&self, request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        A::reproduce(request, ability)
+        reproduce::<A>(request, ability)
     }
 
     fn tools(&self) -> Tools {
@@ -83,8 +166,8 @@ impl<A: Adapter> Engine for AdapterEngine<A> {
     }
 
     fn fingerprint(&self) -> Option<String> {
-        let kind = std::any::type_name::<A>();
-        self.adapter.fingerprint(Fingerprint::of(kind)).finish()
+        let fingerprint = Fingerprint::of(A::COMPILER.name());
+        self.adapter.fingerprint(fingerprint).finish()
     }
 
     fn pack_size(&self) -> usize {
@@ -100,7 +183,8 @@ struct AdapterSession<'e, A> {
 
 impl<A: Adapter> Session for AdapterSession<'_, A> {
     fn run(&mut self, request: &RunRequest<'_>) -> Outcome {
-        let outcome = self.adapter.run(&self.workplace, request);
+        let spoken = speaks::<A>(request.dialect);
+        let outcome = spoken.and_then(|()| self.adapter.run(&self.workplace, request));
         outcome.unwrap_or_else(|outcome| outcome)
     }
 
@@ -109,14 +193,16 @@ impl<A: Adapter> Session for AdapterSession<'_, A> {
     }
 
     fn check(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        match self.adapter.check(&self.workplace, dialect, source) {
+        let spoken = speaks::<A>(dialect);
+        match spoken.and_then(|()| self.adapter.check(&self.workplace, dialect, source)) {
             Ok(warnings) => Outcome::Accepted { warnings },
             Err(outcome) => outcome,
         }
     }
 
     fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
-        let outcome = self.adapter.render(&self.workplace, dialect, source);
+        let spoken = speaks::<A>(dialect);
+        let outcome = spoken.and_then(|()| self.adapter.render(&self.workplace, dialect, source));
         outcome.unwrap_or_else(|outcome| outcome)
     }
 }

@@ -1,6 +1,7 @@
 //! The data of the compilers with an adapter: `compilers.toml`, which says what its keys mean.
 
 use super::Compiler;
+use super::codes::CompilerCodes;
 use super::dependencies::{Dependency, DependencySearch};
 use super::described::Parsed;
 use super::locate;
@@ -10,7 +11,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
-use stickler_types::{Code, DialectName, Fault};
+use stickler_types::{DialectName, Fault};
 
 /// The data of one compiler.
 #[derive(Deserialize)]
@@ -30,7 +31,7 @@ pub(super) struct CompilerData {
     #[serde(default)]
     faults: BTreeMap<String, Parsed<Fault>>,
     #[serde(default)]
-    codes: BTreeMap<String, Parsed<Code>>,
+    pub(super) codes: CompilerCodes,
 }
 
 static COMPILERS: LazyLock<BTreeMap<String, CompilerData>> = LazyLock::new(|| {
@@ -59,11 +60,6 @@ impl CompilerData {
             .iter()
             .find(|(known, _)| words.contains(known.as_str()));
         told.map(|(_, fault)| fault.0)
-    }
-
-    /// Returns the code of the registry that means the same as the compiler's own, if any.
-    pub(super) fn code(&self, own: &str) -> Option<Code> {
-        self.codes.get(own).map(|code| code.0)
     }
 
     /// Finds the tools on this machine, and asks the compiler for its version, of which `version` keeps what tells versions apart.

@@ -13,16 +13,15 @@ mod readback;
 mod texts;
 
 use super::Compiler;
-use super::adapter::{Adapter, AdapterEngine};
-use super::compilers::{last_word, path};
-use super::dependencies::DependencySearch;
+use super::adapter::Adapter;
+use super::compilers::path;
 use super::fingerprint::Fingerprint;
 use super::locate::{failed, faulted, unsupported};
 use super::probe_variable::{translate_with, with_shown_probes};
-use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
-use super::source::{main_program, observed_scans};
+use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::source::{MainProgram, main_program, observed_scans};
 use crate::process::Ended;
-use crate::{Ability, Diagnostic, NamedValue, NoReproduction, Outcome, Reproduction, RunRequest};
+use crate::{Diagnostic, Identity, NamedValue, NoReproduction, Outcome, RunRequest};
 use dump::Dump;
 use options::options;
 use readback::{ReadbackError, Readbacks, RunHints};
@@ -87,53 +86,43 @@ pub(super) struct Ironplc {
     texts: ReadableTexts,
 }
 
-impl Ironplc {
-    /// Finds the compiler and its virtual machine.
-    ///
-    /// # Errors
-    /// A fragment that says which program is missing, or what the compiler did when it was asked for its version.
-    pub(super) fn find(
-        called: &str,
-        search: &mut DependencySearch<'_>,
-    ) -> Result<AdapterEngine<Ironplc>, String> {
-        let (mut identity, tools) = Compiler::Ironplc.data().find(called, search, last_word)?;
-        let compiler = path(&tools, "IRONPLCC");
+impl Adapter for Ironplc {
+    const COMPILER: Compiler = Compiler::Ironplc;
+
+    fn new(tools: &mut Tools) -> Result<Ironplc, String> {
+        Ok(Ironplc {
+            compiler: path(tools, "IRONPLCC"),
+            machine: path(tools, "IRONPLCVM"),
+            texts: ReadableTexts::default(),
+        })
+    }
+
+    /// Adds the defined dialects that extend a preset, and the codes that this version does not have.
+    fn identify(&self, identity: &mut Identity) {
         let defined = DialectName::defined().into_iter();
         let extends = |dialect: &DialectName| identity.dialects.contains(&dialect.base());
         let defined: Vec<DialectName> = defined.filter(extends).collect();
         identity.dialects.extend(defined);
-        identity.lacks = codes::lacking(&compiler);
-        let adapter = Ironplc {
-            compiler,
-            machine: path(&tools, "IRONPLCVM"),
-            texts: ReadableTexts::default(),
-        };
-        Ok(AdapterEngine {
-            identity,
-            tools,
-            adapter,
-        })
+        identity.lacks = codes::lacking(&self.compiler);
     }
-}
 
-impl Adapter for Ironplc {
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
         fingerprint.program(&self.compiler).program(&self.machine)
     }
 
-    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        let RunRequest { dialect, source, .. } = *request;
-        let recipe = match (ability, main_program(request)) {
-            (Ability::Render, _) => rendering(dialect, source)?,
-            (Ability::Execute | Ability::Scans, Some(main)) => {
-                takes_no_settings(request)?;
-                let readbacks = Readbacks::of(request, RunHints::default());
-                let text = with_shown_probes(request, &main, readbacks.probes())?;
-                execution(request, &text, &readbacks)?
-            }
-            (Ability::Check, _) | (_, None) => compilation(dialect, source)?.accepted(),
-        };
-        Ok(recipe.on(Compiler::Ironplc))
+    fn translation(dialect: DialectName, source: &str) -> Result<Recipe, Outcome> {
+        compilation(dialect, source)
+    }
+
+    fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
+        takes_no_settings(request)?;
+        let readbacks = Readbacks::of(request, RunHints::default());
+        let text = with_shown_probes(request, main, readbacks.probes())?;
+        Ok(execution(request, &text, &readbacks)?)
+    }
+
+    fn rendering(dialect: DialectName, source: &str) -> Result<Recipe, Outcome> {
+        rendering(dialect, source)
     }
 
     /// Executes a program, with probe variables for values that the dump does not show. Where the compiler does not accept the
@@ -252,7 +241,7 @@ fn rejected(ended: &Ended) -> Outcome {
     if ended.status.code() != Some(1) || diagnostics.is_empty() {
         return ended.crashed();
     }
-    diagnostics::outcome(diagnostics)
+    Compiler::Ironplc.data().codes.outcome(diagnostics)
 }
 
 /// The result of running a program and reading its values back.

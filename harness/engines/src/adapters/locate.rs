@@ -35,17 +35,6 @@ pub(super) fn unsupported(reason: impl Into<String>) -> Outcome {
     }
 }
 
-/// Checks that a request is in the one dialect that a compiler speaks, or in one that extends it.
-///
-/// # Errors
-/// [`Outcome::Unsupported`] where it is not.
-pub(super) fn speaks(own: DialectName, dialect: DialectName) -> Result<(), Outcome> {
-    match dialect.base() == own.base() {
-        true => Ok(()),
-        false => Err(speaks_not(dialect)),
-    }
-}
-
 /// Returns the outcome of a request in a dialect that an engine does not speak.
 pub(super) fn speaks_not(dialect: DialectName) -> Outcome {
     unsupported(format!("it does not speak {dialect}"))

@@ -11,19 +11,17 @@ mod driver;
 mod pack;
 
 use super::Compiler;
-use super::adapter::{Adapter, AdapterEngine};
+use super::adapter::Adapter;
 use super::builder::{Builder, Language};
-use super::compilers::{last_word, path};
-use super::dependencies::DependencySearch;
+use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
-use super::locate::{speaks, unsupported};
+use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
-use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
+use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
 use super::rename::library_words;
-use super::reproduction::reproduce;
 use super::source::{MainProgram, main_program, words_of};
-use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
+use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{LOCATIONS, MatiecSubject, driver};
 use std::collections::HashSet;
 use std::path::PathBuf;
@@ -69,30 +67,6 @@ pub(super) struct Matiec {
 }
 
 impl Matiec {
-    /// Finds the compiler, its library, which otherwise lies beside it, and a C compiler.
-    ///
-    /// # Errors
-    /// A fragment that says what is missing or does not work.
-    pub(super) fn find(
-        called: &str,
-        search: &mut DependencySearch<'_>,
-    ) -> Result<AdapterEngine<Matiec>, String> {
-        let (identity, tools) = Compiler::Matiec.data().find(called, search, last_word)?;
-        let library = path(&tools, "MATIEC_LIB");
-        let builder = Builder::new(path(&tools, "CC"), Language::C, library.join("C"), driver::HEADER)?;
-        let adapter = Matiec {
-            library,
-            compiler: path(&tools, "IEC2C"),
-            builder,
-            taken: OnceLock::new(),
-        };
-        Ok(AdapterEngine {
-            identity,
-            tools,
-            adapter,
-        })
-    }
-
     /// Returns every word of the library, in capitals. Structured Text is in the `.txt` files; beside them lie programs of
     /// other kinds.
     fn taken(&self) -> &HashSet<String> {
@@ -102,7 +76,18 @@ impl Matiec {
 }
 
 impl Adapter for Matiec {
+    const COMPILER: Compiler = Compiler::Matiec;
     const PACK_SIZE: usize = 128;
+
+    fn new(tools: &mut Tools) -> Result<Matiec, String> {
+        let library = path(tools, "MATIEC_LIB");
+        Ok(Matiec {
+            compiler: path(tools, "IEC2C"),
+            builder: Builder::new(path(tools, "CC"), Language::C, library.join("C"), driver::HEADER)?,
+            library,
+            taken: OnceLock::new(),
+        })
+    }
 
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
         fingerprint
@@ -111,18 +96,18 @@ impl Adapter for Matiec {
             .with(self.builder.fingerprint())
     }
 
-    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        speaks(DialectName::MATIEC, request.dialect)?;
-        let recipe = reproduce(request, ability, translation, |main| {
-            let probes = ProbeVariables::of(request);
-            let text = with_shown_probes(request, main, probes.list())?;
-            let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)])?;
-            Ok(execution(
-                text + &added_configuration(request, main),
-                &driver.text(),
-            ))
-        })?;
-        Ok(recipe.on(Compiler::Matiec))
+    fn translation(_: DialectName, source: &str) -> Result<Recipe, Outcome> {
+        Ok(translation(source))
+    }
+
+    fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
+        let probes = ProbeVariables::of(request);
+        let text = with_shown_probes(request, main, probes.list())?;
+        let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)])?;
+        Ok(execution(
+            text + &added_configuration(request, main),
+            &driver.text(),
+        ))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
@@ -130,7 +115,6 @@ impl Adapter for Matiec {
             let warnings = self.check(workplace, request.dialect, request.source)?;
             return Ok(Outcome::Accepted { warnings });
         };
-        speaks(DialectName::MATIEC, request.dialect)?;
         let probes = ProbeVariables::of(request);
         let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)]).map_err(unsupported)?;
         let text = driver.text();
@@ -151,10 +135,9 @@ impl Adapter for Matiec {
     fn check(
         &self,
         workplace: &Workplace<'_>,
-        dialect: DialectName,
+        _: DialectName,
         source: &str,
     ) -> Result<Vec<Diagnostic>, Outcome> {
-        speaks(DialectName::MATIEC, dialect)?;
         translate(workplace, &translation(source))
     }
 }

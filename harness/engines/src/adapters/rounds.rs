@@ -1,6 +1,6 @@
 //! Runs a pack of programs in rounds: a program that affected all of them is removed, and the rest goes on.
 
-use crate::{Outcome, Packed};
+use crate::{Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The number of rounds in which programs are removed from a pack, unless an adapter has a reason for fewer; then the caller
@@ -28,6 +28,23 @@ impl Round {
         let alone = numbers.into_iter().map(|number| (number, Packed::Alone));
         Round::TakenOut(alone.collect())
     }
+}
+
+/// Runs those of `requests` together of which `member` makes one of a pack, as [`play`] does with [`MAX_ROUNDS`] rounds, and returns
+/// the results of all.
+pub(super) fn pack<'r, 'q, M>(
+    requests: &'q [RunRequest<'r>],
+    member: impl Fn(usize, &'q RunRequest<'r>) -> Option<M>,
+    place: impl Fn(&M) -> usize,
+    run_round: impl FnMut(&[M]) -> Round,
+) -> Vec<Packed> {
+    let mut answers = vec![Packed::Alone; requests.len()];
+    let numbered = requests.iter().enumerate();
+    let members = numbered
+        .filter_map(|(number, request)| member(number, request))
+        .collect();
+    play(members, MAX_ROUNDS, &mut answers, place, run_round);
+    answers
 }
 
 /// Runs `members` together, up to `most` times, and writes the result of each into `answers`, at the place that `place`

@@ -14,17 +14,15 @@ mod pack;
 mod program;
 
 use super::Compiler;
-use super::adapter::{Adapter, AdapterEngine};
+use super::adapter::Adapter;
 use super::builder::{Builder, Language};
 use super::compilers::path;
-use super::dependencies::DependencySearch;
 use super::fingerprint::Fingerprint;
-use super::locate::{failed, speaks, unsupported};
-use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
+use super::locate::{failed, unsupported};
+use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
 use super::rename::library_words;
-use super::reproduction::reproduce;
-use super::source::main_program;
-use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
+use super::source::{MainProgram, main_program};
+use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use diagnostics::OutputParser;
 use driver::RustyDriver;
 use errors::{ErrorPart, LocatedDiagnostic, sorted};
@@ -74,37 +72,6 @@ pub(super) struct Rusty {
 }
 
 impl Rusty {
-    /// Finds the compiler, its standard library, which otherwise lies beside it, and a C compiler.
-    ///
-    /// # Errors
-    /// A fragment that says what is missing or does not work.
-    pub(super) fn find(
-        called: &str,
-        search: &mut DependencySearch<'_>,
-    ) -> Result<AdapterEngine<Rusty>, String> {
-        let (identity, tools) = Compiler::Rusty.data().find(called, search, short)?;
-        let declarations = path(&tools, "RUSTY_INCLUDE");
-        let builder = Builder::new(
-            path(&tools, "CC"),
-            Language::C,
-            declarations.clone(),
-            driver::HEADER,
-        )?;
-        let adapter = Rusty {
-            compiler: path(&tools, "PLC"),
-            declarations,
-            library: StandardLibrary::new(path(&tools, "RUSTY_LIB")),
-            builder,
-            reader: OutputParser::new()?,
-            taken: OnceLock::new(),
-        };
-        Ok(AdapterEngine {
-            identity,
-            tools,
-            adapter,
-        })
-    }
-
     /// Returns every word of the declarations of the library, in capitals.
     fn taken(&self) -> &HashSet<String> {
         self.taken
@@ -143,7 +110,25 @@ fn short(said: &str) -> String {
 const FUNCTIONS: &str = "show.st";
 
 impl Adapter for Rusty {
+    const COMPILER: Compiler = Compiler::Rusty;
     const PACK_SIZE: usize = 48;
+
+    fn new(tools: &mut Tools) -> Result<Rusty, String> {
+        let declarations = path(tools, "RUSTY_INCLUDE");
+        let headers = declarations.clone();
+        Ok(Rusty {
+            compiler: path(tools, "PLC"),
+            declarations,
+            library: StandardLibrary::new(path(tools, "RUSTY_LIB")),
+            builder: Builder::new(path(tools, "CC"), Language::C, headers, driver::HEADER)?,
+            reader: OutputParser::new()?,
+            taken: OnceLock::new(),
+        })
+    }
+
+    fn version(said: &str) -> String {
+        short(said)
+    }
 
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
         fingerprint
@@ -153,18 +138,16 @@ impl Adapter for Rusty {
             .with(self.builder.fingerprint())
     }
 
-    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        speaks(DialectName::RUSTY, request.dialect)?;
-        let translation = |text: String| compilation("object", &text);
-        let recipe = reproduce(request, ability, translation, |main| {
-            let program = [PackedProgram::alone(request, main)?];
-            Ok(execution(&program, &RustyDriver::of(&program)))
-        })?;
-        Ok(recipe.on(Compiler::Rusty))
+    fn translation(_: DialectName, source: &str) -> Result<Recipe, Outcome> {
+        Ok(compilation("object", source))
+    }
+
+    fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
+        let program = [PackedProgram::alone(request, main)?];
+        Ok(execution(&program, &RustyDriver::of(&program)))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
-        speaks(DialectName::RUSTY, request.dialect)?;
         let Some(main) = main_program(request) else {
             let warnings = self.accepts(workplace, request.source, "object")?;
             return Ok(Outcome::Accepted { warnings });
@@ -192,10 +175,9 @@ impl Adapter for Rusty {
     fn check(
         &self,
         workplace: &Workplace<'_>,
-        dialect: DialectName,
+        _: DialectName,
         source: &str,
     ) -> Result<Vec<Diagnostic>, Outcome> {
-        speaks(DialectName::RUSTY, dialect)?;
         self.accepts(workplace, source, "check")
     }
 }

@@ -11,27 +11,22 @@ mod pack;
 mod translator;
 
 use super::Compiler;
-use super::adapter::{Adapter, AdapterEngine};
+use super::adapter::Adapter;
 use super::builder::{Builder, Language};
-use super::compilers::{last_word, path};
-use super::dependencies::DependencySearch;
+use super::compilers::path;
 use super::driver::DriverText;
 use super::fingerprint::Fingerprint;
-use super::locate::{speaks, unsupported};
+use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
-use super::recipe::{PROGRAM, Purpose, Recipe, Workplace};
-use super::reproduction::reproduce;
-use super::source::main_program;
-use crate::{Ability, Diagnostic, NoReproduction, Outcome, Packed, Reproduction, RunRequest};
+use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
+use super::source::{MainProgram, main_program};
+use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{StrucppSubject, driver};
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use stickler_types::DialectName;
 use translator::{Translated, Translator};
-
-/// The dialect of STruC++'s own documentation.
-const DIALECT: DialectName = DialectName::STRUCPP;
 
 /// Returns the recipe that translates a program to C++.
 fn translation(text: impl Into<String>) -> Recipe {
@@ -56,40 +51,6 @@ pub(super) struct Strucpp {
 }
 
 impl Strucpp {
-    /// Finds the compiler, its package around it, Node and a C++ compiler.
-    ///
-    /// # Errors
-    /// A fragment that says what is missing or does not work.
-    pub(super) fn find(
-        called: &str,
-        search: &mut DependencySearch<'_>,
-    ) -> Result<AdapterEngine<Strucpp>, String> {
-        let (identity, mut tools) = Compiler::Strucpp.data().find(called, search, last_word)?;
-        let package = package(&path(&tools, "STRUCPP"))?;
-        let headers = package.join("src/runtime/include");
-        tools.push(("STRUCPP_INCLUDE".to_owned(), headers.clone()));
-        let builder = Builder::new(
-            path(&tools, "CXX"),
-            Language::Cpp,
-            headers.clone(),
-            driver::HEADER,
-        )?;
-        let node = path(&tools, "NODE");
-        let adapter = Strucpp {
-            translator: Translator::new(&node, &package.join("dist/index.js"))?,
-            builder,
-            node,
-            package,
-            headers,
-            taken: OnceLock::new(),
-        };
-        Ok(AdapterEngine {
-            identity,
-            tools,
-            adapter,
-        })
-    }
-
     /// Returns the names in the run-time headers, in capitals, since the compiler writes the names of a program in capitals. A
     /// program that declares one of them clashes with the header when it is alone, and would hide it within a namespace of its
     /// own.
@@ -131,8 +92,24 @@ fn package(command: &Path) -> Result<PathBuf, String> {
 }
 
 impl Adapter for Strucpp {
+    const COMPILER: Compiler = Compiler::Strucpp;
     // Larger packs take more memory, and save little time for each program.
     const PACK_SIZE: usize = 48;
+
+    fn new(tools: &mut Tools) -> Result<Strucpp, String> {
+        let package = package(&path(tools, "STRUCPP"))?;
+        let headers = package.join("src/runtime/include");
+        tools.push(("STRUCPP_INCLUDE".to_owned(), headers.clone()));
+        let node = path(tools, "NODE");
+        Ok(Strucpp {
+            translator: Translator::new(&node, &package.join("dist/index.js"))?,
+            builder: Builder::new(path(tools, "CXX"), Language::Cpp, headers.clone(), driver::HEADER)?,
+            node,
+            package,
+            headers,
+            taken: OnceLock::new(),
+        })
+    }
 
     fn fingerprint(&self, fingerprint: Fingerprint) -> Fingerprint {
         // The compiler's other parts lie beside it or above, wherever its installer put them; these files list them.
@@ -152,15 +129,15 @@ impl Adapter for Strucpp {
             .fold(fingerprint, |fingerprint, list| fingerprint.file(&list))
     }
 
-    fn reproduce(request: &RunRequest<'_>, ability: Ability) -> Result<Reproduction, NoReproduction> {
-        speaks(DIALECT, request.dialect)?;
-        let recipe = reproduce(request, ability, translation, |main| {
-            let probes = ProbeVariables::of(request);
-            let text = with_shown_probes(request, main, probes.list())?;
-            let subject = StrucppSubject::of(request, probes, &main.name)?;
-            Ok(execution(text, &driver(&[&subject]).text()))
-        })?;
-        Ok(recipe.on(Compiler::Strucpp))
+    fn translation(_: DialectName, source: &str) -> Result<Recipe, Outcome> {
+        Ok(translation(source))
+    }
+
+    fn execution(request: &RunRequest<'_>, main: &MainProgram) -> Result<Recipe, NoReproduction> {
+        let probes = ProbeVariables::of(request);
+        let text = with_shown_probes(request, main, probes.list())?;
+        let subject = StrucppSubject::of(request, probes, &main.name)?;
+        Ok(execution(text, &driver(&[&subject]).text()))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {

@@ -34,11 +34,6 @@ pub(crate) fn line(request: &Request) -> Vec<u8> {
 
 /// Returns the request of `run`.
 pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
-    let observe = |asked: &Observation| ObserveMessage {
-        name: asked.name.to_string(),
-        type_name: asked.type_name.to_string(),
-        after: asked.after,
-    };
     let clock = request.clock.iter().map(|step| ClockMessage {
         before: step.before,
         value: Value::plain(ElementaryType::Time, step.nanoseconds.cast_unsigned()).to_string(),
@@ -53,7 +48,7 @@ pub(super) fn run(id: u64, request: &RunRequest<'_>) -> Request {
         dialect: request.dialect.as_str().to_owned(),
         source: request.source.to_owned(),
         scans: request.scans,
-        observe: request.observe.iter().map(observe).collect(),
+        observe: request.observe.iter().map(ObserveMessage::from).collect(),
         clock: clock.collect(),
         set: set.collect(),
     })

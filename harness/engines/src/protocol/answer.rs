@@ -68,11 +68,7 @@ fn observation(asked: &ObserveMessage, scans: u32) -> Result<Observation, String
     if let Some(after) = asked.after {
         within(after, scans, || format!("observe {}", asked.name))?;
     }
-    Ok(Observation {
-        name: asked.name.as_str().into(),
-        type_name: asked.type_name.as_str().into(),
-        after: asked.after,
-    })
+    Ok(Observation::from(asked))
 }
 
 fn clock_setting(step: &ClockMessage, scans: u32) -> Result<ClockSetting, String> {

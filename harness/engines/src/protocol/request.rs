@@ -1,5 +1,6 @@
 //! The messages that are sent to an engine.
 
+use crate::Observation;
 use serde::{Deserialize, Serialize};
 
 /// One line to an engine.
@@ -77,6 +78,26 @@ pub struct ObserveMessage {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[cfg_attr(test, schemars(range(min = 1)))]
     pub after: Option<u32>,
+}
+
+impl From<&Observation> for ObserveMessage {
+    fn from(asked: &Observation) -> ObserveMessage {
+        ObserveMessage {
+            name: asked.name.to_string(),
+            type_name: asked.type_name.to_string(),
+            after: asked.after,
+        }
+    }
+}
+
+impl From<&ObserveMessage> for Observation {
+    fn from(message: &ObserveMessage) -> Observation {
+        Observation {
+            name: message.name.as_str().into(),
+            type_name: message.type_name.as_str().into(),
+            after: message.after,
+        }
+    }
 }
 
 /// The simulated time before a scan.

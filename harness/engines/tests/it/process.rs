@@ -20,18 +20,6 @@ fn please(session: &mut dyn Session, what: &str) -> Outcome {
     session.check(DialectName::MATIEC, &format!("please: {what}"))
 }
 
-fn not_started(command_line: &str) -> String {
-    let error = ProcessEngine::start(command_line, LIMITS)
-        .err()
-        .unwrap()
-        .to_string();
-    assert!(
-        error.contains("`cmd:") && error.contains("could not be started"),
-        "{error}"
-    );
-    error
-}
-
 fn mkfifo(path: &Path) {
     assert!(Command::new("mkfifo").arg(path).status().unwrap().success());
 }
@@ -74,18 +62,6 @@ fn a_request_that_nobody_reads_runs_out_of_time() {
     assert_eq!(outcome, Outcome::TimedOut { after_ms: 300 });
 }
 
-#[cfg(target_os = "linux")]
-#[test]
-fn a_process_that_holds_too_much_memory_has_crashed() {
-    let engine = unruly(ProcessLimits {
-        memory: 1 << 10,
-        ..LIMITS
-    });
-    let mut session = engine.session().unwrap();
-    let reason = "it held more than 0 MiB of memory".to_owned();
-    assert_eq!(please(session.as_mut(), "hang"), Outcome::Crashed { reason });
-}
-
 #[test]
 fn what_a_dead_process_started_is_killed_too() {
     let folder = tempfile::tempdir().unwrap();
@@ -115,24 +91,6 @@ fn a_session_that_ends_takes_leave() {
     .unwrap();
     drop(engine.session().unwrap());
     assert_eq!(fs::read(farewell).unwrap(), b"bye\n");
-}
-
-#[test]
-fn what_cannot_be_started_is_told() {
-    let error = not_started("no-such-program-anywhere --flag");
-    assert!(
-        error.contains("there is no program `no-such-program-anywhere`"),
-        "{error}"
-    );
-    let error = not_started("sh -c 'echo no licence >&2; exit 3'");
-    assert!(
-        error.contains("it ended (exit status: 3); its stderr ends: no licence"),
-        "{error}"
-    );
-    let error = not_started("sh -c 'echo Usage: st FILE; cat'");
-    assert!(error.contains("`Usage: st FILE`"), "{error}");
-    assert!(not_started("sh -c 'open").contains("quote"));
-    assert!(not_started("").contains("behind `cmd:`"));
 }
 
 #[test]

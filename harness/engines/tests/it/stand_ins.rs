@@ -85,7 +85,9 @@ fn engine(kind: &str, blocks: &[Block], folder: &Path) -> Result<Box<dyn Engine>
             let unruly = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/adapters/unruly.sh");
             let own = folder.join("adapter");
             let script = if own.is_file() { own } else { unruly };
-            let started = ProcessEngine::start(&format!("sh '{}'", script.display()), limits);
+            let written = block(blocks, "toml", "command").map(|command| command.trim_end().to_owned());
+            let line = written.unwrap_or_else(|| format!("sh '{}'", script.display()));
+            let started = ProcessEngine::start(&line, limits);
             started.map(|engine| Box::new(engine) as Box<dyn Engine>)
         }
     };
@@ -161,11 +163,13 @@ fn run(file: &str) {
     let text = fs::read_to_string(&path).unwrap();
     let mut failed = Vec::new();
     for Section { head, tests } in sections(&text) {
-        for test in &tests {
+        // Only Linux tells how much memory a process holds.
+        let told = cfg!(target_os = "linux") || !head.name.contains("memory");
+        for test in tests.iter().filter(|_| told) {
             let folder = TempDir::new().unwrap();
             write(&head.blocks, folder.path());
             write(&test.blocks, folder.path());
-            let all = if block(&test.blocks, "toml", "").is_some() {
+            let all = if test.blocks.iter().any(|block| block.language == "toml") {
                 &test.blocks
             } else {
                 &head.blocks

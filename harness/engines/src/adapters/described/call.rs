@@ -1,8 +1,9 @@
 //! Calls the commands of a described compiler, and interprets how they end.
 
 use super::DescribedEngine;
-use super::description::{CodeMeaning, Commands, Description, Meaning, Parsed};
+use super::description::{Commands, Description, Meaning, Parsed};
 use super::template::CallValues;
+use crate::adapters::codes::sorted;
 use crate::adapters::command::CommandTemplate;
 use crate::adapters::locate::{self, failed, unsupported};
 use crate::adapters::plain::without_colours;
@@ -148,10 +149,7 @@ impl DescribedCall<'_> {
             return Vec::new();
         };
         let text = without_colours(&format!("{}\n{}", ended.stderr, ended.stdout));
-        let mut diagnostics = pattern.0.diagnostics(&text, &self.description().file.0);
-        diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
-        diagnostics.dedup();
-        diagnostics
+        sorted(pattern.0.diagnostics(&text, &self.description().file.0))
     }
 
     /// Returns the outcome of a command whose exit code means that it rejects the program.
@@ -174,50 +172,7 @@ impl DescribedCall<'_> {
                 other => other,
             };
         }
-        self.about_the_program(diagnostics)
-    }
-
-    /// Returns a rejection where a diagnostic is about the program; otherwise [`Outcome::Crashed`] where the compiler reports a
-    /// failure of its own, [`Outcome::NotImplemented`] where it reports that it does not implement a construct, and [`Outcome::Unsupported`] where it
-    /// reports that it does not support the program.
-    fn about_the_program(&self, diagnostics: Vec<Diagnostic>) -> Outcome {
-        let meaning = |diagnostic: &Diagnostic| {
-            let meaning = self.description().codes.get(diagnostic.code.as_ref()?)?;
-            Some(&meaning.0)
-        };
-        let of_itself = |meant: &CodeMeaning| {
-            let found = diagnostics
-                .iter()
-                .find(|diagnostic| meaning(diagnostic) == Some(meant));
-            found.map(described)
-        };
-        let own = [
-            CodeMeaning::Crashed,
-            CodeMeaning::NotImplemented,
-            CodeMeaning::Unsupported,
-        ];
-        if diagnostics
-            .iter()
-            .all(|diagnostic| meaning(diagnostic).is_some_and(|meant| own.contains(meant)))
-        {
-            if let Some(reason) = of_itself(&CodeMeaning::Crashed) {
-                return Outcome::Crashed { reason };
-            }
-            if let Some(reason) = of_itself(&CodeMeaning::NotImplemented) {
-                return Outcome::NotImplemented { reason };
-            }
-            return unsupported(of_itself(&CodeMeaning::Unsupported).unwrap_or_default());
-        }
-        let translated = |diagnostic: Diagnostic| match meaning(&diagnostic) {
-            Some(CodeMeaning::Code(code)) => Diagnostic {
-                code: Some(code.as_str().to_owned()),
-                message: described(&diagnostic),
-                ..diagnostic
-            },
-            _ => diagnostic,
-        };
-        let diagnostics = diagnostics.iter().cloned().map(translated).collect();
-        Outcome::Rejected { diagnostics }
+        self.description().codes.outcome(diagnostics)
     }
 
     /// Returns the limits of a command; `time` is the time limit where the description names none.
@@ -249,13 +204,5 @@ fn usual(code: i32) -> Meaning {
         0 => Meaning::Accepted,
         1 => Meaning::Rejected,
         _ => Meaning::Crashed,
-    }
-}
-
-/// Formats a diagnostic in one line, with the compiler's own code.
-fn described(diagnostic: &Diagnostic) -> String {
-    match &diagnostic.code {
-        Some(code) => format!("{code}: {}", diagnostic.message),
-        None => diagnostic.message.clone(),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::pattern::{DiagnosticPattern, ValuePattern};
 use super::template::SCANS;
+use crate::adapters::codes::CompilerCodes;
 use crate::adapters::command::CommandTemplate;
 use crate::adapters::source::main_program;
 use crate::{Grade, RunRequest};
@@ -10,7 +11,7 @@ use serde::{Deserialize, Deserializer};
 use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
-use stickler_types::{Code, DialectName, Fault};
+use stickler_types::{DialectName, Fault};
 
 /// A compiler, described by data.
 #[derive(Clone, Debug, Deserialize)]
@@ -46,7 +47,7 @@ pub struct Description {
     pub(super) faults: BTreeMap<String, Parsed<Fault>>,
     /// The meanings of the compiler's diagnostic codes.
     #[serde(default)]
-    pub(super) codes: BTreeMap<String, Parsed<CodeMeaning>>,
+    pub(super) codes: CompilerCodes,
     /// The best grade that can be asked of the compiler's rejections.
     pub(super) grade: Option<Grade>,
     /// The environment variables of the commands.
@@ -257,37 +258,6 @@ impl FromStr for Meaning {
                 format!(
                     "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
                      a fault ({faults}), not `{text}`"
-                )
-            }),
-        }
-    }
-}
-
-/// The meaning of a diagnostic code of the compiler's own.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) enum CodeMeaning {
-    /// A code of the registry with the same meaning.
-    Code(Code),
-    /// The compiler cannot do what was asked.
-    Unsupported,
-    /// The compiler does not implement a construct of the program.
-    NotImplemented,
-    /// The compiler failed.
-    Crashed,
-}
-
-impl FromStr for CodeMeaning {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<CodeMeaning, String> {
-        match text {
-            "unsupported" => Ok(CodeMeaning::Unsupported),
-            "not-implemented" => Ok(CodeMeaning::NotImplemented),
-            "crashed" => Ok(CodeMeaning::Crashed),
-            code => code.parse().map(CodeMeaning::Code).map_err(|_| {
-                format!(
-                    "`{text}` is no code of Stickler's; `stickler explain` lists them, and there are `unsupported`, \
-                     `not-implemented` and `crashed`"
                 )
             }),
         }

@@ -3,12 +3,15 @@
 //! Basis: ironplc: measured on version 0.239, which has errors alone and no warnings; each begins `error[P4035]: message`, and a later line `┌─ file:line:column` names
 //! the place. Where the compiler does not know the place, it shows 1:1 without a file, or marks nothing there.
 
+use crate::Diagnostic;
+use crate::adapters::Compiler;
+use crate::adapters::codes::{CodeMeaning, sorted};
 use crate::adapters::plain::without_colours;
-use crate::{Diagnostic, Outcome};
 
 /// Returns all diagnostics of a text, sorted by line, column and code, each once. One whose place the compiler does not tell
 /// has no line.
 pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
+    let codes = &Compiler::Ironplc.data().codes;
     let plain = without_colours(stderr);
     let mut diagnostics: Vec<Diagnostic> = Vec::new();
     let mut lines = plain.lines();
@@ -21,15 +24,13 @@ pub(super) fn read(stderr: &str) -> Vec<Diagnostic> {
         {
             (last.line, last.column) = (Some(place.0), Some(place.1));
         } else if let (Some(label), Some(last)) = (label(line), diagnostics.last_mut())
-            && matches!(about(last), About::NotImplemented)
+            && codes.of_itself(last) == Some(&CodeMeaning::NotImplemented)
         {
             // The heading is the same for everything that is not implemented; the label tells what it is.
             last.message = format!("{}: {label}", last.message);
         }
     }
-    diagnostics.sort_by(|a, b| (a.line, a.column, &a.code).cmp(&(b.line, b.column, &b.code)));
-    diagnostics.dedup();
-    diagnostics
+    sorted(diagnostics)
 }
 
 /// The place that the compiler shows where it knows none.
@@ -90,43 +91,4 @@ fn place(line: &str) -> Option<(u32, u32)> {
     let column = parts.next()?.parse().ok()?;
     let line = parts.next()?.parse().ok()?;
     Some((line, column))
-}
-
-/// The subject of a diagnostic: the program, or the compiler itself.
-///
-/// Basis: ironplc: `problem-codes.csv`: P9001 and P9997 to P9999.
-enum About {
-    Program,
-    NotImplemented,
-    Itself,
-}
-
-fn about(diagnostic: &Diagnostic) -> About {
-    match diagnostic.code.as_deref() {
-        Some("P9001" | "P9003" | "P9997" | "P9999") => About::NotImplemented,
-        Some("P9998") => About::Itself,
-        _ => About::Program,
-    }
-}
-
-/// Returns the outcome of these diagnostics: a rejection where one is about the program; otherwise [`Outcome::Crashed`] where
-/// the compiler reports a failure of its own, and [`Outcome::NotImplemented`] where it reports that something is not implemented.
-pub(super) fn outcome(diagnostics: Vec<Diagnostic>) -> Outcome {
-    let first = |kind: fn(&About) -> bool| {
-        let found = diagnostics.iter().find(|diagnostic| kind(&about(diagnostic)));
-        found.map(described)
-    };
-    if first(|about| matches!(about, About::Program)).is_some() {
-        return Outcome::Rejected { diagnostics };
-    }
-    if let Some(reason) = first(|about| matches!(about, About::Itself)) {
-        return Outcome::Crashed { reason };
-    }
-    let reason = first(|_| true).unwrap_or_default();
-    Outcome::NotImplemented { reason }
-}
-
-fn described(diagnostic: &Diagnostic) -> String {
-    let code = diagnostic.code.as_deref().unwrap_or_default();
-    format!("{code}: {}", diagnostic.message)
 }

@@ -10,7 +10,7 @@ use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
 use crate::adapters::recipe::{Purpose, Workplace};
 use crate::adapters::rename::{Renamed, declared, has_pack_suffix, pack_suffix, places_named};
-use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
+use crate::adapters::rounds::{self, Round};
 use crate::adapters::source::{MainProgram, main_program};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::borrow::Cow;
@@ -137,16 +137,17 @@ impl Joined {
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Matiec, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let mut answers = vec![Packed::Alone; requests.len()];
     let taken = adapter.taken();
-    let member = |(place, request)| PackMember::of(place, request, taken);
-    let members: Vec<PackMember<'_>> = requests.iter().enumerate().filter_map(member).collect();
-    let place = |member: &PackMember<'_>| member.place;
-    rounds::play(members, MAX_ROUNDS, &mut answers, place, |members| {
-        run_round(adapter, workplace, members)
-            .unwrap_or_else(|outcome| Round::alone(suspects(&outcome, members.len())))
-    });
-    answers
+    let member = |place, request| PackMember::of(place, request, taken);
+    rounds::pack(
+        requests,
+        member,
+        |member| member.place,
+        |members| {
+            let round = run_round(adapter, workplace, members);
+            round.unwrap_or_else(|outcome| Round::alone(suspects(&outcome, members.len())))
+        },
+    )
 }
 
 /// Translates, builds and runs programs in one text.

@@ -12,21 +12,23 @@ use super::{Rusty, execution};
 use crate::adapters::locate::suspects;
 use crate::adapters::recipe::Workplace;
 use crate::adapters::rename::places_named;
-use crate::adapters::rounds::{self, MAX_ROUNDS, Round};
+use crate::adapters::rounds::{self, Round};
 use crate::{Diagnostic, Outcome, Packed, RunRequest};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs a pack of programs, as [`Session::run_pack`](crate::Session::run_pack) does.
 pub(super) fn run(adapter: &Rusty, workplace: &Workplace<'_>, requests: &[RunRequest<'_>]) -> Vec<Packed> {
-    let mut answers = vec![Packed::Alone; requests.len()];
     let taken = adapter.taken();
-    let program = |(place, request)| PackedProgram::among_others(request, place, taken);
-    let programs: Vec<PackedProgram<'_>> = requests.iter().enumerate().filter_map(program).collect();
-    let place = |program: &PackedProgram<'_>| program.place;
-    rounds::play(programs, MAX_ROUNDS, &mut answers, place, |programs| {
-        run_round(adapter, workplace, programs).unwrap_or_else(|outcome| broken_off(&outcome, programs))
-    });
-    answers
+    let member = |place, request| PackedProgram::among_others(request, place, taken);
+    rounds::pack(
+        requests,
+        member,
+        |member| member.place,
+        |members| {
+            let round = run_round(adapter, workplace, members);
+            round.unwrap_or_else(|outcome| broken_off(&outcome, members))
+        },
+    )
 }
 
 /// Compiles, builds and runs programs together.
