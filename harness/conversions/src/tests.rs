@@ -4,7 +4,8 @@ use crate::functions::{dialect_list, find_function};
 use crate::implicit::{self, MatrixAnswer};
 use crate::literals::{has_literal, literal};
 use crate::overview::{
-    ComparedResult, ExpectedResult, accepted, boundary_calls, calls, choices, read_operand,
+    CaseStatement, ComparedResult, ExpectedResult, StatementsBuilder, accepted, boundary_calls, calls,
+    choices, read_operand,
 };
 use crate::recording::{Recording, all_questions, extreme, program_of};
 use crate::session::{Refusal, RefusalKind};
@@ -287,5 +288,85 @@ fn golden_tables() {
             .write(&mut bytes, example.text("columns").parse().ok())
             .unwrap();
         anstream::adapter::strip_str(&String::from_utf8(bytes).unwrap()).to_string()
+    });
+}
+
+/// Shows what is stated of the questions of cases, whose lines are `id@dialect word question = result (basis)`, or the boundary values.
+#[test]
+fn golden_statements() {
+    check("tests/examples/statements.md", |example| {
+        let mut builder = StatementsBuilder::new(dialects(example.text("dialects")));
+        for line in example.text("cases").lines() {
+            let parts = || {
+                let (case, rest) = line.split_once('@')?;
+                let (dialect, rest) = rest.split_once(' ')?;
+                let (word, rest) = rest.split_once(' ')?;
+                let (asked, basis) = rest.strip_suffix(')')?.split_once(" (")?;
+                Some((case, dialect, word, asked, basis))
+            };
+            let (case, dialect, word, asked, basis) = parts().unwrap_or_else(|| panic!("{line}"));
+            let (question, result) = match asked.split_once(" = ") {
+                Some((question, result)) => (question, Some(Value::parse(result).unwrap())),
+                None => (asked, None),
+            };
+            let statement = CaseStatement {
+                case: &case.into(),
+                dialect: dialect.parse().unwrap(),
+                word: MatrixWord::from_word(word).unwrap(),
+                result: result.as_ref(),
+                basis: &basis.into(),
+            };
+            builder.add(&question.parse().unwrap(), &statement);
+        }
+        let statements = builder.finish(&[]);
+        let data = serde_json::to_value(&statements).unwrap();
+        let list = |value: &serde_json::Value| value.as_array().unwrap().clone();
+        let word = |number: &serde_json::Value| match number.as_u64() {
+            Some(number) => data["words"][usize::try_from(number).unwrap()].as_str().unwrap(),
+            None => "nobody",
+        };
+        let words = |numbers: &serde_json::Value| joined(list(numbers).iter().map(word));
+        let first_call = list(&data["pairs"]).len() + list(&data["parts"]).len();
+        if example.wanted() == "boundaries" {
+            let number = usize::try_from(data["functions"][0]["boundaries"].as_u64().unwrap()).unwrap();
+            return joined(list(&data["calls"]["operands"])[..number].iter().map(words));
+        }
+        let stated = [list(&data["pairs"]), list(&data["parts"])].concat();
+        let shown = |line: &str| {
+            let case = line.split('@').next().unwrap_or_default();
+            let Some(question) = statements.question(case) else {
+                return format!("{case}: no question");
+            };
+            if let Some(pair) = stated.get(question as usize) {
+                let of_dialect = |one: &serde_json::Value| match one.as_array().map(|list| &list[..]) {
+                    Some([stated, basis]) => format!("{} by {}", stated.as_str().unwrap(), word(basis)),
+                    _ => "nothing".to_owned(),
+                };
+                let all: Vec<String> = list(&pair["stated"]).iter().map(of_dialect).collect();
+                assert_eq!(statements.function_of(question), None);
+                return format!(
+                    "{case}: {}: {}",
+                    words(&serde_json::json!([pair["from"], pair["to"]])),
+                    all.join(", ")
+                );
+            }
+            let calls = &data["calls"];
+            let call = question as usize - first_call;
+            let bases = &data["bases"][usize::try_from(calls["bases"][call].as_u64().unwrap()).unwrap()];
+            let bases: Vec<&str> = list(bases).iter().map(word).collect();
+            format!(
+                "{case}: {}({}): {} by {}",
+                statements.function_of(question).unwrap(),
+                words(&calls["operands"][call]),
+                words(&calls["values"][call]),
+                bases.join(", ")
+            )
+        };
+        example
+            .text("cases")
+            .lines()
+            .map(shown)
+            .collect::<Vec<_>>()
+            .join("\n")
     });
 }

@@ -6,37 +6,26 @@ use stickler_types::{ElementaryType, Family, Value};
 /// A list of operands for a source type and a target type; empty where it has none for the two.
 pub type List = fn(ElementaryType, ElementaryType) -> Vec<Value>;
 
+/// The lists by their names.
+const LISTS: [(&str, List); 11] = [
+    ("limits", limits),
+    ("powers-of-two", powers_of_two),
+    ("powers-of-two-and-neighbours", powers_of_two_and_neighbours),
+    ("powers-of-two-in-target", powers_of_two_in_target),
+    ("powers-of-two-around-real", powers_of_two_around_real),
+    ("ends-of-format", ends_of_format),
+    ("ends-of-precision", ends_of_precision),
+    ("beside-ties", beside_ties),
+    ("beside-limits", beside_limits),
+    ("few", few),
+    ("telling", telling),
+];
+
 /// Returns the list of a name.
-///
-/// | name | operands |
-/// |---|---|
-/// | `limits` | [`limits`] |
-/// | `powers-of-two` | [`powers_of_two`] |
-/// | `powers-of-two-and-neighbours` | [`powers_of_two_and_neighbours`] |
-/// | `powers-of-two-in-target` | [`powers_of_two_in_target`] |
-/// | `powers-of-two-around-real` | [`powers_of_two_around_real`] |
-/// | `ends-of-format` | [`ends_of_format`] |
-/// | `ends-of-precision` | [`ends_of_precision`] |
-/// | `beside-ties` | [`beside_ties`] |
-/// | `beside-limits` | [`beside_limits`] |
-/// | `few` | [`few`] |
-/// | `telling` | [`telling`] |
 #[must_use]
 pub fn named(name: &str) -> Option<List> {
-    Some(match name {
-        "limits" => limits,
-        "powers-of-two" => powers_of_two,
-        "powers-of-two-and-neighbours" => powers_of_two_and_neighbours,
-        "powers-of-two-in-target" => powers_of_two_in_target,
-        "powers-of-two-around-real" => powers_of_two_around_real,
-        "ends-of-format" => ends_of_format,
-        "ends-of-precision" => ends_of_precision,
-        "beside-ties" => beside_ties,
-        "beside-limits" => beside_limits,
-        "few" => few,
-        "telling" => telling,
-        _ => return None,
-    })
+    let (_, list) = LISTS.iter().find(|(known, _)| *known == name)?;
+    Some(*list)
 }
 
 /// Returns, for integers and bit strings, the limits of both types with their neighbours, 0 and its neighbours, the modulus of the

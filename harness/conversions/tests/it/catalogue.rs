@@ -1,10 +1,10 @@
 //! Tests the reference against exact arithmetic, function by function.
 
-use crate::support::{findings, sampled};
+use crate::support::findings;
 use std::collections::HashSet;
-use stickler_conversions::NoSuchFunction;
-use stickler_conversions::sweep::{AgendaError, Sampling, Sweep, SweepMethod, agenda};
+use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_exact::{Signature, functions};
+use stickler_examples::check;
 use stickler_types::DialectName;
 use stickler_types::boundaries::BoundaryDetail;
 
@@ -66,82 +66,33 @@ fn coarse(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Swee
     agenda(function, &[dialect], sampling, SweepMethod::Conversion).expect("the reference has every function")
 }
 
+/// Shows the sweeps of a function: their types, and the dialects that share each.
 #[test]
-fn dialects_with_the_same_rule_share_a_sweep() {
-    let shared = sampled("DINT_TO_INT", &DialectName::ALL, None);
-    assert_eq!(shared.len(), 1);
-    assert_eq!(shared[0].dialects, DialectName::ALL);
-    let rounding = sampled("REAL_TO_INT", &DialectName::ALL, None);
-    assert_eq!(rounding.len(), 4);
-    assert_eq!(
-        rounding[1].dialects,
-        [
-            DialectName::PLCNEXT,
-            DialectName::LOGIX,
-            DialectName::CONTROL_EXPERT,
-            DialectName::OMRON,
-            DialectName::IEC_ED3
-        ]
-    );
-    assert_eq!(rounding[2].dialects, [DialectName::STRUCPP, DialectName::RUSTY]);
-    assert_eq!(rounding[3].dialects, [DialectName::CODESYS, DialectName::TWINCAT]);
-    let separate = agenda(
-        "DINT_TO_INT",
-        &DialectName::ALL,
-        Sampling::default(),
-        SweepMethod::Programs,
-    );
-    assert_eq!(separate.map(|sweeps| sweeps.len()), Ok(DialectName::ALL.len()));
-}
-
-#[test]
-fn an_overloaded_name_is_swept_for_each_of_its_types() {
-    let types: Vec<String> = sampled("TRUNC", &[DialectName::MATIEC], None)
-        .iter()
-        .map(|sweep| format!("{} {}", sweep.signature.operands[0], sweep.signature.result))
-        .collect();
-    assert_eq!(types, ["REAL DINT", "LREAL DINT"]);
-}
-
-#[test]
-fn a_function_that_a_dialect_lacks_is_named_with_those_that_have_it() {
-    let error = agenda(
-        "ROUND",
-        &[DialectName::MATIEC],
-        Sampling::default(),
-        SweepMethod::Conversion,
-    );
-    let Err(AgendaError::NoSuchFunction(NoSuchFunction::InDialects { elsewhere, .. })) = &error else {
-        panic!("{error:?}")
-    };
-    assert_eq!(elsewhere.len(), DialectName::ALL.len() - 1);
-    let unknown = agenda(
-        "FOO",
-        &DialectName::ALL,
-        Sampling::default(),
-        SweepMethod::Conversion,
-    );
-    assert_eq!(
-        unknown.map_err(|error| error.to_string()),
-        Err("there is no conversion function `FOO`; `stickler conversions` lists all".to_owned())
-    );
-}
-
-/// Checks that a dialect's rounding separates sweeps only where a real becomes an integer.
-#[test]
-fn dialects_share_a_sweep_unless_their_rules_for_it_differ() {
-    for (function, distinct) in [
-        ("REAL_TO_LREAL", 1),
-        ("REAL_TO_BOOL", 1),
-        ("REAL_TO_TIME", 2),
-        ("DINT_TO_INT", 1),
-        ("TRUNC_INT", 4),
-        ("REAL_TO_INT", 4),
-        ("REAL_TO_WORD", 4),
-        ("REAL_TO_STRING", 3),
-        ("WORD_TO_STRING", 3),
-    ] {
-        let sweeps = sampled(function, &DialectName::ALL, None);
-        assert_eq!(sweeps.len(), distinct, "{function}");
-    }
+fn golden_agendas() {
+    check("tests/examples/agendas.md", |example| {
+        let dialects: Vec<DialectName> = match example.text("dialects") {
+            "" => DialectName::ALL.to_vec(),
+            names => names
+                .split(' ')
+                .map(|name| name.parse().expect("a dialect"))
+                .collect(),
+        };
+        let method = match example.text("method") {
+            "programs" => SweepMethod::Programs,
+            _ => SweepMethod::Conversion,
+        };
+        let sweeps = match agenda(example.text("function"), &dialects, Sampling::default(), method) {
+            Ok(sweeps) => sweeps,
+            Err(error) => return error.to_string(),
+        };
+        if example.wanted() == "sweeps" {
+            return sweeps.len().to_string();
+        }
+        let shown = |sweep: &Sweep| {
+            let names: Vec<&str> = sweep.dialects.iter().map(|dialect| dialect.as_str()).collect();
+            let types = (&sweep.signature.operands[0], &sweep.signature.result);
+            format!("{} to {}: {}", types.0, types.1, names.join(" "))
+        };
+        sweeps.iter().map(shown).collect::<Vec<_>>().join("\n")
+    });
 }

@@ -6,16 +6,7 @@ use stickler_workers::Cancellation;
 
 /// Returns the sweeps of a function in one dialect: each input of a small source, and a small sample of others.
 pub fn sweeps(function: &str, dialect: DialectName) -> Vec<Sweep> {
-    sampled(function, &[dialect], None)
-}
-
-/// Returns the sweeps of a function in some dialects; `inputs` as in [`Sampling::inputs`].
-pub fn sampled(function: &str, dialects: &[DialectName], inputs: Option<u64>) -> Vec<Sweep> {
-    let sampling = Sampling {
-        inputs,
-        ..Sampling::default()
-    };
-    agenda(function, dialects, sampling, SweepMethod::Conversion).expect("a conversion function")
+    agenda(function, &[dialect], Sampling::default(), SweepMethod::Conversion).expect("a conversion function")
 }
 
 /// Returns the only sweep of a function in a dialect.

@@ -1,9 +1,9 @@
 //! Tests of baselines that name dialects of `stickler.toml`, and of suites that cannot be read.
 
-use crate::fixtures::{Puppet, case, suite, timeless_run};
+use crate::fixtures::{Puppet, case, engine_header, event, suite, timeless_run};
 use crate::words::outcome;
 use jiff::civil::date;
-use stickler_run::{Baseline, BaselineNote, CaseEvent, EngineHeader, EngineRun, Plan, Verdict, bless};
+use stickler_run::{Baseline, BaselineNote, CaseEvent, EngineRun, Plan, Verdict, bless};
 use stickler_suite::{Case, Suite};
 use stickler_types::{Dialect, DialectName};
 
@@ -50,14 +50,7 @@ fn of_a_suite_that_could_not_be_read_nothing_is_called_stale() {
 
 /// Returns a run of `iron` with these verdicts.
 fn ran(verdicts: &[(&str, &str, Verdict)]) -> EngineRun {
-    let mut run = EngineRun::new(EngineHeader {
-        name: "iron".to_owned(),
-        version: "1.2".to_owned(),
-        dialects: vec!["ironplc-ed3".to_owned()],
-        strict: stickler_run::Grade::Code,
-        rerun: String::new(),
-        commands: std::collections::BTreeMap::new(),
-    });
+    let mut run = EngineRun::new(engine_header("iron"));
     for (id, dialect, verdict) in verdicts {
         let note = BaselineNote {
             at: String::new(),
@@ -67,12 +60,8 @@ fn ran(verdicts: &[(&str, &str, Verdict)]) -> EngineRun {
             link: None,
         };
         run.take(&CaseEvent {
-            id: (*id).to_owned(),
-            dialect: (*dialect).to_owned(),
-            engine: "iron".to_owned(),
-            verdict: *verdict,
             baseline: (*verdict == Verdict::Xfail).then_some(note),
-            ..CaseEvent::default()
+            ..event(id, dialect.parse().unwrap(), *verdict)
         });
     }
     run

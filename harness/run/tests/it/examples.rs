@@ -1,6 +1,6 @@
 //! The tests that are tables and files in `tests/examples`.
 
-use crate::fixtures::{Book, Puppet, sources, suite};
+use crate::fixtures::{Book, Puppet, engine_header, event, sources, suite};
 use crate::words::{expecting, outcome, shown};
 use std::time::Duration;
 use stickler_engines::{Engine, EngineSession, Identity, Outcome};
@@ -275,17 +275,6 @@ fn golden_bindings() {
     });
 }
 
-fn engine_header(name: &str) -> stickler_run::EngineHeader {
-    stickler_run::EngineHeader {
-        name: name.to_owned(),
-        version: "1.2".to_owned(),
-        dialects: vec!["ironplc-ed2".to_owned(), "ironplc-ed3".to_owned()],
-        strict: Grade::Code,
-        rerun: String::new(),
-        commands: std::collections::BTreeMap::new(),
-    }
-}
-
 /// Returns the case of a line `id` or `id@dialect`; its program is its id.
 fn case_of(line: &str) -> Case {
     let (id, dialect) = line.split_once('@').unwrap_or((line, "matiec"));
@@ -450,16 +439,6 @@ fn verdict_of<'l>((start, verdict): (&'l str, &str)) -> (&'l str, Verdict) {
             .find(|known| known.as_str() == verdict)
             .unwrap(),
     )
-}
-
-fn event(id: &str, dialect: DialectName, verdict: Verdict) -> CaseEvent {
-    CaseEvent {
-        id: id.to_owned(),
-        dialect: dialect.to_string(),
-        engine: "iron".to_owned(),
-        verdict,
-        ..CaseEvent::default()
-    }
 }
 
 #[test]

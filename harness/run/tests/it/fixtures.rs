@@ -6,7 +6,10 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::{LazyLock, Mutex};
 use stickler_engines::{Ability, Engine, EngineError, Grade, Identity, Outcome, RunRequest, Session};
-use stickler_run::{AnswerStore, Answers, Event, Footer, Plan, Rendering, RunSummary, run_with};
+use stickler_run::{
+    AnswerStore, Answers, CaseEvent, EngineHeader, Event, Footer, Plan, Rendering, RunSummary, Verdict,
+    run_with,
+};
 use stickler_suite::{Case, Sources, Suite};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Shard};
@@ -227,5 +230,28 @@ impl Session for PuppetSession<'_> {
 
     fn render(&mut self, _: DialectName, source: &str) -> Outcome {
         (self.0.render)(source)
+    }
+}
+
+/// Returns what a run says about an engine of this name.
+pub fn engine_header(name: &str) -> EngineHeader {
+    EngineHeader {
+        name: name.to_owned(),
+        version: "1.2".to_owned(),
+        dialects: vec!["ironplc-ed2".to_owned(), "ironplc-ed3".to_owned()],
+        strict: Grade::Code,
+        rerun: String::new(),
+        commands: std::collections::BTreeMap::new(),
+    }
+}
+
+/// Returns the event of a case on `iron`.
+pub fn event(id: &str, dialect: DialectName, verdict: Verdict) -> CaseEvent {
+    CaseEvent {
+        id: id.to_owned(),
+        dialect: dialect.to_string(),
+        engine: "iron".to_owned(),
+        verdict,
+        ..CaseEvent::default()
     }
 }

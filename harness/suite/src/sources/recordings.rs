@@ -30,8 +30,8 @@ pub(super) fn read(root: &files::Root) -> Source {
             .and_then(|text| section(&text));
         (name, section)
     };
-    let recorded: BTreeMap<String, Result<RecordedOrigin, String>> =
-        names(root).into_iter().map(read).collect();
+    let names = files::names(&root.path().join(RECORDINGS), "toml");
+    let recorded: BTreeMap<String, Result<RecordedOrigin, String>> = names.into_iter().map(read).collect();
     let usable = recorded
         .iter()
         .filter_map(|(name, section)| Some((name, section.as_ref().ok()?)));
@@ -58,21 +58,6 @@ pub(super) fn read(root: &files::Root) -> Source {
         limitations: BTreeMap::new(),
         line: 1,
     }
-}
-
-/// Returns the names of the files of recordings, without their endings, in order; none where there is no such folder.
-fn names(root: &files::Root) -> Vec<String> {
-    let entries = std::fs::read_dir(root.path().join(RECORDINGS))
-        .into_iter()
-        .flatten();
-    let stem = |entry: std::io::Result<std::fs::DirEntry>| {
-        let path = entry.ok()?.path();
-        let is_table = path.extension().is_some_and(|extension| extension == "toml");
-        is_table.then(|| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()))?
-    };
-    let mut names: Vec<String> = entries.filter_map(stem).collect();
-    names.sort();
-    names
 }
 
 /// Returns what the text of a recording says about its origin.
