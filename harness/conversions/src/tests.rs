@@ -14,7 +14,7 @@ use anstyle::Style;
 use std::sync::Arc;
 use stickler_engines::Outcome;
 use stickler_exact::{Signature, signatures};
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_types::{DialectName, ElementaryType, MatrixWord, Question, Value};
 
 fn dialects(text: &str) -> Vec<DialectName> {
@@ -48,7 +48,7 @@ fn joined(items: impl Iterator<Item = impl ToString>) -> String {
 
 #[test]
 fn golden_functions() {
-    check("tests/examples/functions.md", |example| match example.wanted() {
+    check_examples("tests/examples/functions.md", |example| match example.wanted() {
         "in one line" => dialect_list(&dialects(example.text("dialects"))),
         "choices" => {
             let dialects = dialects(example.text("dialects"));
@@ -72,7 +72,7 @@ fn golden_functions() {
 
 #[test]
 fn golden_values() {
-    check("tests/examples/values.md", |example| match example.wanted() {
+    check_examples("tests/examples/values.md", |example| match example.wanted() {
         "literal" => {
             let value = Value::parse(example.text("value")).unwrap();
             if has_literal(&value) {
@@ -130,7 +130,7 @@ fn outcome(word: &str) -> Outcome {
 
 #[test]
 fn golden_answers() {
-    check("tests/examples/answers.md", |example| match example.wanted() {
+    check_examples("tests/examples/answers.md", |example| match example.wanted() {
         "answer" => implicit::answer(&outcome(example.text("outcome")))
             .as_str()
             .to_owned(),
@@ -186,7 +186,7 @@ fn recording(example: &Example, name: &str) -> Result<Recording, String> {
 
 #[test]
 fn golden_recordings() {
-    check("tests/examples/recordings.md", |example| {
+    check_examples("tests/examples/recordings.md", |example| {
         let mut read = match recording(example, "recording.toml") {
             Ok(read) => read,
             Err(mistake) => return mistake,
@@ -272,7 +272,7 @@ fn cell(text: &str) -> Cell {
 
 #[test]
 fn golden_tables() {
-    check("tests/examples/terminal-tables.md", |example| {
+    check_examples("tests/examples/terminal-tables.md", |example| {
         let line = |text: &str| text.split(" / ").map(cell).collect::<Vec<Cell>>();
         let mut lines = example.text("table").lines();
         let heads = example
@@ -294,7 +294,7 @@ fn golden_tables() {
 /// Shows what is stated of the questions of cases, whose lines are `id@dialect word question = result (basis)`, or the boundary values.
 #[test]
 fn golden_statements() {
-    check("tests/examples/statements.md", |example| {
+    check_examples("tests/examples/statements.md", |example| {
         let mut builder = StatementsBuilder::new(dialects(example.text("dialects")));
         for line in example.text("cases").lines() {
             let parts = || {

@@ -1,5 +1,6 @@
 //! Reads the test files of a folder, and reports what is not as they say.
 
+use crate::markdown::{Fence, Mistake, sections};
 use crate::{Block, Difference};
 use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,7 +20,7 @@ pub fn check(folder: impl AsRef<Path>, checked: impl Fn(&Block) -> Vec<Differenc
     let mut report = String::new();
     for path in paths {
         let text = std::fs::read_to_string(&path).expect("a text");
-        let blocks = blocks(&text);
+        let blocks = blocks(&text).unwrap_or_else(|(line, what)| panic!("{}:{line}: {what}", path.display()));
         assert!(!blocks.is_empty(), "{} holds no block", path.display());
         for block in blocks {
             let found = catch_unwind(AssertUnwindSafe(|| checked(&block)))
@@ -35,27 +36,18 @@ pub fn check(folder: impl AsRef<Path>, checked: impl Fn(&Block) -> Vec<Differenc
 }
 
 /// Takes a file apart.
-fn blocks(text: &str) -> Vec<Block> {
-    let mut blocks = Vec::new();
-    let mut heading = String::new();
-    let mut lines = text.lines().enumerate();
-    while let Some((index, line)) = lines.next() {
-        if let Some(info) = line.strip_prefix("```") {
-            let inside = lines
-                .by_ref()
-                .map(|(_, line)| line)
-                .take_while(|line| *line != "```");
-            blocks.push(Block {
-                heading: heading.clone(),
-                info: info.trim().to_owned(),
-                text: inside.flat_map(|line| [line, "\n"]).collect(),
-                line: index + 2,
-            });
-        } else if line.starts_with('#') {
-            heading = line.trim_start_matches('#').trim().to_owned();
-        }
-    }
-    blocks
+fn blocks(text: &str) -> Result<Vec<Block>, Mistake> {
+    let sections = sections(text)?.into_iter();
+    let blocks = sections.flat_map(|section| {
+        let block = move |fence: Fence| Block {
+            heading: section.heading.clone(),
+            info: fence.info,
+            text: fence.text.lines().flat_map(|line| [line, "\n"]).collect(),
+            line: fence.lines.start + 1,
+        };
+        section.blocks.into_iter().map(block)
+    });
+    Ok(blocks.collect())
 }
 
 #[cfg(test)]
@@ -65,7 +57,8 @@ mod tests {
     #[test]
     fn a_block_has_its_heading_its_words_and_its_line() {
         let blocks =
-            blocks("# File\n\n## Case\n\nProse.\n\n```st matiec\nx\n\ny\n```\n\n```calls\n# c\na = 1\n```\n");
+            blocks("# File\n\n## Case\n\nProse.\n\n```st matiec\nx\n\ny\n```\n\n```calls\n# c\na = 1\n```\n")
+                .expect("blocks");
         let [program, calls] = &blocks[..] else {
             panic!("{}", blocks.len())
         };
@@ -77,7 +70,7 @@ mod tests {
 
     #[test]
     fn each_line_is_put_in_its_place() {
-        let blocks = blocks("```st ed2 each line in P … ¶Q\na\nb\n```\n");
+        let blocks = blocks("```st ed2 each line in P … ¶Q\na\nb\n```\n").expect("a block");
         let programs = blocks[0].programs();
         let texts: Vec<_> = programs.iter().map(|program| &*program.text).collect();
         assert_eq!(texts, ["P a \nQ", "P b \nQ"]);
@@ -87,7 +80,7 @@ mod tests {
 
     #[test]
     fn a_row_that_differs_is_reported_with_its_line() {
-        let blocks = blocks("```calls\nf(1) = 2\n\nf(2)\n```\n");
+        let blocks = blocks("```calls\nf(1) = 2\n\nf(2)\n```\n").expect("a block");
         let found = blocks[0].rows(|question, answer| crate::same(question, answer));
         assert_eq!(
             found[0],

@@ -30,15 +30,21 @@
 //!
 //! [`check`] reads a folder, hands each block to a function, and reports all differences with file, line and heading.
 //!
+//! Where what must come is a whole text, [`check_examples`] compares the [examples](examples) of a file with the texts that a function
+//! makes of them, and renews them on demand.
+//!
 //! Architecture Invariant: this crate knows no language, no dialect and no other crate of Stickler; only tests use it.
 
 mod block;
+pub mod examples;
 mod expansion;
 mod folder;
+mod markdown;
 mod marks;
 mod reported;
 
 pub use block::{Block, Difference, Program, same};
+pub use examples::{Example, check_examples};
 pub use expansion::expanded;
 pub use folder::check;
 pub use marks::{Marks, Value};

@@ -4,12 +4,12 @@ use crate::condition::{Condition, Testable};
 use crate::scan::scan;
 use crate::template::Template;
 use crate::{Dialects, Sources, Suite, files, ident, sources};
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_types::DialectName;
 
 #[test]
 fn golden_conditions() {
-    check("tests/parts/conditions.md", |example| {
+    check_examples("tests/parts/conditions.md", |example| {
         let names: Vec<Box<str>> = ["row", "column", "cell", "value"].map(Into::into).into();
         let (names, known, unnamed) = match example.wanted() {
             "without names" => (&names[..0], 0, None),
@@ -35,7 +35,7 @@ fn golden_conditions() {
 
 #[test]
 fn golden_templates() {
-    check("tests/parts/templates.md", |example| {
+    check_examples("tests/parts/templates.md", |example| {
         let names: Vec<Box<str>> = ["row", "value"].map(Into::into).into();
         let template = match Template::parse(example.text("template"), &names) {
             Ok(template) => template,
@@ -52,7 +52,7 @@ fn golden_templates() {
 
 #[test]
 fn golden_scan() {
-    check("tests/parts/marks.md", |example| {
+    check_examples("tests/parts/marks.md", |example| {
         let found = scan(example.text("text"));
         let marks = found
             .marks
@@ -66,7 +66,7 @@ fn golden_scan() {
 
 #[test]
 fn golden_ids() {
-    check("tests/parts/ids.md", |example| {
+    check_examples("tests/parts/ids.md", |example| {
         let mut id = String::from("x(");
         match (example.get("path"), example.get("name")) {
             (Some(path), _) => ident::of_file(path).unwrap_or_else(|message| message),
@@ -101,7 +101,7 @@ fn sources_of(example: &Example) -> (Sources, String) {
 
 #[test]
 fn golden_sources() {
-    check("tests/parts/sources.md", |example| {
+    check_examples("tests/parts/sources.md", |example| {
         let (sources, mistakes) = sources_of(example);
         let basis = example.text("basis");
         match example.wanted() {

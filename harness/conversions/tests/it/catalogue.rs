@@ -4,7 +4,7 @@ use crate::support::findings;
 use std::collections::HashSet;
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_exact::{Signature, functions};
-use stickler_examples::check;
+use stickler_mdtest::check_examples;
 use stickler_types::DialectName;
 use stickler_types::boundaries::BoundaryDetail;
 
@@ -69,7 +69,7 @@ fn coarse(function: &str, dialect: DialectName, inputs: Option<u64>) -> Vec<Swee
 /// Shows the sweeps of a function: their types, and the dialects that share each.
 #[test]
 fn golden_agendas() {
-    check("tests/examples/agendas.md", |example| {
+    check_examples("tests/examples/agendas.md", |example| {
         let dialects: Vec<DialectName> = match example.text("dialects") {
             "" => DialectName::ALL.to_vec(),
             names => names

@@ -1,7 +1,7 @@
 //! Tests the inputs that a sweep goes through.
 
 use stickler_conversions::sweep::{Domain, Sampling};
-use stickler_examples::check;
+use stickler_mdtest::check_examples;
 use stickler_types::{ElementaryType, Value, literal};
 
 fn domain(ty: ElementaryType, inputs: u64) -> Domain {
@@ -39,7 +39,7 @@ fn a_small_source_is_swept_in_the_order_of_its_bits() {
 
 #[test]
 fn golden_domains() {
-    check("tests/examples/domains.md", |example| {
+    check_examples("tests/examples/domains.md", |example| {
         let ty = ElementaryType::from_name(example.text("type")).expect("a type");
         if let Some(place) = example.get("place") {
             let place = u64::from_str_radix(&place.replace('_', ""), 16).expect("a place");

@@ -5,7 +5,7 @@ use stickler_conversions::RefusalKind;
 use stickler_conversions::sweep::foreign::{ForeignFindings, run};
 use stickler_conversions::sweep::{Sampling, Sweep, SweepMethod, agenda};
 use stickler_engines::{Engine, Outcome, Reference, RunRequest, Session};
-use stickler_examples::check;
+use stickler_mdtest::check_examples;
 use stickler_types::DialectName;
 use stickler_types::boundaries::BoundaryDetail;
 use stickler_workers::Cancellation;
@@ -76,7 +76,7 @@ fn described(found: &ForeignFindings) -> String {
 /// Sweeps a function by one worker on the reference with the function `body` in its place, if there is one.
 #[test]
 fn golden_sweeps() {
-    check("tests/examples/sweeps.md", |example| {
+    check_examples("tests/examples/sweeps.md", |example| {
         let dialects = example.text("dialects").split_whitespace();
         let inputs = example.get("inputs").filter(|inputs| !inputs.is_empty());
         let inputs = inputs.map(|inputs| inputs.parse().expect("a number"));

@@ -4,7 +4,7 @@ use crate::fixtures::{Book, Puppet, engine_header, event, sources, suite};
 use crate::words::{expecting, outcome, shown};
 use std::time::Duration;
 use stickler_engines::{Engine, EngineSession, Identity, Outcome};
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_run::{
     Answers, Baseline, CaseEvent, CaseJudge, EngineRun, Event, Fact, Filter, Grade, Judgement, Plan,
     Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run, select,
@@ -63,7 +63,7 @@ fn judged(example: &Example) -> Judgement {
 
 #[test]
 fn golden_judgements() {
-    check("tests/examples/judging.md", |example| match example.wanted() {
+    check_examples("tests/examples/judging.md", |example| match example.wanted() {
         "is open" => expecting(example.text("expects")).is_open().to_string(),
         "bodies" => rendered_bodies(example.text("rendered")).join("\n"),
         "expected" => Fact::text(&judged(example).expected),
@@ -73,7 +73,7 @@ fn golden_judgements() {
 
 #[test]
 fn golden_symptoms() {
-    check("tests/examples/symptoms.md", |example| {
+    check_examples("tests/examples/symptoms.md", |example| {
         let mut judgement = judged(example);
         if let Some(got) = example.get("got") {
             judgement.got = serde_json::from_str(got).unwrap();
@@ -89,7 +89,7 @@ fn golden_symptoms() {
 
 #[test]
 fn golden_facts() {
-    check("tests/examples/facts.md", |example| {
+    check_examples("tests/examples/facts.md", |example| {
         let fact: Fact = match serde_json::from_str(example.text("json")) {
             Ok(fact) => fact,
             Err(error) => return error.to_string(),
@@ -107,7 +107,7 @@ fn golden_facts() {
 
 #[test]
 fn golden_filters() {
-    check("tests/examples/filters.md", |example| {
+    check_examples("tests/examples/filters.md", |example| {
         let filter = Filter::new(example.text("filter"));
         let (id, dialect) = example
             .text("case")
@@ -130,7 +130,7 @@ fn golden_filters() {
 
 #[test]
 fn golden_stored_answers() {
-    check("tests/examples/stored.md", |example| {
+    check_examples("tests/examples/stored.md", |example| {
         let expects = if example.get("rendered").is_some() {
             "rendered x"
         } else {
@@ -168,7 +168,7 @@ const SELECTABLE: [&str; 5] = ["a/b", "a/b2", "a/b::p(INT,-1)", "a/b::p(INT,-10)
 
 #[test]
 fn golden_selections() {
-    check("tests/examples/selecting.md", |example| {
+    check_examples("tests/examples/selecting.md", |example| {
         let dialects = [DialectName::MATIEC, DialectName::PLCNEXT];
         let keys = SELECTABLE
             .iter()
@@ -218,7 +218,7 @@ fn baseline(example: &Example, engine: &str) -> Result<Baseline, String> {
 #[test]
 fn golden_bindings() {
     let sources = sources();
-    check("tests/examples/binding.md", |example| {
+    check_examples("tests/examples/binding.md", |example| {
         let name = example.text("engine");
         let plan = Plan {
             strict: example.get("strict").map(|_| strict(example)),
@@ -353,7 +353,7 @@ fn noted(case: &CaseEvent) -> String {
 
 #[test]
 fn golden_baselines() {
-    check("tests/examples/baselines.md", run_with_baseline);
+    check_examples("tests/examples/baselines.md", run_with_baseline);
 }
 
 /// The cases that an example of blessing knows, each in two dialects that the engine speaks and in one that it does not.
@@ -443,5 +443,5 @@ fn verdict_of<'l>((start, verdict): (&'l str, &str)) -> (&'l str, Verdict) {
 
 #[test]
 fn golden_blessings() {
-    check("tests/examples/blessing.md", blessed);
+    check_examples("tests/examples/blessing.md", blessed);
 }

@@ -2,7 +2,7 @@
 
 use crate::folders::{files, folder};
 use crate::listing::listing;
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_suite::{Case, Suite};
 use stickler_types::{Dialect, DialectName, ElementaryType, MatrixWord};
 
@@ -27,7 +27,7 @@ fn define(example: &Example, name: &str) -> DialectName {
 #[test]
 fn golden_defined_dialects() {
     let mut number = 0;
-    check("tests/format/defined.md", |example| {
+    check_examples("tests/format/defined.md", |example| {
         number += 1;
         let dialect = define(example, &format!("defined-{number}"));
         let folder = folder(&files(example));

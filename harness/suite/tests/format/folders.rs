@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use stickler_examples::Example;
+use stickler_mdtest::Example;
 use stickler_suite::Suite;
 
 /// The `dialects.toml` of every test suite, with two groups of the real suite.

@@ -20,7 +20,7 @@ mod listing;
 mod shipped;
 
 use folders::{files, folder as folder_of};
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_suite::{LintSeverity, Suite, lint};
 
 /// Returns what an example wants of its files.
@@ -70,25 +70,25 @@ fn shown(example: &Example) -> String {
 
 #[test]
 fn golden_programs() {
-    check("tests/format/programs.md", shown);
+    check_examples("tests/format/programs.md", shown);
 }
 
 #[test]
 fn golden_matrices() {
-    check("tests/format/matrices.md", shown);
+    check_examples("tests/format/matrices.md", shown);
 }
 
 #[test]
 fn golden_rows() {
-    check("tests/format/rows.md", shown);
+    check_examples("tests/format/rows.md", shown);
 }
 
 #[test]
 fn golden_places() {
-    check("tests/format/places.md", shown);
+    check_examples("tests/format/places.md", shown);
 }
 
 #[test]
 fn golden_suites() {
-    check("tests/format/suites.md", shown);
+    check_examples("tests/format/suites.md", shown);
 }

@@ -1,7 +1,7 @@
 //! The tests that are tables and files in `tests/examples`.
 
 use crate::root;
-use stickler_examples::{Example, check};
+use stickler_mdtest::{Example, check_examples};
 use stickler_tabulate::call::Call;
 use stickler_tabulate::table::Table;
 use stickler_tabulate::{folder, generate, inputs};
@@ -30,12 +30,12 @@ fn operands(example: &Example) -> String {
 
 #[test]
 fn golden_inputs() {
-    check("tests/examples/inputs.md", operands);
+    check_examples("tests/examples/inputs.md", operands);
 }
 
 #[test]
 fn golden_calls() {
-    check("tests/examples/calls.md", |example| {
+    check_examples("tests/examples/calls.md", |example| {
         if let Some(head) = example.get("generate") {
             let calls = generate::calls(&toml::from_str(head).unwrap());
             let texts = |calls: Vec<Call>| calls.iter().map(Call::to_string).collect::<Vec<_>>().join(" ");
@@ -56,7 +56,7 @@ fn golden_calls() {
 #[test]
 fn golden_tables() {
     let names = folder::names(&root()).unwrap();
-    check("tests/examples/tables.md", |example| {
+    check_examples("tests/examples/tables.md", |example| {
         let table = Table::read("example", example.text("table.toml"), &names).unwrap();
         let calls = || table.calls();
         let shown = match example.wanted() {

@@ -1,23 +1,22 @@
-use super::{blessed, check, fits};
-use crate::document::Document;
+use super::{Document, Example, blessed, check_examples, fits};
 
 /// A file in which each example shows its inputs.
 const FILE: &str = "tests/shown.md";
 
-fn shown(example: &super::Example) -> String {
+fn shown(example: &Example) -> String {
     let inputs = example.inputs().map(|(name, text)| format!("{name} = {text}"));
     inputs.collect::<Vec<_>>().join("\n")
 }
 
 #[test]
 fn the_inputs_of_an_example_are_cells_and_blocks() {
-    check(FILE, shown);
+    check_examples(FILE, shown);
 }
 
 #[test]
 #[should_panic(expected = "tests/shown.md:21: The last block is what must come\n--- expected\ninput = one")]
 fn an_example_that_differs_is_shown_with_its_place() {
-    check(FILE, |_| "other".to_owned());
+    check_examples(FILE, |_| "other".to_owned());
 }
 
 #[test]

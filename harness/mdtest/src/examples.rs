@@ -1,5 +1,25 @@
-//! Reads a Markdown file of examples.
+//! Examples in Markdown files, compared with the texts that a function makes of them.
+//!
+//! A file has a section for each property, and the heading of the section says the property as a sentence. What a section holds, a
+//! function of the test turns into a text, which must be the one that stands in the file:
+//!
+//! * Blocks of code: the last one is what must come, and those above it are the inputs. The text behind the fence names an input:
+//!   its last word, so that a language may stand in front (`toml a/file.toml`).
+//! * A table: each row is an example, and its last cell is what must come. The other cells are inputs by the name of their column,
+//!   and so are the blocks of the section. A column `for NAME` puts its cell in place of NAME in the blocks; the columns `instead of` and
+//!   `write` change one place of a block.
+//!
+//! Blocks above the first section are inputs of every section that has none of the same name. A block whose name is in capitals is no
+//! input but a part of others: it takes the place of a line that has only its name. In what must come, `…` stands for any
+//! text. In a cell `⏎` is a line break, a backslash precedes a `|`, and backticks around the whole cell are left out.
+//!
+//! With `STICKLER_BLESS=1` a file gets what came in place of what must come; `cargo xtask bless` does so for all tests with `golden` in
+//! their names. Read the difference.
 
+use crate::markdown::{Fence, Mistake, Row, Section, sections, with_last_cell};
+use std::env;
+use std::fmt::Write as _;
+use std::fs;
 use std::ops::Range;
 
 /// One example: its inputs, by name.
@@ -12,38 +32,17 @@ pub struct Example {
 
 /// What must come of an example.
 #[derive(Clone, Debug)]
-pub(crate) struct Expected {
-    pub(crate) text: String,
+struct Expected {
+    text: String,
     /// The lines of the file that hold it, from 0: those of a block, or that of a row.
-    pub(crate) lines: Range<usize>,
+    lines: Range<usize>,
     /// Whether it is the last cell of a row.
-    pub(crate) is_cell: bool,
+    is_cell: bool,
 }
 
 /// The examples of a file, in order.
-pub(crate) struct Document {
-    pub(crate) examples: Vec<(Example, Expected)>,
-}
-
-/// A mistake in a file: its line, from 1, and what is wrong.
-type Mistake = (usize, String);
-
-/// A block of code.
-#[derive(Clone, Debug)]
-struct Block {
-    name: String,
-    text: String,
-    lines: Range<usize>,
-}
-
-/// A section while it is read.
-#[derive(Default)]
-struct Section {
-    heading: String,
-    line: usize,
-    blocks: Vec<Block>,
-    /// The rows of tables, each with its line and the names of the columns.
-    rows: Vec<(usize, Vec<String>, Vec<String>)>,
+struct Document {
+    examples: Vec<(Example, Expected)>,
 }
 
 impl Example {
@@ -80,7 +79,7 @@ impl Example {
 }
 
 impl Document {
-    pub(crate) fn parse(text: &str) -> Result<Document, Mistake> {
+    fn parse(text: &str) -> Result<Document, Mistake> {
         let mut sections = sections(text)?;
         let head = sections.remove(0);
         let mut document = Document { examples: Vec::new() };
@@ -94,13 +93,13 @@ impl Document {
     }
 
     /// Adds the examples of a section; `shared` are the blocks of the whole file.
-    fn add(&mut self, section: &Section, shared: &[Block]) -> Result<(), Mistake> {
-        let example = |own: &[Block], cells: Vec<(String, String)>, wanted: &str| {
+    fn add(&mut self, section: &Section, shared: &[Fence]) -> Result<(), Mistake> {
+        let example = |own: &[Fence], cells: Vec<(String, String)>, wanted: &str| {
             let of_file = shared
                 .iter()
-                .filter(|block| own.iter().all(|own| own.name != block.name));
+                .filter(|block| own.iter().all(|own| own.name() != block.name()));
             let blocks = own.iter().chain(of_file);
-            let blocks = blocks.map(|block| (block.name.clone(), block.text.clone()));
+            let blocks = blocks.map(|block| (block.name().to_owned(), block.text.clone()));
             changed(with_fragments(blocks.collect()), cells).map(|inputs| Example {
                 heading: section.heading.clone(),
                 wanted: wanted.to_owned(),
@@ -111,7 +110,8 @@ impl Document {
             let Some((expected, inputs)) = section.blocks.split_last() else {
                 return Err((section.line, "the section has no example".to_owned()));
             };
-            let example = example(inputs, Vec::new(), &expected.name).map_err(|what| (section.line, what))?;
+            let example =
+                example(inputs, Vec::new(), expected.name()).map_err(|what| (section.line, what))?;
             let expected = Expected {
                 text: expected.text.clone(),
                 lines: expected.lines.clone(),
@@ -119,7 +119,7 @@ impl Document {
             };
             self.examples.push((example, expected));
         }
-        for (line, columns, cells) in &section.rows {
+        for Row { line, columns, cells } in &section.rows {
             if cells.len() != columns.len() {
                 return Err((
                     line + 1,
@@ -191,85 +191,79 @@ fn changed(
     Ok(cells.into_iter().chain(blocks).collect())
 }
 
-/// Returns the sections of a text; the first is what stands above all others.
-fn sections(text: &str) -> Result<Vec<Section>, Mistake> {
-    let lines: Vec<&str> = text.lines().collect();
-    let mut sections = vec![Section::default()];
-    let mut columns: Option<Vec<String>> = None;
-    let mut at = 0;
-    while let Some(&line) = lines.get(at) {
-        let number = at;
-        at += 1;
-        let Some(section) = sections.last_mut() else { break };
-        let fence = line.len() - line.trim_start_matches('`').len();
-        if fence >= 3 {
-            let is_end = |line: &&str| line.len() >= fence && line.bytes().all(|byte| byte == b'`');
-            let Some(len) = lines[at..].iter().position(is_end) else {
-                return Err((number + 1, "the block has no end".to_owned()));
-            };
-            let name = line[fence..].split_whitespace().next_back().unwrap_or_default();
-            section.blocks.push(Block {
-                name: name.to_owned(),
-                text: lines[at..at + len].join("\n"),
-                lines: at..at + len,
-            });
-            at += len + 1;
-        } else if let Some(title) = line.strip_prefix("# ") {
-            section.heading = title.trim().to_owned();
-        } else if line.starts_with("##") {
-            sections.push(Section {
-                heading: line.trim_start_matches('#').trim().to_owned(),
-                line: number + 1,
-                ..Section::default()
-            });
-        } else if line.starts_with('|') {
-            let cells = cells(line);
-            let is_rule =
-                |cell: &String| !cell.is_empty() && cell.bytes().all(|byte| matches!(byte, b'-' | b':'));
-            match &columns {
-                _ if cells.iter().all(is_rule) => {}
-                None => columns = Some(cells),
-                Some(columns) => section.rows.push((number, columns.clone(), cells)),
-            }
-        }
-        if !line.starts_with('|') {
-            columns = None;
+/// Compares each example of a file with the text that `result` makes of it; `path` begins at the folder of the crate under test.
+///
+/// # Panics
+/// Where any example differs, with the place, the heading and both texts of each; and where the file cannot be read.
+#[track_caller]
+pub fn check_examples(path: &str, mut result: impl FnMut(&Example) -> String) {
+    let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    let document = Document::parse(&text).unwrap_or_else(|(line, what)| panic!("{path}:{line}: {what}"));
+    let mut differing = Vec::new();
+    for (example, expected) in document.examples {
+        let came = result(&example);
+        if !fits(&expected.text, came.trim_end()) {
+            differing.push((example, expected, came.trim_end().to_owned()));
         }
     }
-    Ok(sections)
-}
-
-/// Returns the texts of the cells of a row.
-fn cells(line: &str) -> Vec<String> {
-    let inside = line.trim_end().strip_suffix('|').unwrap_or(line);
-    let mut cells = vec![String::new()];
-    let mut characters = inside.chars().skip(1).peekable();
-    while let Some(character) = characters.next() {
-        match (character, cells.last_mut()) {
-            ('\\', Some(cell)) if characters.peek() == Some(&'|') => {
-                characters.next();
-                cell.push('|');
-            }
-            ('|', _) => cells.push(String::new()),
-            (other, Some(cell)) => cell.push(other),
-            (_, None) => {}
-        }
+    if differing.is_empty() {
+        return;
     }
-    cells.iter().map(|cell| plain(cell.trim())).collect()
+    if env::var_os("STICKLER_BLESS").is_some() {
+        let blessed = blessed(
+            &text,
+            differing
+                .iter()
+                .map(|(_, expected, came)| (expected, came.as_str())),
+        );
+        return fs::write(path, blessed).unwrap_or_else(|error| panic!("{path}: {error}"));
+    }
+    let mut report = format!("{} examples differ\n", differing.len());
+    for (example, expected, came) in differing {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            report,
+            "\n{path}:{}: {}",
+            expected.lines.start + 1,
+            example.heading()
+        );
+        let _ = writeln!(report, "--- expected\n{}\n--- came\n{came}", expected.text);
+    }
+    panic!("{report}");
 }
 
-/// Returns the text of a cell without the backticks around the whole of it, and with its line breaks.
-fn plain(cell: &str) -> String {
-    let inside = cell.strip_prefix('`').and_then(|rest| rest.strip_suffix('`'));
-    let inside = inside.filter(|inside| !inside.contains('`')).unwrap_or(cell);
-    inside.replace('⏎', "\n")
+/// Returns whether a text is the expected one, in which `…` stands for any text.
+fn fits(expected: &str, came: &str) -> bool {
+    let mut pieces = expected.split('…');
+    let first = pieces.next().unwrap_or_default();
+    let Some(mut rest) = came.strip_prefix(first) else {
+        return false;
+    };
+    let Some(last) = pieces.next_back() else {
+        return rest.is_empty();
+    };
+    for piece in pieces {
+        let Some(at) = rest.find(piece) else { return false };
+        rest = &rest[at + piece.len()..];
+    }
+    rest.ends_with(last)
 }
 
-/// Returns a row with another last cell.
-pub(crate) fn with_last_cell(line: &str, text: &str) -> String {
-    let text = text.replace('|', "\\|").replace('\n', "⏎");
-    let inside = line.trim_end().strip_suffix('|').unwrap_or(line);
-    let mut bars = inside.match_indices('|').map(|(at, _)| at);
-    let last = bars.rfind(|&at| !inside[..at].ends_with('\\')).unwrap_or(0);
-    format!("{}| {text} |", &inside[..last])
+/// Returns the text of a file with what came in place of what was expected.
+fn blessed<'d>(text: &str, differing: impl Iterator<Item = (&'d Expected, &'d str)>) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let differing: Vec<_> = differing.collect();
+    // From the end, so that the numbers of the lines above stay right.
+    for (expected, came) in differing.into_iter().rev() {
+        let new = match expected.is_cell {
+            true => vec![with_last_cell(&lines[expected.lines.start], came)],
+            false => came.lines().map(str::to_owned).collect(),
+        };
+        lines.splice(expected.lines.clone(), new);
+    }
+    lines.join("\n") + "\n"
 }
+
+#[cfg(test)]
+#[path = "examples_tests.rs"]
+mod tests;
