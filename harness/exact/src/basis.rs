@@ -35,21 +35,11 @@ pub struct Expected {
 #[must_use]
 pub fn expected(signature: &Signature, operands: &[Value], dialect: DialectName) -> Expected {
     let choices = choices_of(dialect);
-    let basis = match (&signature.operands[..], operands) {
-        (&[from], [operand]) if signature.takes(operands) => {
-            let call = UnaryCall {
-                signature,
-                from,
-                to: signature.result,
-                rules: dialect.rules().documents.functions,
-            };
-            match dialect.definition() {
-                None => call.basis(operand),
-                Some(definition) => call.stated(operand, definition, &choices),
-            }
-        }
-        _ => None,
-    };
+    let call = UnaryCall::of(signature, operands, dialect);
+    let basis = call.and_then(|(call, operand)| match dialect.definition() {
+        None => call.basis(operand),
+        Some(definition) => call.stated(operand, definition, &choices),
+    });
     Expected {
         value: value(signature, operands, &choices),
         basis,
@@ -71,19 +61,11 @@ pub fn page_has_truncation(signature: &Signature) -> bool {
 /// place, the result would differ. Always `false` in a dialect of a documented system, and for operands that do not fit.
 #[must_use]
 pub fn is_overridden(signature: &Signature, operands: &[Value], dialect: DialectName) -> bool {
-    let Some(definition) = dialect.definition() else {
-        return false;
-    };
-    match (&signature.operands[..], operands) {
-        (&[from], [operand]) if signature.takes(operands) => UnaryCall {
-            signature,
-            from,
-            to: signature.result,
-            rules: dialect.rules().documents.functions,
-        }
-        .is_overridden(operand, definition, &choices_of(dialect)),
-        _ => false,
-    }
+    let call = UnaryCall::of(signature, operands, dialect);
+    call.zip(dialect.definition())
+        .is_some_and(|((call, operand), definition)| {
+            call.is_overridden(operand, definition, &choices_of(dialect))
+        })
 }
 
 // The ForgeIEC page, which speaks for matiec.
@@ -145,7 +127,25 @@ struct UnaryCall<'s> {
     rules: Rules,
 }
 
-impl UnaryCall<'_> {
+impl<'s> UnaryCall<'s> {
+    /// Returns a call with one operand, and that operand, if it fits.
+    fn of<'v>(
+        signature: &'s Signature,
+        operands: &'v [Value],
+        dialect: DialectName,
+    ) -> Option<(UnaryCall<'s>, &'v Value)> {
+        let (&[from], [operand]) = (&signature.operands[..], operands) else {
+            return None;
+        };
+        let call = UnaryCall {
+            signature,
+            from,
+            to: signature.result,
+            rules: dialect.rules().documents.functions,
+        };
+        signature.takes(operands).then_some((call, operand))
+    }
+
     fn basis(self, operand: &Value) -> Option<&'static str> {
         let name = &self.signature.function[..];
         match (self.signature.operation, operand) {
