@@ -1,13 +1,14 @@
 //! The lines of a small program: which one matters, and how it is told.
 
 use crate::program::ReadProgram;
-use crate::title::clipped;
 use crate::words::{tokens, words};
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
 use stickler_syntax::tree::{Declaration, Pou, PouKind, TypeSpecificationKind, VariableBlock};
 
+/// The maximum number of characters that are shown of a line, a message or a value.
+const MAX_LENGTH: usize = 90;
 /// The maximum number of variables whose types are named.
 const MAX_TYPES: usize = 5;
 
@@ -135,4 +136,13 @@ pub(crate) fn line_with_number(program: &ReadProgram<'_, '_>, message: &str) -> 
         let is_number = |token: &&Token| number.len() > 1 && token.is(number, text);
         Some(program.line(all.iter().find(is_number)?.span))
     })
+}
+
+/// Returns a text of one line and no more than a title has room for.
+pub(crate) fn clipped(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default().trim();
+    match line.char_indices().nth(MAX_LENGTH) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line.to_owned(),
+    }
 }

@@ -1,6 +1,6 @@
 //! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
 
-use crate::lines::{described, line_with_number, unit_of};
+use crate::lines::{clipped, described, line_with_number, unit_of};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
@@ -9,9 +9,6 @@ use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
 use stickler_types::{Code, Diagnostic};
-
-/// The maximum number of characters that are shown of a line, a message or a value.
-const MAX_LENGTH: usize = 90;
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
 /// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
@@ -260,14 +257,5 @@ fn said(reported: &Diagnostic) -> String {
     match parts.is_empty() {
         true => "no reason is given".to_owned(),
         false => clipped(&parts.join(" ")),
-    }
-}
-
-/// Returns a text of one line and no more than a title has room for.
-pub(crate) fn clipped(text: &str) -> String {
-    let line = text.lines().next().unwrap_or_default().trim();
-    match line.char_indices().nth(MAX_LENGTH) {
-        Some((end, _)) => format!("{}…", &line[..end]),
-        None => line.to_owned(),
     }
 }
