@@ -13,6 +13,17 @@ pub struct GeneratorSettings {
     pub statements: usize,
 }
 
+impl GeneratorSettings {
+    /// Returns settings for a dialect, the others being the defaults.
+    #[must_use]
+    pub fn of(dialect: DialectName) -> GeneratorSettings {
+        GeneratorSettings {
+            dialect: Some(dialect),
+            ..GeneratorSettings::default()
+        }
+    }
+}
+
 impl Default for GeneratorSettings {
     /// Returns settings for any dialect, nothing open, and at most 80 statements.
     fn default() -> GeneratorSettings {
