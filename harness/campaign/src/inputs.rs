@@ -116,7 +116,6 @@ impl Inputs {
         GeneratorSettings {
             dialect: dialect.copied(),
             open,
-            ..GeneratorSettings::default()
         }
     }
 }

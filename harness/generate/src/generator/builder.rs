@@ -21,7 +21,7 @@ pub fn program(bytes: &[u8], settings: &GeneratorSettings) -> Program {
     builder.declare_types();
     builder.functions();
     builder.blocks();
-    builder.main(settings.statements);
+    builder.main();
     let ProgramBuilder { mut program, pou, .. } = builder;
     program.main.variables = pou.variables;
     program
@@ -120,9 +120,9 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         self.pou.cost += self.pou.turns * cost;
     }
 
-    fn main(&mut self, most: usize) {
+    fn main(&mut self) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
-        let most = most.min([3, 6, 12, 24, 60][self.random.below(5)]);
+        let most = [3, 6, 12, 24, 60][self.random.below(5)];
         self.begin(PouRole::Main, most);
         self.main_variables();
         let mut body = self.body(most);
