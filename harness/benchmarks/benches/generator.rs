@@ -1,6 +1,4 @@
 //! Measures how quickly programs are generated, written and evaluated: in programs and bytes of text per second.
-
-use arbitrary::Unstructured;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use std::hint::black_box;
 use stickler_generate::evaluate::evaluate;
@@ -17,7 +15,7 @@ fn bytes(seed: u64) -> Vec<u8> {
 }
 
 fn make(bytes: &[u8]) -> Program {
-    program(&mut Unstructured::new(bytes), &GeneratorSettings::default())
+    program(bytes, &GeneratorSettings::default())
 }
 
 fn generation(criterion: &mut Criterion) {

@@ -1,7 +1,6 @@
 //! The input at each place of a seed's row: the same on every machine, whoever asks and in whatever order.
 
 use crate::exclusions::Exclusions;
-use arbitrary::Unstructured;
 use stickler_generate::generator::{self, GeneratorSettings};
 use stickler_generate::model::Program;
 use stickler_types::{DialectName, SplitMix64};
@@ -79,7 +78,7 @@ impl Inputs {
     #[must_use]
     pub fn program(self, place: u64, dialects: &[DialectName], open: bool) -> Program {
         let settings = self.settings(place, dialects, open);
-        generator::program(&mut Unstructured::new(&self.bytes(place)), &settings)
+        generator::program(&self.bytes(place), &settings)
     }
 
     /// Returns the program at this place that has nothing of the exclusions; `None` where every attempt has some of it.
@@ -105,7 +104,7 @@ impl Inputs {
             ..self
         };
         (0..ATTEMPTS)
-            .map(|attempt| generator::program(&mut Unstructured::new(&others.bytes(attempt)), &settings))
+            .map(|attempt| generator::program(&others.bytes(attempt), &settings))
             .find(|program| without.admits(program))
     }
 
@@ -117,7 +116,6 @@ impl Inputs {
         GeneratorSettings {
             dialect: dialect.copied(),
             open,
-            ..GeneratorSettings::default()
         }
     }
 }

@@ -1,6 +1,4 @@
 //! Prints the programs of a dialect, by their seeds: `cargo run -p stickler-generate --example programs -- ironplc-ed3 7 8`.
-
-use arbitrary::Unstructured;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::writer::{Style, write};
 
@@ -10,13 +8,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         .next()
         .ok_or("which dialect, and which seeds?")?
         .parse()?;
-    let settings = GeneratorSettings {
-        dialect: Some(dialect),
-        ..GeneratorSettings::default()
-    };
+    let settings = GeneratorSettings::of(dialect);
     for seed in arguments {
         let bytes = bytes(seed.parse()?);
-        let program = program(&mut Unstructured::new(&bytes), &settings);
+        let program = program(&bytes, &settings);
         println!("{}", write(&program, &Style::default()).text);
     }
     Ok(())

@@ -203,17 +203,11 @@ mod tests {
     use super::*;
     use crate::generator::{GeneratorSettings, program};
     use crate::random::bytes;
-    use arbitrary::Unstructured;
 
     #[test]
     fn an_input_is_left_out_once_a_call_gives_one_less() {
         let has_name = |program: &Program| features(program).contains_key("input-left-out");
-        let made = |seed| {
-            program(
-                &mut Unstructured::new(&bytes(seed, 2000)),
-                &GeneratorSettings::default(),
-            )
-        };
+        let made = |seed| program(&bytes(seed, 2000), &GeneratorSettings::default());
         let (with, without): (Vec<Program>, Vec<Program>) = (0..300).map(made).partition(has_name);
         assert!(!with.is_empty());
         let mut shortened = 0;
@@ -238,10 +232,7 @@ mod tests {
     #[test]
     fn each_level_of_detail_includes_the_one_before() {
         for seed in 0..50 {
-            let program = program(
-                &mut Unstructured::new(&bytes(seed, 2000)),
-                &GeneratorSettings::default(),
-            );
+            let program = program(&bytes(seed, 2000), &GeneratorSettings::default());
             let (least, middle, most) = (distinctive(&program), features(&program), measured(&program));
             assert!(least.iter().all(|name| middle.contains_key(name)));
             assert!(middle.iter().all(|(name, count)| most.get(name) == Some(count)));

@@ -62,10 +62,11 @@ pub fn kind_names() -> impl Iterator<Item = &'static str> {
     KINDS.iter().map(|kind| kind.name.as_str())
 }
 
-/// Plants one error in a sound program; the input chooses the kind and the place. Returns `None` only if no kind finds a
+/// Plants one error in a sound program; the bytes choose the kind and the place. Returns `None` only if no kind finds a
 /// place, which does not happen in a program whose main has a statement.
 #[must_use]
-pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted> {
+pub fn plant(program: &Program, bytes: &[u8]) -> Option<Planted> {
+    let mut input = Unstructured::new(bytes);
     // When the bytes run out the first kind is tried first.
     let first = input.int_in_range(0..=KINDS.len() - 1).unwrap_or(0);
     // A kind without a place is replaced by another draw, so that its neighbour in the table is not favoured.
@@ -74,14 +75,14 @@ pub fn plant(program: &Program, input: &mut Unstructured<'_>) -> Option<Planted>
     let order = [first].into_iter().chain(drawn).chain(0..KINDS.len());
     order
         .into_iter()
-        .find_map(|number| plant_number(program, number, input))
+        .find_map(|number| plant_number(program, number, &mut input))
 }
 
 /// Plants an error of the named kind; `None` if the program has no place for it.
 #[must_use]
-pub fn plant_kind(program: &Program, kind: &str, input: &mut Unstructured<'_>) -> Option<Planted> {
+pub fn plant_kind(program: &Program, kind: &str, bytes: &[u8]) -> Option<Planted> {
     let number = KINDS.iter().position(|known| known.name == kind)?;
-    plant_number(program, number, input)
+    plant_number(program, number, &mut Unstructured::new(bytes))
 }
 
 fn plant_number(program: &Program, number: usize, input: &mut Unstructured<'_>) -> Option<Planted> {

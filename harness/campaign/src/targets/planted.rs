@@ -2,7 +2,6 @@
 
 use crate::basis::of_code;
 use crate::finding::ExpectedBehavior;
-use arbitrary::Unstructured;
 use std::rc::Rc;
 use stickler_generate::model::Program;
 use stickler_generate::oracles::{OracleFailure, SoundProgram, judge_planted_text, judge_sound_text};
@@ -36,7 +35,7 @@ pub(super) struct SmallPlant {
 /// Makes what an input stands for small, if an error of the same kind can be planted so that it fails alike.
 pub(super) fn small(input: &[u8], symptom: &str, budget: &ReductionBudget<'_>) -> Option<SmallPlant> {
     let SoundProgram { sound, error, .. } = SoundProgram::of(input)?;
-    let kind = plant(&sound, &mut Unstructured::new(error))?.kind;
+    let kind = plant(&sound, error)?.kind;
     let judge: &Judge<'_> = &|sound, planted, text, line| {
         judge_sound_text(planted.program.dialect, sound)?;
         judge_planted_text(planted, text, line)
@@ -130,7 +129,7 @@ impl PlantedSearch<'_> {
 
     /// The error planted in a program, and how the reference fails over it in this way.
     fn failing(self, sound: &Program, place: &[u8]) -> Option<PlantedFailure> {
-        let planted = plant_kind(sound, self.kind, &mut Unstructured::new(place))?;
+        let planted = plant_kind(sound, self.kind, place)?;
         let style = Style::default();
         let (without, with) = (write(sound, &style), write(&planted.program, &style));
         let line = planted.line(&without, &with);
@@ -205,7 +204,7 @@ mod tests {
     /// A program of which the bytes are drawn from this seed.
     fn generated(seed: u64) -> Program {
         let bytes = random::bytes(seed, 1500);
-        program(&mut Unstructured::new(&bytes), &GeneratorSettings::default())
+        program(&bytes, &GeneratorSettings::default())
     }
 
     /// The smallest text in which a reference that overlooks some errors of a kind overlooks one: those of which the text passes a

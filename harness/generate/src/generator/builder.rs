@@ -15,12 +15,13 @@ use stickler_types::{DialectName, ElementaryType};
 /// The program is well-typed in its dialect, terminates after a few thousand statements, and uses nothing that documents
 /// leave open, as far as that can be known without running it; [`GeneratorSettings::open`] lifts the last restriction.
 #[must_use]
-pub fn program(input: &mut Unstructured<'_>, settings: &GeneratorSettings) -> Program {
-    let mut builder = ProgramBuilder::new(Random::new(input), settings);
+pub fn program(bytes: &[u8], settings: &GeneratorSettings) -> Program {
+    let mut input = Unstructured::new(bytes);
+    let mut builder = ProgramBuilder::new(Random::new(&mut input), settings);
     builder.declare_types();
     builder.functions();
     builder.blocks();
-    builder.main(settings.statements);
+    builder.main();
     let ProgramBuilder { mut program, pou, .. } = builder;
     program.main.variables = pou.variables;
     program
@@ -119,9 +120,9 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         self.pou.cost += self.pou.turns * cost;
     }
 
-    fn main(&mut self, most: usize) {
+    fn main(&mut self) {
         // Programs of very different lengths: a short one shows a fault clearly, a long one meets more of them.
-        let most = most.min([3, 6, 12, 24, 60][self.random.below(5)]);
+        let most = [3, 6, 12, 24, 60][self.random.below(5)];
         self.begin(PouRole::Main, most);
         self.main_variables();
         let mut body = self.body(most);

@@ -5,7 +5,6 @@ use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::plant::{Planted, plant};
 use crate::writer::{Keywords, LineEnds, Style, write};
-use arbitrary::Unstructured;
 use stickler_types::{Diagnostic, DialectName};
 
 /// The number of bytes that choose the style and the error; the others choose the program.
@@ -22,7 +21,7 @@ pub fn check(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
     let Some(SoundProgram { sound, style, error }) = SoundProgram::of(data) else {
         return Ok(InputOutcome::Skipped("too short"));
     };
-    match plant(&sound, &mut Unstructured::new(error)) {
+    match plant(&sound, error) {
         Some(planted) => judge(&sound, &planted, &style),
         None => Ok(InputOutcome::Skipped("no place for an error")),
     }
@@ -45,10 +44,7 @@ impl<'d> SoundProgram<'d> {
         let (of_the_error, of_the_program) = data.split_at_checked(OF_THE_ERROR)?;
         let (&of_the_style, error) = of_the_error.split_first()?;
         Some(SoundProgram {
-            sound: program(
-                &mut Unstructured::new(of_the_program),
-                &GeneratorSettings::default(),
-            ),
+            sound: program(of_the_program, &GeneratorSettings::default()),
             style: style(of_the_style),
             error,
         })
@@ -210,8 +206,8 @@ mod tests {
             let bytes: Vec<u8> = (0..400u16)
                 .map(|place| byte.wrapping_mul(29).wrapping_add(place.to_le_bytes()[0]))
                 .collect();
-            let sound = program(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
-            let planted = crate::plant::plant_kind(&sound, kind, &mut Unstructured::new(&bytes))?;
+            let sound = program(&bytes, &GeneratorSettings::default());
+            let planted = crate::plant::plant_kind(&sound, kind, &bytes)?;
             Some((sound, planted))
         });
         tries

@@ -8,7 +8,6 @@ use crate::generator::{GeneratorSettings, program};
 use crate::model::Program;
 use crate::reduce::deviation;
 use crate::writer::{Style, write};
-use arbitrary::Unstructured;
 use std::cell::RefCell;
 use stickler_engines::{
     Compiler, Engine, Observation, Outcome, ProcessEngine, ProcessLimits, Reference, RunRequest, Session,
@@ -90,7 +89,7 @@ pub fn program_for(dialects: &[DialectName], data: &[u8]) -> Program {
         dialect: dialects.get(first % dialects.len().max(1)).copied(),
         ..GeneratorSettings::default()
     };
-    program(&mut Unstructured::new(rest), &settings)
+    program(rest, &settings)
 }
 
 /// Judges an engine by a program.

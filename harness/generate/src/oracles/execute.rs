@@ -26,7 +26,7 @@ pub fn execute(data: &[u8]) -> Result<InputOutcome, OracleFailure> {
 /// Generates the program of an input: of any dialect, without anything that documents leave open.
 #[must_use]
 pub fn program_of(data: &[u8]) -> Program {
-    program(&mut Unstructured::new(data), &GeneratorSettings::default())
+    program(data, &GeneratorSettings::default())
 }
 
 /// Judges a program. The bytes of `rest` choose which variants are tried, and what they vary: the same bytes choose alike

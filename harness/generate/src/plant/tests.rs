@@ -45,7 +45,7 @@ fn every_kind_is_planted_in_the_example_and_found() {
         for &dialect in DIALECTS.iter() {
             let sound = example(dialect);
             for number in 0..12 {
-                let Some(planted) = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number))) else {
+                let Some(planted) = plant_kind(&sound, kind, &choices(number)) else {
                     continue;
                 };
                 planted_anywhere = true;
@@ -71,8 +71,7 @@ fn what_is_planted_changes_the_text_on_the_line_that_is_told() {
     for &dialect in DIALECTS.iter() {
         let sound = example(dialect);
         for number in 0..200 {
-            let planted =
-                plant(&sound, &mut Unstructured::new(&choices(number))).expect("a place for an error");
+            let planted = plant(&sound, &choices(number)).expect("a place for an error");
             let (without, with) = (
                 write(&sound, &Style::default()),
                 write(&planted.program, &Style::default()),
@@ -98,7 +97,7 @@ fn planted_lines(kind: &str, dialect: DialectName) -> BTreeSet<String> {
     let style = Style::default();
     let without = write(&sound, &style);
     let lines = (0..200).filter_map(|number| {
-        let planted = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number)))?;
+        let planted = plant_kind(&sound, kind, &choices(number))?;
         let with = write(&planted.program, &style);
         let line = usize::try_from(planted.line(&without, &with)).ok()?;
         with.text.lines().nth(line - 1).map(|line| line.trim().to_owned())
@@ -146,7 +145,7 @@ fn no_constant_is_an_operand_of_a_planted_operation() {
         let style = Style::default();
         let kind = "a value of another type assigned";
         let texts = (0..200).filter_map(|number| {
-            let planted = plant_kind(&sound, kind, &mut Unstructured::new(&choices(number)))?;
+            let planted = plant_kind(&sound, kind, &choices(number))?;
             Some(write(&planted.program, &style).text)
         });
         let texts: Vec<String> = texts.collect();
@@ -162,16 +161,12 @@ fn no_constant_is_an_operand_of_a_planted_operation() {
 
 #[test]
 fn no_bytes_plant_the_first_kind() {
-    let planted =
-        plant(&example(DialectName::MATIEC), &mut Unstructured::new(&[])).expect("a place for an error");
+    let planted = plant(&example(DialectName::MATIEC), &[]).expect("a place for an error");
     assert_eq!(Some(planted.kind), kind_names().next());
 }
 
 #[test]
 fn an_unknown_kind_is_planted_nowhere() {
     let sound = example(DialectName::PLCNEXT);
-    assert_eq!(
-        plant_kind(&sound, "no such kind", &mut Unstructured::new(&[])),
-        None
-    );
+    assert_eq!(plant_kind(&sound, "no such kind", &[]), None);
 }

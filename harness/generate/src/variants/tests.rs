@@ -17,10 +17,7 @@ fn bytes(seed: u64) -> Vec<u8> {
 }
 
 fn made(seed: u64) -> Program {
-    program(
-        &mut Unstructured::new(&bytes(seed)),
-        &GeneratorSettings::default(),
-    )
+    program(&bytes(seed), &GeneratorSettings::default())
 }
 
 /// Returns the values that `other`, which has the variables of `original` and more, gives for everything observed of

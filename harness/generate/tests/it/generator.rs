@@ -1,7 +1,5 @@
 //! Tests of the promises of the generator: its programs are accepted, terminate, and are settled by documents, whatever the
 //! bytes; and many programs contain every construct.
-
-use arbitrary::Unstructured;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{expected, functions, implicit, signatures};
 use stickler_generate::evaluate::evaluate;
@@ -17,15 +15,8 @@ fn bytes(seed: u64) -> Vec<u8> {
     stickler_generate::random::bytes(seed, (seed * 7 % 3000) as usize)
 }
 
-fn of_dialect(dialect: DialectName) -> GeneratorSettings {
-    GeneratorSettings {
-        dialect: Some(dialect),
-        ..GeneratorSettings::default()
-    }
-}
-
 fn made(dialect: DialectName, seed: u64) -> Program {
-    program(&mut Unstructured::new(&bytes(seed)), &of_dialect(dialect))
+    program(&bytes(seed), &GeneratorSettings::of(dialect))
 }
 
 /// Returns the number of programs of a dialect to generate: `SEEDS` of the environment, or few.
@@ -83,7 +74,7 @@ fn programs_end_and_hardly_any_meets_what_documents_leave_open() {
 fn the_same_bytes_make_the_same_program() {
     for seed in 0..50 {
         let bytes = bytes(seed);
-        let make = || program(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
+        let make = || program(&bytes, &GeneratorSettings::default());
         assert_eq!(make(), make(), "seed {seed}");
     }
 }
@@ -91,7 +82,7 @@ fn the_same_bytes_make_the_same_program() {
 #[test]
 fn no_bytes_make_a_small_program() {
     for &dialect in DIALECTS.iter() {
-        let program = program(&mut Unstructured::new(&[]), &of_dialect(dialect));
+        let program = program(&[], &GeneratorSettings::of(dialect));
         let text = write(&program, &Style::default()).text;
         assert!(text.lines().count() <= 12, "{text}");
         assert!(stickler_reference::errors(&text, dialect).is_empty(), "{text}");
@@ -101,13 +92,7 @@ fn no_bytes_make_a_small_program() {
 #[test]
 fn the_input_chooses_the_dialect_where_the_caller_does_not() {
     let chosen: BTreeSet<DialectName> = (0..100)
-        .map(|seed| {
-            program(
-                &mut Unstructured::new(&bytes(seed)),
-                &GeneratorSettings::default(),
-            )
-            .dialect
-        })
+        .map(|seed| program(&bytes(seed), &GeneratorSettings::default()).dialect)
         .collect();
     assert_eq!(chosen.len(), DIALECTS.len());
 }
@@ -117,9 +102,9 @@ fn what_is_open_is_used_only_when_asked_for() {
     let open = |seed| {
         let settings = GeneratorSettings {
             open: true,
-            ..of_dialect(DialectName::PLCNEXT)
+            ..GeneratorSettings::of(DialectName::PLCNEXT)
         };
-        program(&mut Unstructured::new(&bytes(seed)), &settings)
+        program(&bytes(seed), &settings)
     };
     let has_bits = |program: &Program| measured(program).contains_key("bit read");
     assert!((0..200).any(|seed| has_bits(&open(seed))));

@@ -1,7 +1,5 @@
 //! Tests that programs tell wrong compilers apart: a compiler with one of these mistakes gives other values for some
 //! programs.
-
-use arbitrary::Unstructured;
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::measured;
 use stickler_generate::generator::DIALECTS;
@@ -21,7 +19,7 @@ const MIN_FOUND: usize = 6;
 
 fn made(seed: u64) -> Program {
     let bytes = bytes(seed, (seed * 7 % 3000) as usize);
-    program(&mut Unstructured::new(&bytes), &GeneratorSettings::default())
+    program(&bytes, &GeneratorSettings::default())
 }
 
 /// A wrong reading of every expression, operands before the whole.
@@ -157,12 +155,11 @@ fn without_products(expression: &mut Expression) {
 fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
     let leaves_out = |open, dialect| {
         let settings = GeneratorSettings {
-            dialect: Some(dialect),
             open,
-            ..GeneratorSettings::default()
+            ..GeneratorSettings::of(dialect)
         };
         (0..300).any(|seed| {
-            let program = program(&mut Unstructured::new(&bytes(seed, 2000)), &settings);
+            let program = program(&bytes(seed, 2000), &settings);
             measured(&program).contains_key("call that leaves inputs out")
         })
     };

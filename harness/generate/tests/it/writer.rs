@@ -1,7 +1,5 @@
 //! Tests of the promises of the writer: every style of a program is accepted by its dialect, and the lines of raw text are
 //! recorded.
-
-use arbitrary::Unstructured;
 use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{AssignmentTarget, Expression, ExpressionKind, Program, Statement};
@@ -14,11 +12,8 @@ fn made(dialect: DialectName, seed: u8) -> Program {
     let bytes: Vec<u8> = (0..1500_u32)
         .map(|place| (place.wrapping_mul(2_654_435_761) >> 13) as u8 ^ seed)
         .collect();
-    let settings = GeneratorSettings {
-        dialect: Some(dialect),
-        ..GeneratorSettings::default()
-    };
-    program(&mut Unstructured::new(&bytes), &settings)
+    let settings = GeneratorSettings::of(dialect);
+    program(&bytes, &settings)
 }
 
 /// Returns the canonical style with a change.

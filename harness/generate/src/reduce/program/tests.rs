@@ -10,7 +10,6 @@ use crate::model::{
 use crate::random::bytes;
 use crate::reduce::{OutcomeSymptom, program};
 use crate::writer::{Style, write};
-use arbitrary::Unstructured;
 use std::ops::Range;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
@@ -271,7 +270,7 @@ const BUGS: [(&str, Bug); 16] = [
 fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, OutcomeSymptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);
-        let program = generate(&mut Unstructured::new(&bytes), &GeneratorSettings::default());
+        let program = generate(&bytes, &GeneratorSettings::default());
         let symptom = OutcomeSymptom::all(&expected(&program)?, &outcome(bug, &program))
             .into_iter()
             .next()?;
