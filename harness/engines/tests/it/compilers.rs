@@ -38,12 +38,7 @@ fn behaves(compiler: Compiler) {
             .filter(|row| row[0] == "all" || row[0] == compiler.name())
         {
             let asked = Asked::read(&row[1], engine.identity().dialects[0]);
-            let mut session = engine.session().unwrap();
-            let outcome = match asked.verb.as_str() {
-                "check" => session.check(asked.dialect, source),
-                "render" => session.render(asked.dialect, source),
-                _ => session.run(&asked.of(source)),
-            };
+            let outcome = asked.ask(engine.session().unwrap().as_mut(), source);
             if !fits(&row[2], &shown(&outcome)) {
                 failures.push(format!(
                     "{}\n  {}\n  gives {}",

@@ -8,7 +8,9 @@
 //! `in matiec` names another dialect than the first of the engine. Rows that begin with `packed` instead of `run` are run together.
 
 use std::fmt::Write;
-use stickler_engines::{ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting};
+use stickler_engines::{
+    ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Session, Setting,
+};
 use stickler_types::{DialectName, Value};
 
 /// A block of code, with the words behind its fence.
@@ -135,6 +137,16 @@ impl Asked {
             }
         }
         asked
+    }
+
+    /// Asks a session about a program.
+    pub fn ask(&self, session: &mut dyn Session, source: &str) -> Outcome {
+        match self.verb.as_str() {
+            "run" => session.run(&self.of(source)),
+            "check" => session.check(self.dialect, source),
+            "render" => session.render(self.dialect, source),
+            other => panic!("there is no request `{other}`"),
+        }
     }
 
     /// Returns the request for a program.

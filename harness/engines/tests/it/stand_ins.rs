@@ -141,14 +141,11 @@ fn failures(engine: &dyn Engine, test: &Test) -> Vec<String> {
                 );
                 continue;
             }
-            "run" => session.run(&asked.of(source)),
-            "check" => session.check(asked.dialect, source),
-            "render" => session.render(asked.dialect, source),
             "packed" => match packed.next() {
                 Some(Packed::Answered(outcome)) => outcome,
                 other => panic!("{}: {other:?}", test.name),
             },
-            other => panic!("{}: there is no request `{other}`", test.name),
+            _ => asked.ask(session.as_mut(), source),
         };
         check(row, &shown(&outcome));
     }
