@@ -10,19 +10,19 @@ const METHOD: ReductionMethod<'_, Vec<u8>> = ReductionMethod {
     passes: &[
         Pass {
             name: "drop bytes",
-            edit: drop_bytes,
+            edit: |bytes, sites| bytes.retain(|_| !sites.here()),
         },
         Pass {
             name: "zero bytes",
-            edit: zero,
+            edit: |bytes, sites| change(bytes, sites, 1, |_| 0),
         },
         Pass {
             name: "halve bytes",
-            edit: halve,
+            edit: |bytes, sites| change(bytes, sites, 2, |byte| byte / 2),
         },
         Pass {
             name: "make bytes one less",
-            edit: decrease,
+            edit: |bytes, sites| change(bytes, sites, 1, |byte| byte - 1),
         },
     ],
     weight: |bytes| {
@@ -50,25 +50,6 @@ pub(crate) fn bytes(
         &mut |bytes| Interestingness::from(interesting(bytes)),
         budget,
     )
-}
-
-fn drop_bytes(bytes: &mut Vec<u8>, sites: &mut Sites) {
-    bytes.retain(|_| !sites.here());
-}
-
-#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
-fn zero(bytes: &mut Vec<u8>, sites: &mut Sites) {
-    change(bytes, sites, 1, |_| 0);
-}
-
-#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
-fn halve(bytes: &mut Vec<u8>, sites: &mut Sites) {
-    change(bytes, sites, 2, |byte| byte / 2);
-}
-
-#[expect(clippy::ptr_arg, reason = "a pass is given the whole thing, which is a Vec")]
-fn decrease(bytes: &mut Vec<u8>, sites: &mut Sites) {
-    change(bytes, sites, 1, |byte| byte - 1);
 }
 
 /// Changes bytes that are at least so large.

@@ -18,7 +18,6 @@
 //! Architecture Invariant: this crate knows neither libFuzzer nor files nor threads. All randomness comes from bytes.
 #![forbid(unsafe_code)]
 
-mod dialect;
 pub mod evaluate;
 pub mod features;
 pub mod generator;

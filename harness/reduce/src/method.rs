@@ -1,7 +1,8 @@
 //! The order of the passes over a text, and the functions that run them.
 
 use crate::draft::{self, TextDraft};
-use crate::passes::{arrays, chunks, declarations, expressions, literals, statements, values};
+use crate::passes::literals::{LiteralStep, lessen};
+use crate::passes::{arrays, chunks, declarations, expressions, statements, values};
 use crate::rules::ReferenceRules;
 use crate::{
     Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise, text_pass,
@@ -31,24 +32,23 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     ),
     text_pass!("replace conditions by TRUE", expressions::to_true),
     text_pass!("replace expressions by literals", expressions::to_literal),
-    text_pass!("replace variables by their last values", values::to_final_value),
+    text_pass!("replace variables by their last values", |view| values::to_value(
+        view, 1
+    )),
     text_pass!(
         "replace variables by their first values",
-        values::to_initial_value
+        |view| values::to_value(view, 0)
     ),
     text_pass!("drop what is not used any more", declarations::drop_unused),
-    text_pass!(
-        "replace expressions by their first operands",
-        expressions::to_first_operand
-    ),
-    text_pass!(
-        "replace expressions by their second operands",
-        expressions::to_second_operand
-    ),
-    text_pass!(
-        "replace expressions by their third operands",
-        expressions::to_third_operand
-    ),
+    text_pass!("replace expressions by their first operands", |view| {
+        expressions::to_operand(view, 0)
+    }),
+    text_pass!("replace expressions by their second operands", |view| {
+        expressions::to_operand(view, 1)
+    }),
+    text_pass!("replace expressions by their third operands", |view| {
+        expressions::to_operand(view, 2)
+    }),
     text_pass!("drop arguments", expressions::drop_arguments),
     text_pass!("drop initial values", declarations::drop_initials),
     text_pass!("resolve types", declarations::resolve_types),
@@ -57,11 +57,14 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("drop lines", chunks::drop_lines),
     text_pass!("drop tokens", chunks::drop_tokens),
     text_pass!("drop characters", chunks::drop_characters),
-    text_pass!("write numbers in decimal", literals::literals_to_decimal),
-    text_pass!("make literals zero", literals::literals_to_zero),
-    text_pass!("make literals one", literals::literals_to_one),
-    text_pass!("halve literals", literals::halve_literals),
-    text_pass!("lessen literals", literals::lessen_literals),
+    text_pass!("write numbers in decimal", |view| lessen(
+        view,
+        LiteralStep::Decimal
+    )),
+    text_pass!("make literals zero", |view| lessen(view, LiteralStep::Zero)),
+    text_pass!("make literals one", |view| lessen(view, LiteralStep::One)),
+    text_pass!("halve literals", |view| lessen(view, LiteralStep::Half)),
+    text_pass!("lessen literals", |view| lessen(view, LiteralStep::Less)),
 ];
 
 /// The passes for texts, with the weight by which a text is smaller than another.

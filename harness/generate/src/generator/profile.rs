@@ -3,7 +3,6 @@
 
 use super::literals;
 use super::type_context::TypeContext;
-use crate::dialect::{has_bits, has_type};
 use std::collections::HashMap;
 use std::sync::{LazyLock, PoisonError, RwLock};
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
@@ -89,7 +88,7 @@ impl DialectProfile {
 
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
     pub fn has_bits(&self, open: bool) -> bool {
-        has_bits(self.dialect) || open && Dialect::of(self.dialect).bit_access
+        self.dialect.rules().documents.bits || open && Dialect::of(self.dialect).bit_access
     }
 
     /// Returns whether a call of a function may omit inputs, which then have their initial values.
@@ -170,10 +169,11 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 
 /// Returns the elementary types of a dialect that its documents or its compiler name.
 ///
-/// Basis: see [`has_type`]; that matiec has twenty types and no WSTRING is measured.
+/// Basis: that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
     let has = |ty: &ElementaryType| {
-        has_type(dialect, *ty) && (*ty != ElementaryType::Wstring || dialect.rules().documents.wide_strings)
+        Dialect::of(dialect).has(*ty)
+            && (*ty != ElementaryType::Wstring || dialect.rules().documents.wide_strings)
     };
     ElementaryType::ALL.into_iter().filter(has).collect()
 }

@@ -1,12 +1,11 @@
 //! The scope of a program organization unit: its readable and writable places, and the types of expressions as written.
 
-use crate::dialect::has_type;
 use crate::model::visit::bodies;
 use crate::model::{
     ArrayType, BinaryOperator, Expression, ExpressionKind, LiteralForm, Place, PlaceSelector, Program,
     StandardFunction, Statement, Type, Unit, VariableId, VariableSection,
 };
-use stickler_types::{DialectName, ElementaryType, Value};
+use stickler_types::{Dialect, DialectName, ElementaryType, Value};
 
 /// Returns the elementary type that a type is or stands for.
 pub(super) fn elementary(program: &Program, ty: &Type) -> Option<ElementaryType> {
@@ -93,7 +92,7 @@ pub(super) const fn compares(operator: BinaryOperator) -> bool {
 pub(super) fn types(dialect: DialectName) -> impl Iterator<Item = ElementaryType> {
     ElementaryType::ALL
         .into_iter()
-        .filter(move |&ty| has_type(dialect, ty))
+        .filter(move |&ty| Dialect::of(dialect).has(ty))
 }
 
 /// A part of a variable that a unit can name.

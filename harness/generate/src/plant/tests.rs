@@ -1,7 +1,6 @@
 //! Tests that every kind of error is planted, and planted in one place.
 
 use super::*;
-use crate::dialect::has_bits;
 use crate::generator::DIALECTS;
 use crate::model::{Type, Variable, VariableSection};
 use crate::oracles::judge_planted;
@@ -125,7 +124,11 @@ fn fields_elements_and_bits_of_constants_are_assigned() {
             assert!(assigned(part), "{part} in {dialect}: {lines:#?}");
         }
         for bit in ["planted.0 := ", "planted.x.15 := ", "planted[1].0 := "] {
-            assert_eq!(assigned(bit), has_bits(dialect), "{bit} in {dialect}: {lines:#?}");
+            assert_eq!(
+                assigned(bit),
+                dialect.rules().documents.bits,
+                "{bit} in {dialect}: {lines:#?}"
+            );
         }
     }
 }

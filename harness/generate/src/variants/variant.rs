@@ -1,7 +1,6 @@
 //! The variants by name.
 
 use super::{branches, capitals, dead_code, literals, loops, operands};
-use crate::dialect::has_partial_access;
 use crate::model::Program;
 use crate::random::Random;
 use crate::writer::{ArgumentForm, Bits, Keywords, LineEnds, Notation, Style, WideningForm, write};
@@ -70,7 +69,7 @@ impl Variant {
                 style.notation = Notation::Varied;
                 style.seed = random.bits();
             }
-            Variant::Bits if has_partial_access(program.dialect) => style.bits = Bits::Percent,
+            Variant::Bits if program.dialect.rules().documents.partial_access => style.bits = Bits::Percent,
             Variant::Bits => return None,
             Variant::ExplicitConversions => style.widening = WideningForm::Explicit,
             Variant::NamedArguments => style.arguments = ArgumentForm::Named,

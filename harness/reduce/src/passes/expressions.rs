@@ -67,22 +67,8 @@ fn replaceable<'t>(view: &TextView<'t>) -> impl Iterator<Item = &'t Expression<'
         .map(|(_, expression)| expression)
 }
 
-/// Replaces expressions by their first operand or argument.
-pub(crate) fn to_first_operand(view: &TextView<'_>) -> Vec<Edits> {
-    to_operand(view, 0)
-}
-
-/// Replaces expressions by their second operand or argument.
-pub(crate) fn to_second_operand(view: &TextView<'_>) -> Vec<Edits> {
-    to_operand(view, 1)
-}
-
-/// Replaces expressions by their third operand or argument.
-pub(crate) fn to_third_operand(view: &TextView<'_>) -> Vec<Edits> {
-    to_operand(view, 2)
-}
-
-fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
+/// Replaces expressions by one of their operands or arguments.
+pub(crate) fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
     let mut changes = Vec::new();
     for (_, whole) in view.expressions() {
         let mut operands = operands(whole)

@@ -4,41 +4,23 @@ use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{ExpressionKind, LiteralKind};
 
-/// Writes numbers with a base in decimal, so that a base stays only where it matters.
-pub(crate) fn literals_to_decimal(view: &TextView<'_>) -> Vec<Edits> {
-    literals(view, LiteralStep::Decimal)
-}
-
-/// Makes numbers 0, and empties texts.
-pub(crate) fn literals_to_zero(view: &TextView<'_>) -> Vec<Edits> {
-    literals(view, LiteralStep::Zero)
-}
-
-/// Makes numbers 1.
-pub(crate) fn literals_to_one(view: &TextView<'_>) -> Vec<Edits> {
-    literals(view, LiteralStep::One)
-}
-
-/// Halves numbers and texts.
-pub(crate) fn halve_literals(view: &TextView<'_>) -> Vec<Edits> {
-    literals(view, LiteralStep::Half)
-}
-
-/// Makes numbers one less, and texts one character shorter.
-pub(crate) fn lessen_literals(view: &TextView<'_>) -> Vec<Edits> {
-    literals(view, LiteralStep::Less)
-}
-
+/// A way to make literals smaller.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum LiteralStep {
+pub(crate) enum LiteralStep {
+    /// Writes numbers with a base in decimal, so that a base stays only where it matters.
     Decimal,
+    /// Makes numbers 0, and empties texts.
     Zero,
+    /// Makes numbers 1.
     One,
+    /// Halves numbers and texts.
     Half,
+    /// Makes numbers one less, and texts one character shorter.
     Less,
 }
 
-fn literals(view: &TextView<'_>, step: LiteralStep) -> Vec<Edits> {
+/// Makes literals smaller.
+pub(crate) fn lessen(view: &TextView<'_>, step: LiteralStep) -> Vec<Edits> {
     let mut changes = Vec::new();
     for (_, expression) in view.expressions() {
         let ExpressionKind::Literal(literal) = &expression.kind else {

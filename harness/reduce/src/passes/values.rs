@@ -7,17 +7,8 @@ use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::ExpressionKind;
 
-/// Replaces variables by their values at the end.
-pub(crate) fn to_final_value(view: &TextView<'_>) -> Vec<Edits> {
-    to_value(view, 1)
-}
-
-/// Replaces variables by their initial values.
-pub(crate) fn to_initial_value(view: &TextView<'_>) -> Vec<Edits> {
-    to_value(view, 0)
-}
-
-fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
+/// Replaces variables by their values after some scans; after none, these are the initial ones.
+pub(crate) fn to_value(view: &TextView<'_>, scans: u32) -> Vec<Edits> {
     let values = view
         .draft
         .rules()

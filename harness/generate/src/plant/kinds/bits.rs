@@ -6,7 +6,6 @@
 use super::super::fault_site::{FaultSite, literal};
 use super::super::scope::elementary;
 use super::operands::stands_for_any_value;
-use crate::dialect::has_bits;
 use crate::model::{AssignmentTarget, Expression, ExpressionKind, Place, Program, Statement, Type};
 use stickler_types::ElementaryType;
 
@@ -52,7 +51,7 @@ fn read(
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
     let original = fault.original;
-    if !has_bits(original.dialect) {
+    if !original.dialect.rules().documents.bits {
         return None;
     }
     let (number, site, _) = fault.pick_expression(|site, expression| {
@@ -87,7 +86,7 @@ fn written(
     numbers: impl Fn(u32) -> Vec<u32>,
 ) -> Option<()> {
     let original = fault.original;
-    if !has_bits(original.dialect) {
+    if !original.dialect.rules().documents.bits {
         return None;
     }
     fault.insert(

@@ -3,7 +3,6 @@
 use super::super::fault_site::{FaultSite, PLANTED, literal, literal_text};
 use super::super::scope::{elementary, places, types};
 use super::bits::bits;
-use crate::dialect::has_bits;
 use crate::model::{
     ArrayType, AssignmentTarget, DeclaredKind, InitialValue, Place, PlaceSelector, Program, Statement, Type,
     Unit, Variable, VariableId, VariableSection,
@@ -94,7 +93,7 @@ fn arrays(program: &Program) -> Vec<(Type, InitialValue)> {
 
 /// Returns constants that have bits, where the dialect has access to them.
 fn with_bits(program: &Program) -> Vec<(Type, InitialValue)> {
-    let has_bits = has_bits(program.dialect);
+    let has_bits = program.dialect.rules().documents.bits;
     let constants = types(program.dialect)
         .map(|ty| (Type::Elementary(ty), InitialValue::Expression(literal(ty))))
         .filter(|(ty, _)| has_bits && bits(program, ty).is_some());
@@ -111,7 +110,7 @@ fn targets(program: &Program, place: &Place) -> Vec<(AssignmentTarget, Elementar
         found.push((AssignmentTarget::Place(place.clone()), ty));
     }
     if let Some(width) = bits(program, &place.ty)
-        && has_bits(program.dialect)
+        && program.dialect.rules().documents.bits
     {
         let bit = |number| (AssignmentTarget::Bit(place.clone(), number), ElementaryType::Bool);
         found.extend([0, width - 1].map(bit));

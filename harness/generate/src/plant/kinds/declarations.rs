@@ -2,9 +2,8 @@
 
 use super::super::fault_site::{FaultSite, PLANTED};
 use super::edit::declaration;
-use crate::dialect::has_type;
 use crate::model::{Unit, VariableSection};
-use stickler_types::ElementaryType;
+use stickler_types::{Dialect, ElementaryType};
 
 /// Plants a type of the third edition, where the dialect does not have it.
 ///
@@ -13,7 +12,7 @@ pub(super) fn third_edition(fault: &mut FaultSite<'_, '_>) -> Option<()> {
     let dialect = fault.original.dialect;
     let absent: Vec<_> = ElementaryType::ALL
         .into_iter()
-        .filter(|&ty| !has_type(dialect, ty))
+        .filter(|&ty| !Dialect::of(dialect).has(ty))
         .collect();
     let texts: Vec<String> = absent
         .iter()

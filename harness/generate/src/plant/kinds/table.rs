@@ -6,7 +6,6 @@ use super::{
     bits, blocks, calls, constants, declarations, literals, misfits, names, omitted_conversions, operands,
     statements,
 };
-use crate::dialect::has_partial_access;
 use serde::de::{Deserialize, Deserializer, Error};
 use std::sync::LazyLock;
 use stickler_types::dialect::PartialAccess;
@@ -42,7 +41,7 @@ impl Dialects {
             Dialects::NoBits => !dialect.bit_access,
             Dialects::NoLineComments => !dialect.line_comments,
             Dialects::NoPartialAccess => dialect.partial_access == PartialAccess::Disabled,
-            Dialects::PartialAccess => has_partial_access(name),
+            Dialects::PartialAccess => name.rules().documents.partial_access,
         }
     }
 }
