@@ -36,7 +36,7 @@ pub(crate) type ReportedOutcomes = BTreeMap<String, (ReportedOutcome, String)>;
 /// Reads the answers of a folder for cases of a dialect; none where there is no file of answers.
 ///
 /// # Errors
-/// [`ExportError::Read`]; [`ExportError::ReportedOutcome`] with the line of a malformed answer, or of one that contradicts another.
+/// [`ExportError::Read`]; [`ExportError::Answer`] with the line of a malformed answer, or of one that contradicts another.
 pub(crate) fn read(folder: &Path, dialect: DialectName) -> Result<ReportedOutcomes, ExportError> {
     let path = folder.join(ANSWERS);
     match fs::read(&path) {

@@ -245,112 +245,50 @@ fn nanoseconds(shown: &str) -> Option<i128> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use stickler_types::DialectName;
 
-    #[test]
-    fn values_are_read_as_they_are_printed() {
-        let color = ObservedKind::Enumerated("COLOR", vec!["RED".to_owned(), "GREEN".to_owned()]);
-        let read = |type_name: &str, shown: &str| {
-            let ty = ElementaryType::from_name(type_name);
-            let kind = ty.map_or_else(|| color.clone(), ObservedKind::Elementary);
-            value(&kind, shown).map(|value| value.to_string())
-        };
-        for (type_name, shown, literal) in [
-            ("INT", "-1", "INT#-1"),
-            ("ULINT", "18446744073709551615", "ULINT#18446744073709551615"),
-            ("LWORD", "16#FFFFFFFFFFFFFFFF", "LWORD#16#FFFFFFFFFFFFFFFF"),
-            ("BOOL", "2", "BOOL#TRUE"),
-            ("BOOL", "0", "BOOL#FALSE"),
-            ("CHAR", "16#61", "CHAR#'a'"),
-            ("REAL", "0.100000001", "REAL#0.1"),
-            ("LREAL", "1.5", "LREAL#1.5"),
-            ("LREAL", "-inf", "LREAL#-Infinity"),
-            ("REAL", "-nan", "REAL#NaN"),
-            ("TIME", "1 s + 500000000 ns", "TIME#1500ms"),
-            ("TIME", "1500000000 ns", "TIME#1500ms"),
-            ("TIME", "9223372036854 s + 0 ns", "TIME#9223372036854000000000ns"),
-            ("TIME", "9223372036854 s + 1 ns", "TIME#9223372036854000000001ns"),
-            ("DATE", "2024-02-29 (1709164800 s + 0 ns)", "DATE#2024-02-29"),
-            ("TOD", "no date (45296 s + 789000000 ns)", "TOD#12:34:56.789"),
-            ("STRING", "'a''$24$00'", "STRING#'a$'$'$$$00'"),
-            ("WSTRING", "'$00E4$12345'", "WSTRING#\"$00E4$12345\""),
-            ("COLOR", "1 (of 0 RED, 1 GREEN)", "COLOR#GREEN"),
-        ] {
-            assert_eq!(read(type_name, shown).as_deref(), Some(literal), "{shown}");
-        }
-        for (type_name, shown) in [
-            ("INT", "x"),
-            ("INT", ""),
-            ("WORD", "16#G"),
-            ("STRING", "'a"),
-            ("STRING", "'$2'"),
-            ("TIME", "5"),
-            ("COLOR", "2 (of 0 RED, 1 GREEN)"),
-            ("COLOR", "1"),
-        ] {
-            assert_eq!(read(type_name, shown), None, "{shown}");
+    const SOURCE: &str = "TYPE COLOR : (RED, GREEN); END_TYPE";
+
+    /// Calls `check` with each row of a table, and the kind of a value of its type.
+    fn each_row(table: &str, check: impl Fn(&Observation, &ObservedKind<'_>, &str, &str)) {
+        for row in table.lines().skip(1) {
+            let [type_name, one, other] = &row.split(" | ").collect::<Vec<_>>()[..] else {
+                panic!("{row}")
+            };
+            let observe = [Observation::last("x", type_name)];
+            let request = RunRequest::once(DialectName::RUSTY, SOURCE, &observe);
+            let kinds = kinds(&request, |_| true).unwrap();
+            check(&observe[0], &kinds[0], one, other);
         }
     }
 
     #[test]
+    fn values_are_read_as_they_are_printed() {
+        each_row(include_str!("values/read.txt"), |_, kind, shown, literal| {
+            let found = value(kind, shown).map_or("-".to_owned(), |value| value.to_string());
+            assert_eq!(found, literal, "{shown}");
+        });
+    }
+
+    #[test]
     fn each_value_is_printed_in_its_form() {
-        use ValueExpression::{Days, Nanoseconds, Number, Text, Timespec};
-        let v = || "v".to_owned();
-        let text = || Text {
-            condition: "at < v.len".to_owned(),
-            unit: "v.body[at]".to_owned(),
-        };
-        for (type_name, value, statement) in [
-            ("INT", Number(v()), r#"printf("x = %d\n", (int)v);"#),
-            ("UDINT", Number(v()), r#"printf("x = %u\n", (unsigned)v);"#),
-            ("WORD", Number(v()), r#"printf("x = 16#%04X\n", (unsigned)v);"#),
-            ("LREAL", Number(v()), r#"printf("x = %.17g\n", (double)v);"#),
-            (
-                "COLOR",
-                Number(v()),
-                r#"printf("x = %d (of 0 RED, 1 GREEN)\n", (int)v);"#,
-            ),
-            (
-                "TIME",
-                Nanoseconds(v()),
-                r#"printf("x = %lld ns\n", (long long)v);"#,
-            ),
-            (
-                "TIME",
-                Timespec(v()),
-                r#"printf("x = %lld s + %lld ns\n", (long long)v.tv_sec, (long long)v.tv_nsec);"#,
-            ),
-            (
-                "DT",
-                Timespec(v()),
-                r#"print_date("x", "%Y-%m-%d %H:%M:%S", v.tv_sec, v.tv_nsec);"#,
-            ),
-            (
-                "DATE",
-                Days(v()),
-                r#"print_date("x", "%Y-%m-%d", v * 86400LL, 0);"#,
-            ),
-            (
-                "TOD",
-                Nanoseconds(v()),
-                r#"print_date("x", "%H:%M:%S", v / 1000000000, v % 1000000000);"#,
-            ),
-            (
-                "STRING",
-                text(),
-                r#"printf("x = '"); for (int at = 0; at < v.len; at++) print_character(v.body[at]); printf("'\n");"#,
-            ),
-            (
-                "WSTRING",
-                text(),
-                r#"printf("x = '"); for (int at = 0; at < v.len; at++) print_wide_character(v.body[at]); printf("'\n");"#,
-            ),
-        ] {
-            let observe = [Observation::last("x", type_name)];
-            let source = "TYPE COLOR : (RED, GREEN); END_TYPE";
-            let request = RunRequest::once(stickler_types::DialectName::RUSTY, source, &observe);
-            let kinds = kinds(&request, |_| true).unwrap();
-            assert_eq!(super::statement(&observe[0], &kinds[0], &value), statement);
-        }
+        each_row(
+            include_str!("values/statements.txt"),
+            |asked, kind, form, printed| {
+                let v = "v".to_owned();
+                let value = match form {
+                    "number" => ValueExpression::Number(v),
+                    "timespec" => ValueExpression::Timespec(v),
+                    "nanoseconds" => ValueExpression::Nanoseconds(v),
+                    "days" => ValueExpression::Days(v),
+                    _ => ValueExpression::Text {
+                        condition: "at < v.len".to_owned(),
+                        unit: "v.body[at]".to_owned(),
+                    },
+                };
+                assert_eq!(statement(asked, kind, &value), printed);
+            },
+        );
         assert!(functions("print_date(1)").contains("gmtime"));
         assert_eq!(functions("printf(1)"), "");
     }
@@ -359,7 +297,7 @@ mod tests {
     fn what_cannot_be_printed_and_what_is_not_printed_is_told() {
         let observe = ["LTIME", "", "SHAPE", "INT"].map(|type_name| Observation::last("x", type_name));
         let of = |at: usize| {
-            let request = RunRequest::once(stickler_types::DialectName::MATIEC, "", &observe[at..=at]);
+            let request = RunRequest::once(DialectName::MATIEC, "", &observe[at..=at]);
             kinds(&request, |ty| ty != ElementaryType::Ltime).map(|kinds| (request, kinds))
         };
         let reasons = [0, 1, 2].map(|at| of(at).unwrap_err());

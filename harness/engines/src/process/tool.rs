@@ -6,7 +6,7 @@ use super::child::last_lines;
 use super::group::ProcessGroup;
 use super::usage::Watch;
 use crate::Outcome;
-use output::{Output, Waited};
+use output::{Streams, Waited};
 use std::ffi::OsStr;
 use std::path::Path;
 use std::process::{Command, ExitStatus, Stdio};
@@ -133,7 +133,7 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     .map_err(|reason| Outcome::Error {
         message: format!("`{}` could not be started: {reason}", program.display()),
     })?;
-    let mut output = Output::of(pipes, limits.output);
+    let mut output = Streams::of(pipes, limits.output);
     let mut usage = Watch::new();
     let status = watch(&mut group, &mut output, &mut usage, deadline, limits)
         .and_then(|()| end(&mut group, &mut usage, deadline, limits))
@@ -149,13 +149,13 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
 /// Waits for the end of both streams, and checks the limits of the process meanwhile.
 fn watch(
     group: &mut ProcessGroup,
-    output: &mut Output,
+    output: &mut Streams,
     usage: &mut Watch,
     deadline: Instant,
     limits: &ToolLimits,
 ) -> Result<(), Outcome> {
     let mut orphaned = None;
-    while output.is_open() {
+    while output.are_open() {
         let left = deadline.saturating_duration_since(Instant::now());
         match output.wait(left.min(POLL_INTERVAL)) {
             Waited::Ended => {}
@@ -178,7 +178,7 @@ fn watch(
 }
 
 /// Adds the last lines that the process wrote to a crash.
-fn with_last_words(outcome: Outcome, output: &Output) -> Outcome {
+fn with_last_words(outcome: Outcome, output: &Streams) -> Outcome {
     match (outcome, output.last_words()) {
         (Outcome::Crashed { reason }, words) if !words.is_empty() => Outcome::Crashed {
             reason: format!("{reason}; its last words: {words}"),

@@ -6,12 +6,10 @@ mod polled;
 mod threaded;
 
 use super::super::child::last_lines;
-use super::super::group::Pipes;
 #[cfg(unix)]
-use polled::Streams;
-use std::time::Duration;
+pub(super) use polled::Streams;
 #[cfg(not(unix))]
-use threaded::Streams;
+pub(super) use threaded::Streams;
 
 /// The result of waiting for the end of a stream.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -25,31 +23,10 @@ pub(super) enum Waited {
 }
 
 /// Both output streams of a program. A process that left its group may keep one open, which costs nothing else.
-pub(super) struct Output {
-    streams: Streams,
-}
-
-impl Output {
-    /// Starts to read the streams, of each no more than `most` bytes.
-    pub(super) fn of(pipes: Pipes, most: u64) -> Output {
-        Output {
-            streams: Streams::of(pipes, most),
-        }
-    }
-
-    /// Tells whether a stream has not ended.
-    pub(super) fn is_open(&self) -> bool {
-        self.streams.are_open()
-    }
-
-    /// Waits for the end of a stream, for no longer than `limit`.
-    pub(super) fn wait(&mut self, limit: Duration) -> Waited {
-        self.streams.wait(limit)
-    }
-
+impl Streams {
     /// Returns what came from stdout and from stderr so far, with invalid UTF-8 replaced.
     pub(super) fn texts(&self) -> (String, String) {
-        let [stdout, stderr] = self.streams.bytes().map(text);
+        let [stdout, stderr] = self.bytes().map(text);
         (stdout, stderr)
     }
 

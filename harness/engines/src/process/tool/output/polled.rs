@@ -24,7 +24,7 @@ const START_GATHER_TIMEOUT: Duration = Duration::from_millis(16);
 const GATHER_TIMEOUT: Duration = Duration::from_millis(4);
 
 /// Both streams, and the bytes that came from them so far.
-pub(super) struct Streams {
+pub(in crate::process::tool) struct Streams {
     streams: [Stream; 2],
     most: u64,
     /// The time before something is read again; `None` where it is read as soon as it comes.
@@ -39,7 +39,7 @@ struct Stream {
 
 impl Streams {
     /// Returns streams of which no more than `most` bytes each are read.
-    pub(super) fn of(pipes: Pipes, most: u64) -> Streams {
+    pub(in crate::process::tool) fn of(pipes: Pipes, most: u64) -> Streams {
         let stdout = pipes.stdout.map(OwnedFd::from);
         let stderr = pipes.stderr.map(OwnedFd::from);
         let streams = [stdout, stderr].map(|pipe| Stream {
@@ -54,12 +54,12 @@ impl Streams {
     }
 
     /// Tells whether a stream has not ended.
-    pub(super) fn are_open(&self) -> bool {
+    pub(in crate::process::tool) fn are_open(&self) -> bool {
         self.streams.iter().any(|stream| stream.pipe.is_some())
     }
 
     /// Reads until a stream ends, for no longer than `limit`.
-    pub(super) fn wait(&mut self, limit: Duration) -> Waited {
+    pub(in crate::process::tool) fn wait(&mut self, limit: Duration) -> Waited {
         let deadline = Instant::now() + limit;
         loop {
             let left = deadline.saturating_duration_since(Instant::now());
@@ -86,7 +86,7 @@ impl Streams {
     }
 
     /// Returns the bytes that came so far from stdout and from stderr.
-    pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
+    pub(in crate::process::tool) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.streams;
         [stdout.kept.clone(), stderr.kept.clone()]
     }

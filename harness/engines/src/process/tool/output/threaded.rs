@@ -12,7 +12,7 @@ use std::time::Duration;
 type SharedBytes = Arc<Mutex<Vec<u8>>>;
 
 /// Both streams, and the bytes that came from them so far. A thread ends with its stream.
-pub(super) struct Streams {
+pub(in crate::process::tool) struct Streams {
     kept: [SharedBytes; 2],
     /// The receiver of one message for each stream that ends: whether it kept to its limit.
     ends: Receiver<bool>,
@@ -21,7 +21,7 @@ pub(super) struct Streams {
 
 impl Streams {
     /// Returns streams of which no more than `most` bytes each are read.
-    pub(super) fn of(pipes: Pipes, most: u64) -> Streams {
+    pub(in crate::process::tool) fn of(pipes: Pipes, most: u64) -> Streams {
         let (sender, ends) = mpsc::channel();
         Streams {
             kept: [
@@ -34,12 +34,12 @@ impl Streams {
     }
 
     /// Tells whether a stream has not ended.
-    pub(super) fn are_open(&self) -> bool {
+    pub(in crate::process::tool) fn are_open(&self) -> bool {
         self.open > 0
     }
 
     /// Waits for the end of a stream, for no longer than `limit`.
-    pub(super) fn wait(&mut self, limit: Duration) -> Waited {
+    pub(in crate::process::tool) fn wait(&mut self, limit: Duration) -> Waited {
         match self.ends.recv_timeout(limit) {
             Ok(within) => {
                 self.open -= 1;
@@ -55,7 +55,7 @@ impl Streams {
     }
 
     /// Returns the bytes that came so far from stdout and from stderr.
-    pub(super) fn bytes(&self) -> [Vec<u8>; 2] {
+    pub(in crate::process::tool) fn bytes(&self) -> [Vec<u8>; 2] {
         let [stdout, stderr] = &self.kept;
         [lock(stdout).clone(), lock(stderr).clone()]
     }
