@@ -158,7 +158,13 @@ fn needs(
             let (features, converts) = marked.of_value(is_initial);
             // Whatever is computed beside it, a conversion by name is wrong by itself.
             let is_by_name = features.iter().any(|feature| feature.contains("_TO_"));
-            (sign.symptom.word(), features, !converts || is_by_name)
+            // A condition may stand around anything.
+            let names_construct = features.iter().any(|feature| feature != "condition");
+            (
+                sign.symptom.word(),
+                features,
+                (!converts || is_by_name) && names_construct,
+            )
         }
         Symptom::Fault(_) if marked.mixes_kinds() => (Symptom::Value.word(), marked.of_value(false).0, false),
         Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {

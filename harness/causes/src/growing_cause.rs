@@ -58,6 +58,10 @@ impl GrowingCause {
             false => is_derived || !keeps_claim(&group.shown, smallest),
         };
         if is_derived {
+            // Where no claim speaks of the program, its plainest form says most.
+            if shown.deviation.sign.symptom == Symptom::Value {
+                shown = normal.as_smallest(smallest);
+            }
             shown.deviation.forget_promise();
         }
         // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
