@@ -21,19 +21,22 @@ pub struct Program {
     pub text: String,
     /// The line of the block on which it stands alone, from 1.
     row: Option<usize>,
+    /// Whether its marks hold for the line of the program on which they stand.
+    has_lines: bool,
 }
 
 impl Program {
-    /// Reads the marks of the program. A program on a line of its own may be wrong on any line of its frame.
+    /// Reads the marks of the program. A program on a line of its own may be wrong on any line of its frame, unless it begins
+    /// lines with pilcrows: then each mark is about the line on which it stands.
     ///
     /// # Errors
     /// What is wrong with a mark.
     pub fn marks(&self) -> Result<Marks, Difference> {
         let marks = Marks::of(&self.text).map_err(|wrong| self.place(Difference::new(1, wrong)))?;
-        Ok(if self.row.is_some() {
-            marks.on_any_line()
-        } else {
+        Ok(if self.has_lines {
             marks
+        } else {
+            marks.on_any_line()
         })
     }
 
@@ -91,18 +94,23 @@ impl Block {
             .map(|(index, line)| (index + 1, line))
     }
 
-    /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name, in which a pilcrow
-    /// begins a new line.
+    /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name. A pilcrow begins a
+    /// new line in both.
     #[must_use]
     pub fn programs(&self) -> Vec<Program> {
         let Some((_, frame)) = self.info.split_once(EACH_LINE) else {
             let text = expanded(&self.text);
-            return vec![Program { text, row: None }];
+            return vec![Program {
+                text,
+                row: None,
+                has_lines: true,
+            }];
         };
         let frame = frame.trim().strip_prefix("in ").unwrap_or("…");
         let framed = |(number, line): (usize, &str)| Program {
-            text: expanded(&frame.replace('¶', "\n").replace('…', line.trim())),
+            text: expanded(&frame.replace('…', line.trim()).replace('¶', "\n")),
             row: Some(number),
+            has_lines: line.contains('¶'),
         };
         self.lines().map(framed).collect()
     }
