@@ -160,3 +160,21 @@ pub fn same<T: PartialEq + Display>(got: T, expected: T) -> Result<(), String> {
         Err(format!("     got {got}\nexpected {expected}"))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Block;
+
+    #[test]
+    fn a_mark_is_about_any_line_unless_the_row_has_lines() {
+        let block = Block {
+            heading: String::new(),
+            info: "st each line in a¶…".to_owned(),
+            text: "x (*! error P1 *)\ny¶z (*! error P1 *)\n".to_owned(),
+            line: 1,
+        };
+        let line = |program: super::Program| program.marks().expect("marks").diagnostics[0].line;
+        let lines: Vec<u32> = block.programs().into_iter().map(line).collect();
+        assert_eq!(lines, [0, 3]);
+    }
+}
