@@ -38,3 +38,21 @@ pub(crate) fn encoded(raw: u64, from: ElementaryType, to: ElementaryType) -> u64
     }
     bits
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::*;
+
+    #[test]
+    fn digits_are_those_that_a_person_writes() {
+        for written in 0..10_000_i128 {
+            let raw = u64::from_str_radix(&written.to_string(), 16).unwrap();
+            assert_eq!(number(raw, Word), written);
+            assert_eq!(encoded(written as u64, Uint, Word), raw);
+            assert!(is_decimal(raw, Word));
+        }
+        assert_eq!(number(0x9999_9999_9999_9999, Lword), greatest(Lword));
+        assert_eq!(encoded(u64::MAX, Ulint, Lword), 0x6744_0737_0955_1615);
+    }
+}

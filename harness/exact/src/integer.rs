@@ -40,3 +40,46 @@ pub(crate) fn saturated(number: i128, to: ElementaryType) -> u64 {
     to.integer_range()
         .map_or(0, |(least, greatest)| raw(number.clamp(least, greatest)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use ElementaryType::*;
+
+    #[test]
+    fn a_number_wraps_as_if_2_to_the_n_were_taken_off_or_added_until_it_fits() {
+        for ty in [Bool, Sint, Usint, Byte, Int, Uint, Word] {
+            let (least, greatest) = ty.integer_range().unwrap();
+            for start in -(3_i128 << ty.bits())..3 << ty.bits() {
+                let mut value = start;
+                while value < least {
+                    value += 1 << ty.bits();
+                }
+                while value > greatest {
+                    value -= 1 << ty.bits();
+                }
+                assert_eq!(number(wrapped(start, ty), ty), value, "{start} as {ty}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_widest_types_wrap_at_64_bits() {
+        assert_eq!(wrapped(1 << 63, Lint), i64::MIN.cast_unsigned());
+        assert_eq!(wrapped(-1, Ulint), u64::MAX);
+        assert_eq!(wrapped((1 << 64) + 5, Lword), 5);
+        assert_eq!(wrapped(-(1 << 63) - 1, Lint), i64::MAX.cast_unsigned());
+    }
+
+    #[test]
+    fn a_number_saturates_at_the_limits_of_its_type() {
+        let signed = |number| saturated(number, Sint).cast_signed();
+        assert_eq!([-129, -128, 127, 128].map(signed), [-128, -128, 127, 127]);
+        assert_eq!(
+            [-1, 0, 65_535, 65_536].map(|n| saturated(n, Word)),
+            [0, 0, 65_535, 65_535]
+        );
+        assert_eq!(saturated(1 << 100, Ulint), u64::MAX);
+        assert!(holds(Ulint, (1 << 64) - 1) && !holds(Ulint, 1 << 64) && !holds(Real, 0));
+    }
+}

@@ -21,19 +21,22 @@ pub struct Program {
     pub text: String,
     /// The line of the block on which it stands alone, from 1.
     row: Option<usize>,
+    /// Whether its marks hold for the line of the program on which they stand.
+    has_lines: bool,
 }
 
 impl Program {
-    /// Reads the marks of the program. A program on a line of its own may be wrong on any line of its frame.
+    /// Reads the marks of the program. A program on a line of its own may be wrong on any line of its frame, unless it begins
+    /// lines with pilcrows: then each mark is about the line on which it stands.
     ///
     /// # Errors
     /// What is wrong with a mark.
     pub fn marks(&self) -> Result<Marks, Difference> {
         let marks = Marks::of(&self.text).map_err(|wrong| self.place(Difference::new(1, wrong)))?;
-        Ok(if self.row.is_some() {
-            marks.on_any_line()
-        } else {
+        Ok(if self.has_lines {
             marks
+        } else {
+            marks.on_any_line()
         })
     }
 
@@ -91,18 +94,23 @@ impl Block {
             .map(|(index, line)| (index + 1, line))
     }
 
-    /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name, in which a pilcrow
-    /// begins a new line.
+    /// Returns the programs of the block, with their repetitions [written out](expanded): its text, or one for each line, in the frame that the fence may name. A pilcrow begins a
+    /// new line in both.
     #[must_use]
     pub fn programs(&self) -> Vec<Program> {
         let Some((_, frame)) = self.info.split_once(EACH_LINE) else {
             let text = expanded(&self.text);
-            return vec![Program { text, row: None }];
+            return vec![Program {
+                text,
+                row: None,
+                has_lines: true,
+            }];
         };
         let frame = frame.trim().strip_prefix("in ").unwrap_or("…");
         let framed = |(number, line): (usize, &str)| Program {
-            text: expanded(&frame.replace('¶', "\n").replace('…', line.trim())),
+            text: expanded(&frame.replace('…', line.trim()).replace('¶', "\n")),
             row: Some(number),
+            has_lines: line.contains('¶'),
         };
         self.lines().map(framed).collect()
     }
@@ -150,5 +158,23 @@ pub fn same<T: PartialEq + Display>(got: T, expected: T) -> Result<(), String> {
         Ok(())
     } else {
         Err(format!("     got {got}\nexpected {expected}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Block;
+
+    #[test]
+    fn a_mark_is_about_any_line_unless_the_row_has_lines() {
+        let block = Block {
+            heading: String::new(),
+            info: "st each line in a¶…".to_owned(),
+            text: "x (*! error P1 *)\ny¶z (*! error P1 *)\n".to_owned(),
+            line: 1,
+        };
+        let line = |program: super::Program| program.marks().expect("marks").diagnostics[0].line;
+        let lines: Vec<u32> = block.programs().into_iter().map(line).collect();
+        assert_eq!(lines, [0, 3]);
     }
 }

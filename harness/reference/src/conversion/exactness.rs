@@ -192,6 +192,15 @@ fn is_nearest(nanoseconds: i128, ty: ElementaryType, raw: u64) -> bool {
 }
 
 #[test]
+fn what_is_no_number_becomes_zero() {
+    for value in [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        for to in integers().chain([Time, Tod, Dt]) {
+            assert_eq!(convert(Real, to, value.to_bits().into()), 0, "{value} to {to}");
+        }
+    }
+}
+
+#[test]
 fn durations_become_reals_with_one_rounding() {
     for bits in SplitMix64::new(3)
         .numbers()

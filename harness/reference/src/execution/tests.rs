@@ -13,7 +13,7 @@ use Instruction::{
     LoopStep, LoopTest, Negate, Not, Offset, Push, PushText, Replicate, Return, Standard, Store,
     StoreIndirect, StorePart, StoreText, Subscript, Swap,
 };
-use StandardFunction::{Concat, Len, Mux, Ror, Sel};
+use StandardFunction::{Concat, Len, Min, Mux, Ror, Sel};
 use stickler_types::ElementaryType::{self, Bool, Byte, Dint, Int, Sint, String, Uint, Ulint, Wstring};
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::{BitStringText, MomentText, RealText, SplitMix64};
@@ -126,6 +126,7 @@ fn instruction(text: &str) -> Instruction {
         "loop-step" => LoopStep(loop_types()),
         "concat" => standard(Concat),
         "len" => standard(Len),
+        "min" => standard(Min),
         "sel" => standard(Sel),
         "jump" => Jump(small(1)),
         "jump-if-false" => JumpIfFalse(small(1)),

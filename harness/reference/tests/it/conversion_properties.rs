@@ -4,6 +4,7 @@
 //! Each property is tested on the conversions that [`stickler_reference::conversion`] finds by their names, in every
 //! dialect that has them.
 
+mod choices;
 mod draw;
 mod texts;
 mod values;

@@ -9,6 +9,7 @@ use stickler_suite::{Acceptance, Case, ExpectedDiagnostic};
 pub fn listing(cases: &[Case], is_whole: bool) -> String {
     let mut groups: Vec<(&Case, String, String)> = Vec::new();
     for case in cases {
+        assert_eq!(case.key(), format!("{}@{}", case.id, case.dialect));
         let text = description(case, is_whole);
         match groups.last_mut() {
             Some((first, dialects, known)) if first.id == case.id && *known == text => {

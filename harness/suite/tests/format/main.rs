@@ -10,6 +10,7 @@
 //! | `whole` | the cases with everything that belongs to them |
 //! | `ids` | the ids and dialects alone |
 //! | `mistakes` | what is wrong; without the path where there is one file |
+//! | `kept` | what is wrong, and the ids and dialects of the cases that there are all the same |
 //! | `lint` | what lint finds, errors and warnings |
 //! | an id | the program of the case |
 
@@ -51,16 +52,18 @@ fn shown(example: &Example) -> String {
         .map(|error| brief(error.to_string()))
         .collect();
     let mistakes = mistakes.join("\n");
+    let ids = || {
+        let listing = listing::listing(&suite.cases, false);
+        let ids: Vec<&str> = listing.lines().filter(|line| !line.starts_with(' ')).collect();
+        ids.join("\n")
+    };
     match example.wanted() {
         "mistakes" => mistakes,
+        "kept" => format!("{mistakes}\n{}", ids()),
         _ if !mistakes.is_empty() => mistakes,
         "cases" => listing::listing(&suite.cases, false),
         "whole" => listing::listing(&suite.cases, true),
-        "ids" => {
-            let listing = listing::listing(&suite.cases, false);
-            let ids: Vec<&str> = listing.lines().filter(|line| !line.starts_with(' ')).collect();
-            ids.join("\n")
-        }
+        "ids" => ids(),
         id => {
             let case = suite.cases.iter().find(|case| &*case.id == id);
             case.map_or_else(|| format!("no case {id}"), |case| case.source.to_string())

@@ -1,9 +1,9 @@
 //! Properties of conversions between values that are no texts.
 
 use super::draw::{conversion, dialects, each, number, one_of, pairs, raw, same};
-use stickler_reference::conversion::{Conversion, ConversionRule, implicit};
+use stickler_reference::conversion::{Conversion, ConversionRule, function, implicit};
 use stickler_types::{Dialect, DialectName};
-use stickler_types::{ElementaryType, Family, MomentUnits};
+use stickler_types::{ElementaryType, Family, MomentUnits, OutOfRange};
 
 /// Returns whether a conversion keeps this value: its target holds it.
 fn holds(conversion: Conversion, raw: u64) -> bool {
@@ -203,4 +203,40 @@ fn a_conversion_is_monotonic_where_it_does_not_wrap() {
         });
     }
     assert!(compared > 60_000, "only {compared} pairs of values were compared");
+}
+
+#[test]
+fn truncation_never_grows_in_magnitude() {
+    let names: Vec<_> = ElementaryType::ALL
+        .into_iter()
+        .filter(|ty| ty.is_integer())
+        .map(|to| format!("TRUNC_{to}"))
+        .chain(["TRUNC".to_owned()])
+        .collect();
+    for dialect in dialects() {
+        each(4, 30_000, |draw| {
+            let name = draw.choose(&names)?;
+            let from = one_of(draw, &[ElementaryType::Real, ElementaryType::Lreal])?;
+            let function = function(name, dialect).expect("every dialect truncates");
+            let to = function.result_type(from, None);
+            let value = raw(draw, from)?;
+            let (number, result) = (number(value, from), function.conversion(from, to).apply(value));
+            let (low, high) = to.integer_range().expect("an integer");
+            // One choice truncates to 32 bits first, whatever the target.
+            let is_lost = dialect.conversions.truncation_out_of_range == OutOfRange::Indefinite32
+                && i32::try_from(number as i128).is_err();
+            if is_lost || !(number.abs() < 1e19 && (low..=high).contains(&(number as i128))) {
+                return Ok(());
+            }
+            // A number without its fraction has no more digits than with it.
+            let whole = to.integer_value(result) as f64;
+            let rest = number - whole;
+            assert!(
+                whole.abs() <= number.abs() && rest.abs() < 1.0 && whole * number >= 0.0,
+                "{}: {name}({number:?}) is {whole}",
+                dialect.name
+            );
+            Ok(())
+        });
+    }
 }
