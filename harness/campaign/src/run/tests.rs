@@ -174,6 +174,10 @@ fn a_campaign_ends_when_its_time_is_up() {
     let none = plan(2, Shard::WHOLE, Until::Time(Duration::ZERO));
     let summary = campaign(&PlannedMismatches::default(), none);
     assert_eq!((summary.ended, summary.programs), (CampaignEnd::Done, 0));
+    // A campaign that goes on ends too.
+    let short = plan(2, Shard::WHOLE, Until::Time(Duration::from_millis(50)));
+    let summary = campaign(&PlannedMismatches::default(), short);
+    assert_eq!(summary.ended, CampaignEnd::Done);
 }
 
 #[test]

@@ -43,7 +43,9 @@ fn golden_domains() {
         let ty = ElementaryType::from_name(example.text("type")).expect("a type");
         if let Some(place) = example.get("place") {
             let place = u64::from_str_radix(&place.replace('_', ""), 16).expect("a place");
-            return Domain::of(&[ty], Sampling::default()).operands(place)[0].to_string();
+            let domain = Domain::of(&[ty], Sampling::default());
+            assert_eq!(domain.len(), 1 << ty.bits(), "{ty}");
+            return domain.operands(place)[0].to_string();
         }
         let domain = domain(ty, 0);
         let missing = example

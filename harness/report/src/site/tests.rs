@@ -94,7 +94,7 @@ fn a_run_is_known_from_its_log_of_any_name_alone_and_not_from_its_results() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let old = run(folder.path(), "old", 1, "1", cases(Verdict::Fail, Verdict::Pass));
     let new = run(folder.path(), "new", 2, "2", cases(Verdict::Pass, Verdict::Fail));
-    let [whole, alone] = ["whole", "alone"].map(|name| folder.path().join(name));
+    let [whole, alone] = ["deep/whole", "alone"].map(|name| folder.path().join(name));
     write(&[old.clone(), new.clone()], &whole).expect("a site of folders");
     let handed_in = folder.path().join("of-a-vendor.json");
     fs::copy(old.join(NAME), &handed_in).expect("copied");
