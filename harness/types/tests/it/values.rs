@@ -1,6 +1,6 @@
 //! Tests of values as typed literals: parsing, writing and equality.
 
-use stickler_types::{ElementaryType as E, Family, Value};
+use stickler_types::{ElementaryType as E, Family, Value, literal};
 
 fn parsed(literal: &str) -> Value {
     Value::parse(literal).unwrap_or_else(|error| panic!("{literal}: {error}"))
@@ -73,10 +73,19 @@ fn every_boundary_value_reads_back_from_its_canonical_spelling() {
 }
 
 #[test]
-fn an_overflow_names_the_type() {
-    let error = Value::parse(&format!("INT#{}", "9".repeat(1000))).unwrap_err();
-    let message = "the value at byte 4 is outside the range of INT";
-    assert_eq!(error.to_string(), message);
+fn an_overflow_names_what_does_not_hold_the_value() {
+    let nines = "9".repeat(1000);
+    for (error, at, range) in [
+        (Value::parse(&format!("INT#{nines}")).err(), 4, "INT"),
+        (literal::real("1.0E39", E::Real).err(), 0, "REAL"),
+        (literal::real("-1.8E308", E::Lreal).err(), 0, "LREAL"),
+        (literal::duration("106752d").err(), 0, "a duration"),
+        (literal::unsigned_integer(&nines).err(), 0, "128 bits"),
+        (literal::integer(&nines).err(), 0, "128 bits"),
+    ] {
+        let message = format!("the value at byte {at} is outside the range of {range}");
+        assert_eq!(error.expect("an overflow").to_string(), message);
+    }
 }
 
 #[test]
