@@ -174,7 +174,7 @@ fn observation(asked: &str) -> Observation {
     }
 }
 
-/// Returns an outcome as a row of a table has it.
+/// Returns an outcome as a row of a table has it, with `...` where a message is cut, since `…` stands for anything there.
 pub fn shown(outcome: &Outcome) -> String {
     let line = match outcome {
         Outcome::Accepted { warnings } => with_diagnostics("accepted".to_owned(), warnings),
@@ -199,7 +199,7 @@ pub fn shown(outcome: &Outcome) -> String {
         Outcome::TimedOut { after_ms } => format!("timed out after {after_ms} ms"),
         Outcome::Error { message } => format!("error {message}"),
     };
-    line.trim_end().replace('\n', "⏎")
+    line.trim_end().replace('\n', "⏎").replace('…', "...")
 }
 
 fn list(values: &[NamedValue]) -> String {
