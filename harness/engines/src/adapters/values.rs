@@ -50,13 +50,14 @@ pub(super) enum ValueExpression {
 
 /// The functions that print the characters of a text and a date, by their names. The numbers behind a date keep apart what the
 /// date shows alike.
-const FUNCTIONS: [(&str, &str); 3] = [
+const FUNCTIONS: [(&str, &str); 4] = [
     ("print_character(", include_str!("driver/print_character.c")),
     (
         "print_wide_character(",
         include_str!("driver/print_wide_character.c"),
     ),
     ("print_date(", include_str!("driver/print_date.c")),
+    ("print_days(", include_str!("driver/print_days.c")),
 ];
 
 /// Returns the functions that statements call.
@@ -97,7 +98,7 @@ pub(super) fn statement(asked: &Observation, kind: &ObservedKind<'_>, value: &Va
         (_, ValueExpression::Nanoseconds(value)) => {
             date(&format!("{value} / 1000000000"), &format!("{value} % 1000000000"))
         }
-        (_, ValueExpression::Days(value)) => date(&format!("{value} * 86400LL"), "0"),
+        (_, ValueExpression::Days(value)) => format!("print_days(\"{name}\", {value});"),
         (ObservedKind::Enumerated(_, values), ValueExpression::Number(value)) => {
             let numbered = values.iter().enumerate();
             let numbered: Vec<String> = numbered
@@ -140,6 +141,9 @@ fn date(ty: ElementaryType) -> &'static str {
         _ => "%Y-%m-%d %H:%M:%S",
     }
 }
+
+/// The nanoseconds of a day.
+const NANOSECONDS_A_DAY: i128 = 86_400_000_000_000;
 
 /// Reads the values that a driver printed of a program, in the order asked for.
 ///
@@ -231,12 +235,15 @@ fn units(ty: ElementaryType, mut shown: &str) -> Option<Vec<u16>> {
     Some(units)
 }
 
-/// Reads a duration or a moment: `5 ns`, `1 s + 5 ns`, or the latter in parentheses behind a date.
+/// Reads a duration or a moment: `5 ns`, `1 s + 5 ns`, or the latter or `5 d` in parentheses behind a date.
 fn nanoseconds(shown: &str) -> Option<i128> {
     let shown = match shown.rsplit_once('(') {
         Some((_, inside)) => inside.strip_suffix(')')?,
         None => shown,
     };
+    if let Some(days) = shown.strip_suffix(" d") {
+        return Some(i128::from(days.parse::<i64>().ok()?) * NANOSECONDS_A_DAY);
+    }
     let (seconds, rest) = shown.split_once(" s + ").unwrap_or(("0", shown));
     let (seconds, rest): (i64, i64) = (seconds.parse().ok()?, rest.strip_suffix(" ns")?.parse().ok()?);
     Some(i128::from(seconds) * 1_000_000_000 + i128::from(rest))
