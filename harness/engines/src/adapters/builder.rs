@@ -202,7 +202,8 @@ fn without_folder(text: &str, folder: &Path) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::without_folder;
+    use super::{Language, without_folder};
+    use crate::adapters::Compiler;
     use std::path::Path;
 
     #[test]
@@ -213,6 +214,19 @@ mod tests {
                 without_folder(error, Path::new(folder)),
                 "iec_std_lib.hpp:801:20: error: invalid 'static_cast'"
             );
+        }
+    }
+
+    #[test]
+    fn drivers_are_built_with_the_options_of_their_compiled_headers() {
+        for (compiler, language) in [
+            (Compiler::Matiec, Language::C),
+            (Compiler::Rusty, Language::C),
+            (Compiler::Strucpp, Language::Cpp),
+        ] {
+            let build = compiler.data().command("build", &[]);
+            let options = language.words().options.join(" ");
+            assert!(build.contains(&format!("}} {options} ")), "{build}");
         }
     }
 }

@@ -67,19 +67,17 @@ impl CommandTemplate {
 
     /// Returns the names of the placeholders, as often as they stand in the command.
     pub(super) fn placeholders(&self) -> impl Iterator<Item = &str> {
-        self.words.iter().flatten().filter_map(|piece| match piece {
-            Piece::Text(_) => None,
-            Piece::Placeholder(name) => Some(name.as_str()),
-        })
+        placeholders(&self.words)
     }
 
     /// Returns the names of the placeholders in the program.
     pub(super) fn placeholders_of_program(&self) -> impl Iterator<Item = &str> {
-        let program = self.words.iter().take(1).flatten();
-        program.filter_map(|piece| match piece {
-            Piece::Text(_) => None,
-            Piece::Placeholder(name) => Some(name.as_str()),
-        })
+        placeholders(self.words.get(..1).unwrap_or_default())
+    }
+
+    /// Returns the names of the placeholders in the arguments.
+    pub(super) fn placeholders_of_arguments(&self) -> impl Iterator<Item = &str> {
+        placeholders(self.words.get(1..).unwrap_or_default())
     }
 
     /// Returns the program and its arguments.
@@ -95,6 +93,13 @@ impl CommandTemplate {
         let program = words.next().unwrap_or_default();
         (program, words.collect::<Vec<_>>().join(" "))
     }
+}
+
+fn placeholders(words: &[Vec<Piece>]) -> impl Iterator<Item = &str> {
+    words.iter().flatten().filter_map(|piece| match piece {
+        Piece::Text(_) => None,
+        Piece::Placeholder(name) => Some(name.as_str()),
+    })
 }
 
 /// Splits one word into its pieces.

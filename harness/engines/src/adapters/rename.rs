@@ -64,6 +64,8 @@ pub(super) fn library_words(folder: &Path, extension: &str, dialect: DialectName
 pub(super) struct Renamed {
     /// The renamed text.
     pub(super) text: String,
+    /// The names that have the suffix, in capitals.
+    names: HashSet<String>,
     suffix: String,
     /// The lines and columns of the suffixes in the program as it was.
     insertions: Vec<(u32, u32)>,
@@ -85,6 +87,7 @@ impl Renamed {
         }
         Renamed {
             text: edits.apply(request.source),
+            names: names.clone(),
             suffix: suffix.to_owned(),
             insertions,
         }
@@ -96,7 +99,7 @@ impl Renamed {
         Diagnostic {
             column: column(diagnostic.line, diagnostic.column).or(diagnostic.column),
             end_column: column(diagnostic.end_line, diagnostic.end_column).or(diagnostic.end_column),
-            message: without(&diagnostic.message, &self.suffix),
+            message: without(&diagnostic.message, &self.names, &self.suffix),
             ..diagnostic
         }
     }
@@ -115,9 +118,26 @@ fn column_of(number: usize) -> u32 {
     u32::try_from(number).unwrap_or(u32::MAX)
 }
 
-/// Returns a text without a suffix, which may also be written in capitals.
-fn without(text: &str, suffix: &str) -> String {
-    text.replace(suffix, "").replace(&suffix.to_ascii_uppercase(), "")
+/// Returns a text without a suffix where it stands behind one of these names, in whatever case the text writes both; the text of a
+/// keyword may end as the suffix does.
+fn without(text: &str, names: &HashSet<String>, suffix: &str) -> String {
+    let capitals = text.to_ascii_uppercase();
+    let suffix = suffix.to_ascii_uppercase();
+    let is_behind_a_name = |at: usize| {
+        names.iter().any(|name| {
+            let before = capitals[..at].strip_suffix(name.as_str());
+            before.is_some_and(|before| !before.ends_with(|last: char| last.is_ascii_alphanumeric()))
+        })
+    };
+    let mut left = String::with_capacity(text.len());
+    let mut from = 0;
+    for (at, _) in capitals.match_indices(&suffix) {
+        if is_behind_a_name(at) {
+            left.push_str(&text[from..at]);
+            from = at + suffix.len();
+        }
+    }
+    left + &text[from..]
 }
 
 #[cfg(test)]
@@ -161,5 +181,19 @@ mod tests {
             places_named("In function: MAIN_IN_PACK_7, f_in_pack_12 and g_in_pack"),
             [7, 12]
         );
+    }
+
+    #[test]
+    fn a_suffix_stays_behind_what_was_not_renamed() {
+        let names = HashSet::from(["MAIN".to_owned()]);
+        for (text, left) in [
+            ("found 'END_PROGRAM'", "found 'END_PROGRAM'"),
+            ("no my_program in main_program", "no my_program in main"),
+            ("'MAIN_PROGRAM.x'", "'MAIN.x'"),
+            ("__init_main_program", "__init_main"),
+            ("domain_program", "domain_program"),
+        ] {
+            assert_eq!(without(text, &names, "_program"), left);
+        }
     }
 }

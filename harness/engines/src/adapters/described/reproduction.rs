@@ -99,11 +99,13 @@ impl Description {
                     };
                     let called = format!("\"${}\"", tool.variable);
                     used.push(tool.variable.clone());
-                    tools.push(tool);
+                    if tools.iter().all(|known| known.variable != tool.variable) {
+                        tools.push(tool);
+                    }
                     called
                 }
             };
-            if command.has("here") {
+            if command.placeholders_of_arguments().any(|name| name == "here") {
                 used.push(HERE.to_owned());
             }
             recipe = recipe.shell(&used, format!("{called} {arguments}"));

@@ -33,13 +33,21 @@ pub(super) struct PackedProgram<'r> {
 
 impl<'r> PackedProgram<'r> {
     /// Returns a program that is compiled alone: only the name of its main program changes, since `main` is where a C program
-    /// begins.
+    /// begins, to one that the program does not have.
     ///
     /// # Errors
     /// A fragment that says what cannot be observed or set.
     pub(super) fn alone(request: &RunRequest<'r>, main: &MainProgram) -> Result<PackedProgram<'r>, String> {
         let names = HashSet::from([main.name.to_ascii_uppercase(), "MAIN".to_owned()]);
-        let program = PackedProgram::with(request, 0, main, (names, "_program".to_owned()))?;
+        let mut suffix = "_program".to_owned();
+        let source = request.source.to_ascii_uppercase();
+        while names
+            .iter()
+            .any(|name| source.contains(&format!("{name}{}", suffix.to_ascii_uppercase())))
+        {
+            suffix.push_str("_0");
+        }
+        let program = PackedProgram::with(request, 0, main, (names, suffix))?;
         let file = PROGRAM.to_owned();
         Ok(PackedProgram { file, ..program })
     }

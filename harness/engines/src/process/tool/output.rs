@@ -22,7 +22,6 @@ pub(super) enum Waited {
     InVain,
 }
 
-/// Both output streams of a program. A process that left its group may keep one open, which costs nothing else.
 impl Streams {
     /// Returns what came from stdout and from stderr so far, with invalid UTF-8 replaced.
     pub(super) fn texts(&self) -> (String, String) {

@@ -23,7 +23,8 @@ const START_GATHER_TIMEOUT: Duration = Duration::from_millis(16);
 /// pipe meanwhile hardly waits.
 const GATHER_TIMEOUT: Duration = Duration::from_millis(4);
 
-/// Both streams, and the bytes that came from them so far.
+/// Both streams, and the bytes that came from them so far. A process that left its group may keep one open, which costs
+/// nothing else.
 pub(in crate::process::tool) struct Streams {
     streams: [Stream; 2],
     most: u64,
