@@ -116,9 +116,19 @@ impl Adapter for Matiec {
             return Ok(Outcome::Accepted { warnings });
         };
         let probes = ProbeVariables::of(request);
-        let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)]).map_err(unsupported)?;
-        let text = driver.text();
         let configuration = added_configuration(request, &main);
+        let driver = match driver(&[MatiecSubject::of(request, &probes, &main.name)]) {
+            Ok(driver) => driver,
+            // A program that is rejected has no values to observe.
+            Err(reason) => {
+                translate(
+                    workplace,
+                    &translation(request.source.to_owned() + &configuration),
+                )?;
+                return Err(unsupported(reason));
+            }
+        };
+        let text = driver.text();
         let (recipe, warnings) = translate_with(request, &main, probes.list(), |source| {
             let recipe = execution(format!("{source}{configuration}"), &text);
             let warnings = translate(workplace, &recipe)?;
