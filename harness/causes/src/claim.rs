@@ -1,8 +1,8 @@
 //! Whether the claim of a case still speaks of the program that became of the case's.
 
+use crate::failure_sign::is_unread;
 use crate::program::Program;
 use crate::reduction::Smallest;
-use crate::sign::is_unread;
 use crate::words::{type_of_word, valued_types, words};
 use crate::work::{Role, operations, words_of, works};
 use std::collections::BTreeSet;

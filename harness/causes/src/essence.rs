@@ -4,14 +4,14 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::marked::{LITERAL, MarkedProgram, PLACES};
-use crate::normal::Normal;
-use crate::origin::shows_initial_value;
+use crate::failure_sign::{Sign, is_of_reading};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::normal_form::Normal;
 use crate::patterns::{has_first_bit, number_pattern};
+use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
-use crate::sign::{Sign, is_of_reading};
-use crate::values::value_features;
+use crate::value_lines::shows_initial_value;
 use crate::words::valued_types;
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
@@ -23,15 +23,15 @@ const UNCHECKED: &str = "unchecked";
 /// The properties that small programs with the same defect have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Essence {
-    /// The class of the engine's behaviour; causes with different classes are different.
-    pub(crate) class: String,
+    /// The behaviour of the engine; causes with different symptoms are different.
+    pub(crate) symptom: String,
     /// The constructs that the defect needs.
-    pub(crate) features: BTreeSet<String>,
+    pub(crate) constructs: BTreeSet<String>,
     /// The properties of values and types that it needs; a cause that needs fewer of them explains one that needs more.
     pub(crate) labels: BTreeSet<String>,
-    /// Whether a program with more features of the same class shows the same defect: it contains what already fails alone.
+    /// Whether a program with more features of the same symptom shows the same defect: it contains what already fails alone.
     pub(crate) is_contained: bool,
-    /// The class and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
+    /// The symptom and the constructs of a valid program that is rejected for the same reason, for one that is rejected for the
     /// wrong reason.
     pub(crate) hidden: Option<(String, BTreeSet<String>)>,
 }
@@ -41,7 +41,7 @@ impl Essence {
     pub(crate) fn of(smallest: &Smallest, normal: &Normal) -> Essence {
         let program = Program::new(&normal.program);
         let read = program.read();
-        let marked = MarkedProgram::new(&read, normal);
+        let line = ProgramAndLine::new(&read, normal);
         let sign = &normal.deviation.sign;
         let pattern = match sign.symptom {
             Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
@@ -50,7 +50,7 @@ impl Essence {
         // An operation that takes a value of one kind for one of another gives a wrong value, or a fault where that is zero.
         let is_value = match sign.symptom {
             Symptom::Value | Symptom::Missing => true,
-            Symptom::Fault(_) => marked.mixes_kinds(),
+            Symptom::Fault(_) => line.mixes_kinds(),
             _ => false,
         };
         let is_unchecked = normal.is_unchecked();
@@ -59,31 +59,31 @@ impl Essence {
         } else {
             ""
         };
-        let named = |class: &str| format!("{by_chance}{}", class.trim_end());
-        let (class, mut features, is_contained) = match pattern {
+        let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
+        let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
-            None => needs(&marked, sign, smallest, normal),
+            None => needs(&line, sign, smallest, normal),
         };
         features.extend(is_unchecked.then(|| UNCHECKED.to_owned()));
         // Every program has statements.
-        let hidden = hidden(&marked, sign, normal);
-        let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != PLACES[2]));
+        let hidden = hidden(&line, sign, normal);
+        let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != IN_STATEMENTS));
         Essence {
-            class: named(&class),
-            features,
+            symptom: named(&symptom),
+            constructs: features,
             labels: match is_value && pattern.is_none() && !normal.is_beginning() {
                 true => labels(&read),
                 false => BTreeSet::new(),
             },
             is_contained,
-            hidden: hidden.map(|(class, features)| (named(&class), features)),
+            hidden: hidden.map(|(symptom, features)| (named(&symptom), features)),
         }
     }
 
     /// Returns the constructs, values and types that the defect needs, as a key.
     pub(crate) fn construct(&self) -> String {
         let all: Vec<&str> = self
-            .features
+            .constructs
             .iter()
             .chain(&self.labels)
             .map(String::as_str)
@@ -95,56 +95,59 @@ impl Essence {
     pub(crate) fn explains(&self, other: &Essence) -> bool {
         // Where nothing is checked is more than where one mistake is not seen.
         let is_checked = |features: &BTreeSet<String>| !features.contains(UNCHECKED);
-        let needs_no_more = |class: &str, features: &BTreeSet<String>| {
+        let needs_no_more = |symptom: &str, features: &BTreeSet<String>| {
             let contains = self.is_contained
-                && self.features.is_subset(features)
-                && is_checked(&self.features) == is_checked(features);
-            self.class == class && (self.features == *features || contains)
+                && self.constructs.is_subset(features)
+                && is_checked(&self.constructs) == is_checked(features);
+            self.symptom == symptom && (self.constructs == *features || contains)
         };
-        let is_same = needs_no_more(&other.class, &other.features) && self.labels.is_subset(&other.labels);
+        let is_same =
+            needs_no_more(&other.symptom, &other.constructs) && self.labels.is_subset(&other.labels);
         let hidden = other.hidden.as_ref();
-        is_same || hidden.is_some_and(|(class, features)| needs_no_more(class, features))
+        is_same || hidden.is_some_and(|(symptom, features)| needs_no_more(symptom, features))
     }
 }
 
-/// Returns the class of a deviation, the features that it needs, and whether a program with more of them shows the same defect.
+/// Returns the symptom of a deviation, the features that it needs, and whether a program with more of them shows the same defect.
 fn needs(
-    marked: &MarkedProgram<'_, '_>,
+    line: &ProgramAndLine<'_, '_>,
     sign: &Sign,
     smallest: &Smallest,
     normal: &Normal,
 ) -> (String, BTreeSet<String>, bool) {
-    let class = sign.word();
+    let symptom = sign.word();
     match &sign.symptom {
         Symptom::NotRejected(code) => {
             let is_unchecked = normal.is_unchecked();
-            let features = of_accepted(marked, code, is_unchecked);
+            let features = of_accepted(line, code, is_unchecked);
             // A place alone is in every program.
-            let names_construct = !features.iter().any(|feature| PLACES.contains(&feature.as_str()));
+            let names_construct = !features
+                .iter()
+                .any(|feature| LINE_PLACES.contains(&feature.as_str()));
             // Where nothing is checked, it does not matter what is not checked.
-            let class = match is_unchecked {
+            let symptom = match is_unchecked {
                 true => "accepted".to_owned(),
                 false => format!("accepted {code}"),
             };
-            (class, features, names_construct)
+            (symptom, features, names_construct)
         }
         // What the engine says of a literal depends on the place where it stands.
-        Symptom::Rejected(_) if marked.has_special_literal() => {
-            ("rejected literal".to_owned(), marked.of_rejection(), true)
+        Symptom::Rejected(_) if line.has_special_literal() => {
+            ("rejected literal".to_owned(), line.of_rejection(), true)
         }
-        Symptom::Rejected(reason) => (rejected(reason, &sign.at), marked.of_rejection(), true),
+        Symptom::Rejected(reason) => (rejected(reason, &sign.at), line.of_rejection(), true),
         Symptom::NotImplemented(words) => {
-            let features = marked.of_missing(&normal.deviation.got);
+            let features = line.of_missing(&normal.deviation.got);
             (format!("not implemented {words}"), features, true)
         }
         Symptom::OtherCode { code, reported } => {
             // The kind of value does not matter for what else is said.
-            let mut features = marked.of_mistake(false);
+            let mut features = line.of_mistake(false);
             // A literal that is too large to be read is that in every place.
             if code == Code::ConstantOverflow.as_str() && is_of_reading(reported) {
                 features = words(["literal"]);
             } else if features.remove(LITERAL) {
-                features.insert(marked.place().to_owned());
+                features.insert(line.place().to_owned());
             }
             (format!("{code} as {reported}"), features, false)
         }
@@ -155,7 +158,7 @@ fn needs(
         ),
         Symptom::Value | Symptom::Missing => {
             let is_initial = shows_initial_value(&smallest.program, &smallest.deviation);
-            let (features, converts) = marked.of_value(is_initial);
+            let (features, converts) = line.of_value(is_initial);
             // Whatever is computed beside it, a conversion by name is wrong by itself.
             let is_by_name = features.iter().any(|feature| feature.contains("_TO_"));
             // A condition may stand around anything.
@@ -166,61 +169,57 @@ fn needs(
                 (!converts || is_by_name) && names_construct,
             )
         }
-        Symptom::Fault(_) if marked.mixes_kinds() => (Symptom::Value.word(), marked.of_value(false).0, false),
+        Symptom::Fault(_) if line.mixes_kinds() => (Symptom::Value.word(), line.of_value(false).0, false),
         Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
-            (class, marked.of_fault(), false)
+            (symptom, line.of_fault(), false)
         }
-        Symptom::Hang => (class, marked.loops(), false),
+        Symptom::Hang => (symptom, line.loops(), false),
         Symptom::Crash(words) | Symptom::Unusable(words) => {
             // What a compiler of C says of a header that was written for it depends on what follows.
-            let class = match unusable_header(&normal.deviation.got) {
+            let symptom = match unusable_header(&normal.deviation.got) {
                 Some(header) => format!("unusable {header}"),
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
-                None => return (class, BTreeSet::from([sign.shape(&normal.program)]), false),
+                None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
             };
-            (class, BTreeSet::new(), false)
+            (symptom, BTreeSet::new(), false)
         }
         // Whatever it says, it says where by one piece of work.
         Symptom::NoPlace(_) => ("no place".to_owned(), BTreeSet::new(), false),
-        Symptom::Text | Symptom::Error(_) => (class, BTreeSet::new(), false),
-        Symptom::OtherLine(_) | Symptom::Incomplete(_) => (class, marked.of_mistake(false), false),
-        _ => (class, BTreeSet::from([sign.shape(&normal.program)]), false),
+        Symptom::Text | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
+        Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
+        _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
 }
 
 /// Returns the features of a mistake with a code that is accepted.
-fn of_accepted(marked: &MarkedProgram<'_, '_>, code: &str, is_unchecked: bool) -> BTreeSet<String> {
-    let mut features = marked.of_mistake(is_unchecked);
+fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) -> BTreeSet<String> {
+    let mut features = line.of_mistake(is_unchecked);
     // What is assigned to a constant, or to a part of one, does not matter.
     if code == Code::AssignmentToConstant.as_str() {
         features.remove(LITERAL);
         features.insert("constant".to_owned());
     }
-    let forms = marked.forms_of_literals();
+    let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {
         features.remove(LITERAL);
-        features.insert(marked.place().to_owned());
+        features.insert(line.place().to_owned());
         features.extend(forms);
     }
     features
 }
 
-/// Returns the class and the features of the valid program that may be hidden behind a mistake.
-fn hidden(
-    marked: &MarkedProgram<'_, '_>,
-    sign: &Sign,
-    normal: &Normal,
-) -> Option<(String, BTreeSet<String>)> {
+/// Returns the symptom and the features of the valid program that may be hidden behind a mistake.
+fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option<(String, BTreeSet<String>)> {
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
-            Some((rejected(reported, &sign.at), marked.of_rejection()))
+            Some((rejected(reported, &sign.at), line.of_rejection()))
         }
         // What is reported elsewhere may be said of a program without the mistake too.
         Symptom::OtherLine(_) => {
             let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
             let valid = Sign::of(&normal.program, Verdict::Fail, facts, Grade::Line);
             match valid.symptom {
-                Symptom::Rejected(reason) => Some((rejected(&reason, &valid.at), marked.of_rejection())),
+                Symptom::Rejected(reason) => Some((rejected(&reason, &valid.at), line.of_rejection())),
                 _ => None,
             }
         }

@@ -1,6 +1,6 @@
 //! Gathers the failing cases of a run in groups that most probably have one cause.
 
-use crate::sign::Sign;
+use crate::failure_sign::Sign;
 use crate::words::types_of;
 use std::collections::BTreeMap;
 use stickler_engines::{Engine, Identity, Reference};

@@ -2,11 +2,11 @@
 
 use crate::essence::Essence;
 use crate::failed::{FailedCases, FailureGroup};
+use crate::failure_sign::Sign;
 use crate::growing_cause::{GrowingCause, merged, reproducer};
-use crate::normal::{Normal, normal_form};
+use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
-use crate::sign::Sign;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};

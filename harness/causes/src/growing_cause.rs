@@ -3,12 +3,12 @@
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
-use crate::normal::Normal;
-use crate::origin::shows_initial_value;
+use crate::failure_sign::{Sign, is_unread};
+use crate::normal_form::Normal;
 use crate::promised::{cite, promise};
 use crate::reduction::Smallest;
-use crate::sign::{Sign, is_unread};
 use crate::title::title;
+use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types};
 use crate::work::operations;
 use stickler_engines::Identity;
@@ -80,7 +80,7 @@ impl GrowingCause {
         types.sort_unstable();
         let cause = Cause {
             engine: group.shown.engine.clone(),
-            symptom: essence.class.clone(),
+            symptom: essence.symptom.clone(),
             construct: essence.construct(),
             title: title(shown, engine.grade == Grade::Code),
             shown: Reproducer {
@@ -133,14 +133,14 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
     // What needs least comes first, since it can only be contained in what comes later; what may be hidden comes last.
     members.sort_by_key(|member| {
         let Essence {
-            features,
+            constructs,
             labels,
             hidden,
             ..
         } = &member.essence;
         (
             hidden.is_some(),
-            features.len(),
+            constructs.len(),
             labels.len(),
             std::cmp::Reverse(member.cause.number()),
         )
@@ -150,7 +150,7 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         let explaining = causes
             .iter_mut()
             .filter(|cause| cause.essence.explains(&member.essence));
-        let Some(cause) = explaining.max_by_key(|cause| cause.essence.features.len()) else {
+        let Some(cause) = explaining.max_by_key(|cause| cause.essence.constructs.len()) else {
             causes.push(member);
             continue;
         };
@@ -180,7 +180,7 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.
 fn is_missing(shown: &Smallest, essence: &Essence) -> bool {
     matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_))
-        && !essence.features.contains("bit access")
+        && !essence.constructs.contains("bit access")
 }
 
 pub(crate) fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {

@@ -1,4 +1,4 @@
-//! What the reduction of a program must not exchange for other things: a smaller program shows the same defect only where the construct
+//! Constructs that a reduction must keep: a smaller program shows the same defect only where the construct
 //! at fault is still there, and nothing came in that the whole program does not have.
 
 use crate::program::{Part, Program, ReadProgram};

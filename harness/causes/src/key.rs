@@ -1,12 +1,12 @@
-//! The key of a cause by one small program alone, without asking the engine.
+//! The key of a cause by one small program and what the engine did with it, without asking the engine anything more.
 
 use crate::essence::Essence;
-use crate::normal::Normal;
+use crate::normal_form::Normal;
+use crate::plainness::value_features;
 use crate::program::read;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::title::title;
-use crate::values::value_features;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use stickler_run::{Answers, Grade, Symptom, judge};
@@ -37,7 +37,7 @@ impl CauseKey {
         outcome: &Outcome,
     ) -> Option<CauseKey> {
         let case = case(program, dialect, values);
-        // A program that must be accepted is rejected rightly at no grade.
+        // The grade only says how exactly a rejection must be right; here none is, so any grade does.
         let strict = Grade::Rejected;
         let judged = judge(&case, &Answers::of_run(outcome.clone()), strict);
         if !judged.verdict.is_discrepancy() {
@@ -52,10 +52,10 @@ impl CauseKey {
             _ => BTreeSet::new(),
         };
         Some(CauseKey {
-            // The symptom has the code.
+            // No code in the title, since the symptom carries it.
             title: title(&smallest, false),
-            symptom: essence.class,
-            constructs: essence.features,
+            symptom: essence.symptom,
+            constructs: essence.constructs,
             labels,
         })
     }

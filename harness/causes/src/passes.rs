@@ -1,10 +1,10 @@
 //! The passes of the reducer that lead to the normal form of a program, and the weights by which one form is plainer than another.
 
 use crate::alone::{alone, beginning_block, distance};
+use crate::failure_sign::is_of_a_value;
 use crate::forms;
+use crate::plainness::{plainer_numbers, plainness};
 use crate::program::{ReadProgram, read};
-use crate::sign::is_of_a_value;
-use crate::values::{plainer_numbers, plainness};
 use crate::words::tokens;
 use crate::work::operations;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -1,11 +1,11 @@
 //! Who promises a construct that an engine does not take: the basis of a cause whose program is plainer than what the claim of its
 //! case speaks of. Which documents promise which feature of the language stands in `features.toml`.
 
-use crate::marked::passes_in_out;
+use crate::failure_sign::is_unread;
+use crate::line_features::passes_in_out;
 use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
-use crate::sign::is_unread;
 use crate::suspect::unimplemented;
 use crate::words::{valued_types, words};
 use stickler_engines::Identity;
@@ -15,7 +15,7 @@ use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
 
 /// Returns the basis by which an engine must take the program of a cause: the first one that promises its most specific feature and
-/// binds the engine. `None` where the program does something beside that nobody promises.
+/// binds the engine. `None` where the program does something else that nobody promises.
 pub(crate) fn promise<'s>(
     shown: &Smallest,
     case: &Case,
@@ -35,7 +35,7 @@ pub(crate) fn promise<'s>(
     );
     let program = Program::new(&shown.program);
     let program = program.read();
-    let line = suspect(&program, shown).filter(|_| is_refused && !is_of_mistake)?;
+    let line = line_at_fault(&program, shown).filter(|_| is_refused && !is_of_mistake)?;
     let feature = specific(
         &program,
         (line, &shown.deviation.got),
@@ -51,7 +51,7 @@ pub(crate) fn promise<'s>(
 }
 
 /// Returns the number of the line whose constructs the engine does not take; `None` where no line is known.
-fn suspect(program: &ReadProgram<'_, '_>, shown: &Smallest) -> Option<u32> {
+fn line_at_fault(program: &ReadProgram<'_, '_>, shown: &Smallest) -> Option<u32> {
     let got = &shown.deviation.got[..];
     match &shown.deviation.sign.symptom {
         Symptom::NotImplemented(_) => Some(unimplemented(program, got)),
@@ -88,7 +88,7 @@ pub(crate) fn specific<'f>(
     let passes = passes_in_out(program, |span| number(span.start) == line);
     let in_out = features.get("var-in-out").filter(|_| passes);
     let mut found: Vec<&Feature> = used_there.chain(in_out).collect();
-    // What an initial value is made of is told by the innermost.
+    // Of nested initial values, only the innermost feature counts.
     let needed: Vec<&String> = found.iter().flat_map(|one| &one.needs).collect();
     found.retain(|one| !needed.contains(&&one.key) && (!one.promised.is_empty() || !is_type(one)));
     if found.is_empty() {
@@ -117,7 +117,7 @@ fn is_type(feature: &Feature) -> bool {
     stickler_types::ElementaryType::from_name(&feature.key.to_ascii_uppercase()).is_some()
 }
 
-/// Writes who promises a construct into what the engine said of it, where that is a document.
+/// Names the basis in every fact that something is not implemented, if the basis is a document.
 pub(crate) fn cite(got: &mut [Fact], basis: &str, sources: &Sources) {
     let is_document = sources
         .of(basis)

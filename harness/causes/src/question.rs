@@ -1,6 +1,6 @@
 //! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
 
-use crate::sign::Sign;
+use crate::failure_sign::Sign;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};

@@ -1,10 +1,10 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::alone::alone;
+use crate::failure_sign::Sign;
 use crate::guard::Constructs;
 use crate::program::read;
 use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
-use crate::sign::Sign;
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};

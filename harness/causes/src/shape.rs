@@ -1,4 +1,4 @@
-//! The shape of a program: a form in which names, and types and literals of one kind, are equal.
+//! The shape of a program: a form in which names are equal, as are types of one kind and literals of one kind.
 
 use crate::program::Program;
 use crate::words::{elementary, is_number, opens_declarations, tokens, type_of_word};
@@ -27,6 +27,7 @@ pub(crate) fn shape(text: &str, types: KeptTypes) -> String {
     let all = tokens(text);
     let mut numbers = BTreeMap::new();
     let declared = in_declarations(&all);
+    // First the names of bodies, then those only declared.
     for wanted in [false, true] {
         let here = all
             .iter()
@@ -106,10 +107,10 @@ fn form(written: &str, kind: TokenKind, types: KeptTypes) -> String {
                     number(value.trim_start_matches(['-', '+']))
                 )
             }
-            // The prefix of a date or time is a part of its form.
             (Some((prefix, value)), _) if value.starts_with(['\'', '"']) => {
                 format!("{prefix}#{}", text_form(value))
             }
+            // The prefix of a date or time is a part of its form.
             (Some((prefix, _)), _) => format!("{prefix}#literal"),
             _ => upper,
         },
@@ -140,7 +141,7 @@ fn text_form(text: &str) -> String {
     format!("{quote}{escape}{quote}")
 }
 
-/// Joins the words of a program, and sorts the declarations of each section of variables; each name has its own.
+/// Joins the words of a program, and sorts the declarations of each section of variables; each name gets a declaration of its own.
 fn sorted_sections(tokens: &[Token], words: &[String]) -> String {
     let mut parts: Vec<String> = Vec::new();
     let mut rest = tokens.iter().map(|token| token.kind).zip(words).peekable();

@@ -5,7 +5,7 @@ mod tables;
 
 use crate::essence::Essence;
 use crate::guard::Constructs;
-use crate::normal::Normal;
+use crate::normal_form::Normal;
 use crate::question::Deviation;
 use crate::reduction::Smallest;
 use crate::title::title;
@@ -196,6 +196,20 @@ fn programs_show_one_cause_or_several_and_have_the_titles_that_the_table_says() 
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn a_title_keeps_the_code_of_an_adapter_where_codes_are_compared() {
+    let failing = Failing {
+        has: "x : INT := INT#-5;".to_owned(),
+        does: "x := x;".to_owned(),
+        rejected: Some("P0002".to_owned()),
+        at: Some(3),
+        ..Failing::default()
+    };
+    let smallest = failing.smallest();
+    assert!(title(&smallest, true).ends_with("is rejected: P0002 no"));
+    assert!(title(&smallest, false).ends_with("is rejected: no"));
 }
 
 #[derive(Deserialize)]

@@ -1,5 +1,7 @@
-//! The title of a cause: what the engine does, in the words of the field, and the line of the program that shows it.
+//! The title of a cause: what the engine does, in the words in which developers of compilers report defects, and the line of the
+//! program that shows it.
 
+use crate::failure_sign::OTHER_BLANKS;
 use crate::lines::{clipped, described, line_with_number, unit_of};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
@@ -40,7 +42,7 @@ impl Titled<'_, '_> {
         let (line, somewhere) = (self.line(wanted.line), self.line(None));
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
-            // What is wrong there stands nowhere on the line.
+            // The line does not show the mistake, so the title names it.
             Symptom::NotRejected(code) => match (summary(code), wanted.code) {
                 (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
                 (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
@@ -95,13 +97,13 @@ impl Titled<'_, '_> {
             Symptom::Fault(fault) => format!("{somewhere} stops with the fault {fault}"),
             Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
             Symptom::NotFaulted(fault) => format!("{somewhere} does not stop with the fault {fault}"),
-            Symptom::Text if at == "blanks" => "a rendered program has other blanks".to_owned(),
+            Symptom::Text if at == OTHER_BLANKS => "a rendered program has other blanks".to_owned(),
             Symptom::Text => rendered(expected, got),
         }
     }
 
-    /// Returns a diagnostic as the title tells it: without a code that is not the engine's own, and without a place where a compiler that
-    /// has lost it says line 1.
+    /// Returns a diagnostic as the title tells it: without a code that is not the engine's own, unless the title keeps codes, and without
+    /// line 1. That line is dropped because compilers say it when they have lost the place.
     fn reported(&self, mut reported: Diagnostic) -> Diagnostic {
         if !self.has_codes && reported.registered_code().is_some() {
             reported.code = None;
@@ -122,6 +124,7 @@ impl Titled<'_, '_> {
     /// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
     /// nothing came.
     fn missing(&self, code: &str) -> Diagnostic {
+        // Consumed across the calls: both lists go by line.
         let mut reported = self.got.iter().filter_map(Fact::diagnostic);
         let mut is_missing = |one: &&Diagnostic| match &one.code {
             Some(one) => one == code,
@@ -168,7 +171,9 @@ impl Titled<'_, '_> {
         let computed = self.program.computation(name);
         let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));
         match (decides, computed) {
+            // A line computes the value: the title tells what it gives.
             (None, Some(line)) => format!("{} gives {other}, not {value}", described(line)),
+            // A condition decides the value, or nothing computes it: the title tells that line, and names the variable.
             (line, _) => format!(
                 "{}: {name} is {other}, not {value}",
                 described(line.unwrap_or(declared))
@@ -201,6 +206,7 @@ pub(crate) fn condition(program: &ReadProgram<'_, '_>, line: u32) -> Option<u32>
     let all = tokens(program.line_text(line)?);
     let is_literal =
         matches!(&all[..], [_, sign, value, _] if sign.kind == TokenKind::Assign && value.kind.is_literal());
+    // The statement itself is one operation; a second one is what the condition computes.
     let decides = |(line, _): &(&str, u32)| {
         let first = tokens(line).first().map(|first| first.kind);
         matches!(

@@ -125,7 +125,7 @@ impl<'t> TextView<'t> {
         variables.chain(types).collect()
     }
 
-    /// Returns the places at which a unit uses a name of its own as a value.
+    /// Returns each expression of a POU that is this name, read or written.
     #[must_use]
     pub fn uses(&self, pou: &Pou<'_>, name: Name<'_>) -> Vec<NameUse<'t>> {
         let mut uses = Uses {
@@ -145,7 +145,7 @@ impl<'t> TextView<'t> {
 
     /// Returns the range of an expression.
     #[must_use]
-    pub fn place(&self, id: ExpressionId) -> Range<usize> {
+    pub fn range_of_expression(&self, id: ExpressionId) -> Range<usize> {
         self.unit
             .expression(id)
             .map_or(0..0, |expression| expression.span.into())
@@ -153,14 +153,16 @@ impl<'t> TextView<'t> {
 
     /// Returns the range of a CASE label.
     #[must_use]
-    pub fn label(&self, label: &CaseLabel) -> Range<usize> {
+    pub fn range_of_label(&self, label: &CaseLabel) -> Range<usize> {
         match label {
-            CaseLabel::Value(value) => self.place(*value),
-            CaseLabel::Range(low, high) => self.place(*low).start..self.place(*high).end,
+            CaseLabel::Value(value) => self.range_of_expression(*value),
+            CaseLabel::Range(low, high) => {
+                self.range_of_expression(*low).start..self.range_of_expression(*high).end
+            }
         }
     }
 
-    /// Returns the tokens inside a range.
+    /// Returns the tokens that begin inside a range.
     #[must_use]
     pub fn inside(&self, range: Range<usize>) -> &'t [Token] {
         let list = &self.tokens.list;
@@ -190,25 +192,25 @@ impl<'t> TextView<'t> {
 
     /// Returns the range of some statements, with the semicolon of the last one.
     #[must_use]
-    pub fn extent(&self, statements: &[Statement]) -> Option<Range<usize>> {
+    pub fn range_of_statements(&self, statements: &[Statement]) -> Option<Range<usize>> {
         let (first, last) = (statements.first()?, statements.last()?);
-        Some(first.span.start as usize..self.whole(last).end)
+        Some(first.span.start as usize..self.range_of_statement(last).end)
     }
 
     /// Returns the range of a statement with its semicolon.
     #[must_use]
-    pub fn whole(&self, statement: &Statement) -> Range<usize> {
-        let place: Range<usize> = statement.span.into();
+    pub fn range_of_statement(&self, statement: &Statement) -> Range<usize> {
+        let range: Range<usize> = statement.span.into();
         match statement.kind {
             // The span of a lone semicolon may be the semicolon.
-            StatementKind::Empty if self.text()[place.clone()].ends_with(';') => place,
-            _ => place.start..self.with_semicolon(place.end),
+            StatementKind::Empty if self.text()[range.clone()].ends_with(';') => range,
+            _ => range.start..self.with_semicolon(range.end),
         }
     }
 
     /// Returns the range of a declaration, from its first name to its semicolon.
     #[must_use]
-    pub fn group(&self, group: &VariableGroup<'_>) -> Option<Range<usize>> {
+    pub fn range_of_declaration(&self, group: &VariableGroup<'_>) -> Option<Range<usize>> {
         let from = group.names.first()?.span.start as usize;
         Some(from..self.end_of(&group.specification, group.initializer.as_ref()))
     }
@@ -224,7 +226,8 @@ impl<'t> TextView<'t> {
         self.with_semicolon(end as usize)
     }
 
-    /// Removes each element of a list in brackets, together with one comma; `open` is at or before the opening bracket.
+    /// Returns for each element of a list in brackets the edit that removes it with one comma. `open` is at or before the opening
+    /// bracket, `ends` are the ends of the elements, and `close` is that of the list.
     #[must_use]
     pub fn list_items(&self, open: usize, ends: &[usize], close: usize) -> Vec<Edits> {
         let is_bracket = |token: &&Token| matches!(token.kind, TokenKind::LeftParen | TokenKind::LeftBracket);

@@ -3,19 +3,19 @@
 use super::{Failing, diagnostic, lacking, whole};
 use crate::alone::alone;
 use crate::claim::{keeps_claim, keeps_work};
+use crate::failure_sign::Sign;
 use crate::forms;
 use crate::key::CauseKey;
 use crate::lines::{described, line_with_number};
 use crate::patterns;
+use crate::plainness;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
 use crate::question::Deviation;
 use crate::reduction::{moved, without_marks};
 use crate::shape::{KeptTypes, shape, token_at};
-use crate::sign::Sign;
 use crate::suspect::{self, unimplemented};
 use crate::title::condition;
-use crate::values;
 use crate::work::{WORKS, operations};
 use std::collections::BTreeMap;
 use stickler_run::{CaseEvent, Fact, Grade, Verdict};
@@ -204,12 +204,12 @@ fn answer(question: &str, inputs: &[String]) -> String {
         "first_plainer_type" => lines(forms::with_plainer_type(&program).into_iter().take(1).collect()),
         "with_same_types" => lines(forms::with_same_types(&program)),
         "plainer_numbers" => bodies(
-            values::plainer_numbers(&program)
+            plainness::plainer_numbers(&program)
                 .iter()
                 .map(|one| one.apply(&text))
                 .collect(),
         ),
-        "value_features" => joined(values::value_features(&program)),
+        "value_features" => joined(plainness::value_features(&program)),
         "has_first_bit" => yes(patterns::has_first_bit(&program)),
         "leaves_range" => yes(patterns::leaves_range(&program, &deviation())),
         "number_pattern" => patterns::number_pattern(&program, &deviation())

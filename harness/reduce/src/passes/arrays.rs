@@ -26,7 +26,7 @@ pub(crate) fn unwrap_arrays(view: &TextView<'_>) -> Vec<Edits> {
 
 /// Drops the last dimension of array variables, with the last subscript of their every use.
 pub(crate) fn drop_dimensions(view: &TextView<'_>) -> Vec<Edits> {
-    let last = |before, last| view.place(before).end..view.place(last).end;
+    let last = |before, last| view.range_of_expression(before).end..view.range_of_expression(last).end;
     let changes = single(view).filter_map(|(pou, group)| {
         let TypeSpecificationKind::Array { dimensions, .. } = &group.specification.kind else {
             return None;

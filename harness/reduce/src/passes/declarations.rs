@@ -103,7 +103,7 @@ pub(crate) fn forget_variables(view: &TextView<'_>) -> Vec<Edits> {
         .filter_map(|(pou, group)| match group.names.as_slice() {
             [name] => {
                 let mut edits = naming(view, pou, *name).filter(|edits| !edits.is_empty())?;
-                edits.remove(view.group(group)?);
+                edits.remove(view.range_of_declaration(group)?);
                 Some(edits)
             }
             _ => None,
@@ -193,7 +193,7 @@ pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
 fn groups(view: &TextView<'_>, groups: &[VariableGroup<'_>]) -> Vec<Edits> {
     let mut changes = Vec::new();
     for group in groups {
-        changes.extend(view.group(group).map(Edits::removing));
+        changes.extend(view.range_of_declaration(group).map(Edits::removing));
         for pair in group.names.windows(2) {
             let (one, next) = (pair[0].span, pair[1].span);
             changes.push(Edits::removing(one.start as usize..next.start as usize));
@@ -210,7 +210,11 @@ fn enumerators(view: &TextView<'_>, specification: &TypeSpecification<'_>) -> Ve
     };
     let ends: Vec<usize> = values
         .iter()
-        .map(|(name, value)| value.map_or(name.span.end as usize, |value| view.place(value).end))
+        .map(|(name, value)| {
+            value.map_or(name.span.end as usize, |value| {
+                view.range_of_expression(value).end
+            })
+        })
         .collect();
     let first = values.first().map_or(0, |(name, _)| name.span.start as usize);
     let open = view

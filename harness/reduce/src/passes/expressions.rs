@@ -75,7 +75,10 @@ pub(crate) fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
             .into_iter()
             .filter(|(_, place)| *place != Place::Callee);
         if let Some((operand, _)) = operands.nth(which) {
-            changes.push(Edits::replacing(whole.span, &view.text()[view.place(operand)]));
+            changes.push(Edits::replacing(
+                whole.span,
+                &view.text()[view.range_of_expression(operand)],
+            ));
         }
     }
     view.only_allowed(changes)
@@ -87,8 +90,14 @@ pub(crate) fn drop_arguments(view: &TextView<'_>) -> Vec<Edits> {
     for (_, call) in view.expressions() {
         if let ExpressionKind::Call { callee, .. } = &call.kind {
             let arguments = operands(call).into_iter().skip(1);
-            let ends: Vec<usize> = arguments.map(|(value, _)| view.place(value).end).collect();
-            changes.extend(view.list_items(view.place(*callee).end, &ends, call.span.end as usize));
+            let ends: Vec<usize> = arguments
+                .map(|(value, _)| view.range_of_expression(value).end)
+                .collect();
+            changes.extend(view.list_items(
+                view.range_of_expression(*callee).end,
+                &ends,
+                call.span.end as usize,
+            ));
         }
     }
     view.only_allowed(changes)

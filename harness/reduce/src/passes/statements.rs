@@ -9,7 +9,7 @@ use stickler_syntax::visitor::bodies;
 pub(crate) fn drop_statements(view: &TextView<'_>) -> Vec<Edits> {
     let statements = view.statements().into_iter();
     statements
-        .map(|statement| Edits::replacing(view.whole(statement), ";"))
+        .map(|statement| Edits::replacing(view.range_of_statement(statement), ";"))
         .collect()
 }
 
@@ -22,7 +22,7 @@ pub(crate) fn drop_empty_statements(view: &TextView<'_>) -> Vec<Edits> {
         let empty: Vec<&Statement> = list.iter().filter(is_empty).collect();
         let stays = usize::from(empty.len() == list.len());
         let go = empty.into_iter().skip(stays);
-        changes.extend(go.map(|statement| Edits::removing(view.whole(statement))));
+        changes.extend(go.map(|statement| Edits::removing(view.range_of_statement(statement))));
     }
     view.only_allowed(changes)
 }
@@ -31,8 +31,14 @@ pub(crate) fn drop_empty_statements(view: &TextView<'_>) -> Vec<Edits> {
 pub(crate) fn splice(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
     for statement in view.statements() {
-        for inner in bodies(statement).into_iter().filter_map(|body| view.extent(body)) {
-            changes.push(Edits::replacing(view.whole(statement), &view.text()[inner]));
+        for inner in bodies(statement)
+            .into_iter()
+            .filter_map(|body| view.range_of_statements(body))
+        {
+            changes.push(Edits::replacing(
+                view.range_of_statement(statement),
+                &view.text()[inner],
+            ));
         }
     }
     view.only_allowed(changes)
@@ -46,7 +52,10 @@ pub(crate) fn drop_branches(view: &TextView<'_>) -> Vec<Edits> {
             StatementKind::If { branches, otherwise } => {
                 // From a condition to the next: what remains is one keyword, one condition, one body.
                 for pair in branches.windows(2) {
-                    let (from, to) = (view.place(pair[0].0).start, view.place(pair[1].0).start);
+                    let (from, to) = (
+                        view.range_of_expression(pair[0].0).start,
+                        view.range_of_expression(pair[1].0).start,
+                    );
                     changes.push(Edits::removing(from..to));
                 }
                 if let [.., (_, before), (_, last)] = branches.as_slice() {
@@ -60,11 +69,14 @@ pub(crate) fn drop_branches(view: &TextView<'_>) -> Vec<Edits> {
                 branches, otherwise, ..
             } => {
                 for branch in branches {
-                    let first = branch.labels.first().map(|first| view.label(first).start);
-                    let end = view.extent(&branch.body).map(|body| body.end);
+                    let first = branch
+                        .labels
+                        .first()
+                        .map(|first| view.range_of_label(first).start);
+                    let end = view.range_of_statements(&branch.body).map(|body| body.end);
                     changes.extend(first.zip(end).map(|(from, to)| Edits::removing(from..to)));
                     for pair in branch.labels.windows(2) {
-                        let (one, next) = (view.label(&pair[0]), view.label(&pair[1]));
+                        let (one, next) = (view.range_of_label(&pair[0]), view.range_of_label(&pair[1]));
                         changes.push(Edits::removing(one.start..next.start));
                         changes.push(Edits::removing(one.end..next.end));
                     }
@@ -74,7 +86,9 @@ pub(crate) fn drop_branches(view: &TextView<'_>) -> Vec<Edits> {
                 }
             }
             StatementKind::For { to, by: Some(by), .. } => {
-                changes.push(Edits::removing(view.place(*to).end..view.place(*by).end));
+                changes.push(Edits::removing(
+                    view.range_of_expression(*to).end..view.range_of_expression(*by).end,
+                ));
             }
             _ => {}
         }
@@ -84,8 +98,8 @@ pub(crate) fn drop_branches(view: &TextView<'_>) -> Vec<Edits> {
 
 /// Drops the text from the end of one body to the end of the next: `ELSIF … THEN` or `ELSE` with its statements.
 fn between_bodies(view: &TextView<'_>, before: &[Statement], next: &[Statement]) -> Option<Edits> {
-    let from = view.extent(before)?.end;
-    let to = match view.extent(next) {
+    let from = view.range_of_statements(before)?.end;
+    let to = match view.range_of_statements(next) {
         Some(next) => next.end,
         // An empty ELSE: up to the end of the word.
         None => view.next(from)?.span.end as usize,

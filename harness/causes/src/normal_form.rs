@@ -5,13 +5,13 @@
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
 use crate::alone::{BEGINNING_BLOCK, alone};
+use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
 use crate::patterns::leaves_range;
 use crate::program::read;
 use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
 use crate::reduction::Smallest;
-use crate::sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::words::tokens;
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;

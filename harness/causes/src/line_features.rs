@@ -1,30 +1,54 @@
-//! The features of the line of a small program that matters: the constructs by which the defects of programs are told apart.
+//! The features of the line of a small program that shows the defect: the constructs by which the defects of programs are told apart.
+//!
+//! A feature is a word. Most are the words of `work.toml`, and the forms of literals; these are made here:
+//!
+//! | feature | meaning |
+//! |---|---|
+//! | `type`, `declaration`, `statement` | where the line stands: among the types, in a section of variables, in a body |
+//! | `untyped literal` | the mistake is a literal without a type |
+//! | `operator` | an operator that calculates or compares, of any kind, for a mistake that is accepted |
+//! | `call of a block` | the line calls an instance of a function block |
+//! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
+//! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
+//! | `result of a function`, `field or element` | what the line assigns |
+//! | `array`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
+//! | `function or function block` | that stands in another unit than a program |
+//! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
+//! | `initial value by name` | a variable begins with what has a name, such as a constant |
+//! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
+//! | `conversion` | a number becomes one of another type as an initial value or an output argument |
+//! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
+use crate::failure_sign::is_unread;
 use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
 use crate::malformed::forms_of_literals;
-use crate::normal::Normal;
+use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
-use crate::sign::is_unread;
 use crate::suspect::unimplemented;
 use crate::words::{LOOPS, has_word, kind, type_of_word, valued_types, words};
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
-
 use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
 
+/// The feature of a line that stands among the types.
+const IN_TYPES: &str = "type";
+/// The feature of a line that stands in a section of variables.
+const IN_DECLARATIONS: &str = "declaration";
+/// The feature of a line that stands in a body.
+pub(crate) const IN_STATEMENTS: &str = "statement";
 /// The features of where a line stands.
-pub(crate) const PLACES: [&str; 3] = ["type", "declaration", "statement"];
+pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEMENTS];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
 
 /// A set of words.
 type Words = BTreeSet<String>;
 
-/// A small program with the line that matters.
-pub(crate) struct MarkedProgram<'t, 's> {
+/// A small program with the line that matters: the one that shows its defect.
+pub(crate) struct ProgramAndLine<'t, 's> {
     program: &'t ReadProgram<'t, 's>,
     works: Vec<Work>,
     /// The number of the line at which the expected or the actual diagnostic stands.
@@ -35,8 +59,8 @@ pub(crate) struct MarkedProgram<'t, 's> {
     innocent: Words,
 }
 
-impl<'t, 's> MarkedProgram<'t, 's> {
-    pub(crate) fn new(program: &'t ReadProgram<'t, 's>, normal: &Normal) -> MarkedProgram<'t, 's> {
+impl<'t, 's> ProgramAndLine<'t, 's> {
+    pub(crate) fn new(program: &'t ReadProgram<'t, 's>, normal: &Normal) -> ProgramAndLine<'t, 's> {
         let deviation = &normal.deviation;
         // A compiler that has lost the place says line 1, without a column or with the first.
         let line = |facts: &[Fact]| {
@@ -57,7 +81,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
                 character.is_ascii_alphanumeric() || matches!(character, '\'' | '"')
             })
         };
-        MarkedProgram {
+        ProgramAndLine {
             works: works(program.text),
             line: line.filter(has_words),
             is_unread: is_unread(&deviation.got),
@@ -95,6 +119,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         };
         let mut features: Words = self.on_line(Role::Operation).into_iter().map(as_one).collect();
         if is_unchecked {
+            // What kind of variable the line assigns is told by `target`.
             features.remove("subscript or list");
             features.extend(self.target().map(str::to_owned));
         }
@@ -105,7 +130,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
             let is_untyped = value.is_some_and(|value| {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
-            // Where a literal stands is told by the code, if it matters at all.
+            // Where a literal stands is told by the diagnostic code, if it matters at all.
             features.insert(match is_untyped && !is_unchecked {
                 true => LITERAL.to_owned(),
                 false => self.place().to_owned(),
@@ -114,8 +139,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         features
     }
 
-    /// Returns the forms of the literals of the line that matters, where these are no plain numbers: what is wrong with one that
-    /// should not be read says its form alone.
+    /// Returns the forms of the literals of the line that matters, where these are no plain numbers: of a
+    /// literal that should not be read, its form alone says what is wrong.
     pub(crate) fn forms_of_literals(&self) -> Words {
         forms_of_literals(self.text())
     }
@@ -123,9 +148,9 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
         match self.line.map(|line| place_of(self.program, line)) {
-            Some(LinePlace::Types) => PLACES[0],
-            Some(LinePlace::Section(_)) => PLACES[1],
-            Some(LinePlace::Statement) | None => PLACES[2],
+            Some(LinePlace::Types) => IN_TYPES,
+            Some(LinePlace::Section(_)) => IN_DECLARATIONS,
+            Some(LinePlace::Statement) | None => IN_STATEMENTS,
         }
     }
 
@@ -157,13 +182,13 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         let works = self.works.iter().filter(|work| is_there(work.span));
         let operations = words_of(works, Role::Operation);
         let line_words = words(self.program.line_text(line).unwrap_or_default());
-        let kinds = line_words.into_iter().filter_map(|word| self.kind_of(word));
+        let kinds = line_words.into_iter().filter_map(|word| self.variable_kind(word));
         let mut features: Words = kinds.map(str::to_owned).collect();
         let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
         if features.is_empty() {
             return match operations.is_empty() {
-                true => Words::from(["statement".to_owned()]),
+                true => Words::from([IN_STATEMENTS.to_owned()]),
                 false => operations,
             };
         }
@@ -175,7 +200,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     }
 
     /// Returns the kind of a variable, unless that is a plain one.
-    fn kind_of(&self, name: &str) -> Option<&'static str> {
+    fn variable_kind(&self, name: &str) -> Option<&'static str> {
         if self.program.is_instance(name) {
             return Some("instance of a function block");
         }
@@ -193,11 +218,11 @@ impl<'t, 's> MarkedProgram<'t, 's> {
 
     /// Returns whether the program converts between values of different kinds.
     pub(crate) fn mixes_kinds(&self) -> bool {
-        self.kinds().len() > 1
+        self.value_kinds().len() > 1
     }
 
     /// Returns the kinds of the values of the program between which conversions are one piece of work.
-    fn kinds(&self) -> BTreeSet<&'static str> {
+    fn value_kinds(&self) -> BTreeSet<&'static str> {
         let types = valued_types(self.program.text).into_iter();
         types.filter_map(kind).collect()
     }
@@ -211,6 +236,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     /// Returns the features of a program that stops, or does not stop, with a fault.
     pub(crate) fn of_fault(&self) -> Words {
         let mut features = words_of(&self.works, Role::Operation);
+        // A call only leads to the unit whose operations are counted too.
         features.remove("call");
         features
     }
@@ -221,16 +247,16 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         let operations = self.on_line(Role::Operation).into_iter();
         let mut features: Words = operations.map(|one| either_way(&one)).collect();
         let literals = self.suspect_literals(|span| self.is_on_line(span));
-        // An operator whose types are refused is refused anywhere, and so is one of the sign of a number.
+        // An operator whose types are refused is refused anywhere; a sign counts as an operator.
         let operators = match self.is_unread {
             true => Words::new(),
             false => self.operators(&features),
         };
-        // A literal that the engine does not know is not known anywhere, and a function is not known to a parser anywhere.
+        // An unknown literal is refused in every place; so is an unknown function by an engine that stopped at parsing.
         let is_unknown_anywhere = self.is_unread && self.calls_library();
         if literals.is_empty() && !is_unknown_anywhere {
             let is_anywhere = !operators.is_empty();
-            features.insert(if is_anywhere { PLACES[2] } else { self.place() }.to_owned());
+            features.insert(if is_anywhere { IN_STATEMENTS } else { self.place() }.to_owned());
         }
         if !operators.is_empty() {
             features.remove("sign");
@@ -240,7 +266,7 @@ impl<'t, 's> MarkedProgram<'t, 's> {
         features.extend(literals);
         let mut initial = self.program.at(Place::InitialValue);
         let by_name = |part: &Part<'_, '_>| self.is_on_line(part.expression.span) && part.name().is_some();
-        if features.contains("declaration") && initial.any(by_name) {
+        if features.contains(IN_DECLARATIONS) && initial.any(by_name) {
             features.insert("initial value by name".to_owned());
         }
         if !self.is_unread {
@@ -298,12 +324,13 @@ impl<'t, 's> MarkedProgram<'t, 's> {
     pub(crate) fn of_value(&self, is_initial: bool) -> (Words, bool) {
         let operations = words_of(&self.works, Role::Operation);
         let mut features: Words = operations.iter().map(|one| of_numbers(one)).collect();
+        // A call only leads to the unit whose operations are counted too.
         features.remove("call");
         // What is converted may have a sign before it.
         features.remove("sign");
         let begins = self.program.at(Place::InitialValue).next().is_some();
         let is_initial = is_initial && begins;
-        let kinds = self.kinds();
+        let kinds = self.value_kinds();
         let text = self.program.text;
         // A plain literal has the type of what begins with it.
         let has_typed_literal = || {
@@ -312,7 +339,8 @@ impl<'t, 's> MarkedProgram<'t, 's> {
                 .any(|word| word.contains('#') && type_of_word(word).is_some())
         };
         let converts = valued_types(text).len() > 1 && (!is_initial || has_typed_literal());
-        // An assignment converts between these types, or it would be the normal form; the place converts nothing.
+        // If an assignment converted wrongly between these types too, it would be the normal form. So what fails is that this place does
+        // not convert, whatever the types are.
         let are_numbers = kinds.iter().all(|kind| matches!(*kind, "integer" | "real"));
         if converts && are_numbers && (is_initial || features.contains("output argument")) {
             features.extend(is_initial.then(|| "initial value".to_owned()));

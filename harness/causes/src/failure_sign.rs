@@ -6,6 +6,8 @@ use crate::work::{Role, words_of, works};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
 use stickler_types::Code;
 
+/// The difference of a rendered text that has only other blanks, as [`Sign::at`] tells it.
+pub(crate) const OTHER_BLANKS: &str = "blanks";
 /// The number of words that are kept of a message.
 const MAX_WORDS: usize = 8;
 
@@ -172,7 +174,7 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
 /// at what.
 fn difference((expected, got): (&[Fact], &[Fact])) -> String {
     if differ_in_blanks_only(expected, got) {
-        return "blanks".to_owned();
+        return OTHER_BLANKS.to_owned();
     }
     let rejected = got.iter().find_map(|fact| match fact {
         Fact::NotRendered {
