@@ -1,3 +1,5 @@
+//! Tests of the examples: what a file shows, and what fits an expected text.
+
 use super::{Document, Example, blessed, check_examples, fits};
 
 /// A file in which each example shows its inputs.

@@ -36,16 +36,16 @@
 //! Architecture Invariant: this crate knows no language, no dialect and no other crate of Stickler; only tests use it.
 
 mod block;
+mod differences;
 pub mod examples;
 mod expansion;
 mod folder;
 mod markdown;
 mod marks;
-mod reported;
 
 pub use block::{Block, Difference, Program, same};
+pub use differences::{Reported, differences};
 pub use examples::{Example, check_examples};
 pub use expansion::expanded;
 pub use folder::check;
 pub use marks::{Marks, Value};
-pub use reported::{Reported, differences};

@@ -1,9 +1,9 @@
-//! Diagnostics as the stages of the reference collect them, with byte spans.
+//! Diagnostics with byte spans, as the lexer, the parser and the checker collect them.
 
 use crate::source::Span;
 use stickler_types::Code;
 
-/// An error in a source text, or a warning, as its code says.
+/// An error or a warning; its code says which.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct SpannedDiagnostic {
     /// The kind of error.
@@ -46,7 +46,7 @@ impl Diagnostics {
     /// The most diagnostics of one stage about one text.
     const MAX: usize = 20_000;
 
-    /// Adds a diagnostic; when the list is full, a last S0002 says so, and what follows is left out.
+    /// Adds a diagnostic; when the list is full, a last [`Code::LimitExceeded`] says so, and what follows is left out.
     pub fn report(&mut self, code: Code, span: Span, message: impl FnOnce() -> String) {
         match self.list.len() {
             length if length < Self::MAX => self.list.push(SpannedDiagnostic::new(code, span, message())),
@@ -98,7 +98,7 @@ mod tests {
     #[test]
     fn a_flood_of_diagnostics_ends_with_a_word_about_it() {
         let mut diagnostics = Diagnostics::default();
-        for start in 0..2 * 20_000 {
+        for start in (0..).take(2 * Diagnostics::MAX) {
             diagnostics.report(Code::SyntaxError, Span { start, end: start }, String::new);
         }
         let list = diagnostics.into_list();

@@ -14,7 +14,7 @@ struct Edit {
 }
 
 impl Edits {
-    /// Returns no edits.
+    /// Returns an empty list of edits.
     #[must_use]
     pub fn new() -> Edits {
         Edits::default()
@@ -61,7 +61,8 @@ impl Edits {
     /// Returns a text with the edits made.
     ///
     /// Of overlapping edits the one that begins first is made, and of two that begin together the longer one; one that does
-    /// not fit the text is left out.
+    /// not fit the text is left out. Two insertions at one place are both made; an insertion where a replacement begins is
+    /// left out.
     #[must_use]
     pub fn apply(&self, text: &str) -> String {
         let mut edits: Vec<&Edit> = self.0.iter().collect();
@@ -93,12 +94,7 @@ mod tests {
         edits.replace(Span { start: 0, end: 1 }, "one");
         edits.replace(8..8, "!");
         edits.remove(5..6);
-        assert_eq!(
-            edits.apply("a b c d "),
-            "one btwoc d !"
-                .replace("btwoc", "b twoc")
-                .replace("twoc d", "twod")
-        );
+        assert_eq!(edits.apply("a b c d "), "one b twod !");
     }
 
     #[test]

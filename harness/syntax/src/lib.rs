@@ -22,8 +22,6 @@
 
 pub mod decoding;
 pub mod diagnostic;
-#[cfg(test)]
-mod documents;
 mod edits;
 mod ending;
 pub mod features;
@@ -35,6 +33,8 @@ mod parts;
 mod renaming;
 mod renderer;
 pub mod source;
+#[cfg(test)]
+mod syntax_tests;
 pub mod token;
 pub mod tree;
 pub mod visitor;

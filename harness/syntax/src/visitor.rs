@@ -1,4 +1,4 @@
-//! Walks a syntax tree in the order of its text, with the context of each part: unit, section, statement, place.
+//! Walks a syntax tree in the order of its text, with the context of each part: POU, section, statement, place.
 //!
 //! The walk keeps its own stack for expressions, so that a chain of a million operators is walked without recursion.
 
@@ -79,7 +79,7 @@ pub struct Context<'t, 's> {
     pub statement: Option<&'t Statement>,
     /// The statements around the innermost one, outer ones first.
     pub around: Vec<&'t Statement>,
-    /// The span of the innermost part around; `None` where only the whole text is.
+    /// The span of the innermost part around that has a span; `None` where only the whole text is.
     pub outer: Option<Span>,
 }
 

@@ -1,4 +1,4 @@
-//! Evaluation of expressions.
+//! Evaluation of expressions of the model.
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};

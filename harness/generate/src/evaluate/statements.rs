@@ -1,4 +1,4 @@
-//! Execution of statements.
+//! Execution of statements by the evaluator.
 
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};

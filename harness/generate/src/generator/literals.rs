@@ -1,4 +1,4 @@
-//! Values, biased towards boundaries.
+//! Generation of values for literals, biased towards boundaries.
 
 use crate::random::Random;
 use std::sync::LazyLock;

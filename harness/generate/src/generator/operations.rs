@@ -1,4 +1,4 @@
-//! Operators and bits.
+//! Generation of operators and of accesses to bits.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;

@@ -1,4 +1,4 @@
-//! Functions and function blocks.
+//! Generation of functions and function blocks.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;

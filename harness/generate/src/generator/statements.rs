@@ -1,4 +1,4 @@
-//! Statements other than loops.
+//! Generation of statements other than loops.
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;

@@ -1,4 +1,4 @@
-//! Expressions and places.
+//! The expressions of a program of the model, and the places that it reads and writes.
 
 use super::{Type, VariableId};
 use stickler_exact::Signature;

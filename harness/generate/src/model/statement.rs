@@ -1,4 +1,4 @@
-//! Statements.
+//! The statements of a program of the model.
 
 use super::{Argument, Expression, Place, VariableId};
 

@@ -1,4 +1,4 @@
-//! Program organization units.
+//! The program organization units of a program of the model.
 
 use super::{Program, Statement, Variable};
 

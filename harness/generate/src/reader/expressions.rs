@@ -1,4 +1,4 @@
-//! Reading of expressions and places.
+//! Reading of expressions and places back into the model.
 
 use super::{BOOL, Reader, literals, named};
 use crate::evaluate::arithmetic;

@@ -1,4 +1,4 @@
-//! Reading of literals.
+//! Reading of literals back into the model.
 
 use super::Reader;
 use crate::generator::TypeContext;

@@ -1,4 +1,4 @@
-//! Reading of statements.
+//! Reading of statements back into the model.
 
 use super::Reader;
 use crate::generator::TypeContext;

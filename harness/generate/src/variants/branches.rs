@@ -1,4 +1,4 @@
-//! The two sides of an IF.
+//! The variant that exchanges the two sides of an IF.
 
 use super::loops::not;
 use super::walk::{each_body, lists};

@@ -1,4 +1,4 @@
-//! Writing of expressions and places.
+//! Writing of the expressions and places of the model as source text.
 
 use super::literals::begins_with_minus;
 use super::source_writer::SourceWriter;

@@ -1,4 +1,4 @@
-//! Writing of literals.
+//! Writing of the literals of the model as source text.
 
 use super::notation::long_prefix;
 use super::source_writer::SourceWriter;

@@ -1,4 +1,4 @@
-//! Writing of statements.
+//! Writing of the statements of the model as source text.
 
 use super::source_writer::SourceWriter;
 use crate::model::{

@@ -3,8 +3,8 @@
 mod calls;
 mod conversion_properties;
 mod dialects;
-mod documents;
 mod hostile;
+mod programs;
 mod registry;
 mod requests;
 mod syntax_mutations;

@@ -4,7 +4,7 @@ use super::{ExpressionId, Literal, Name, Prefixed};
 use crate::source::Span;
 use stickler_types::ElementaryType;
 
-/// An expression.
+/// An expression. Equality ignores the span: see `equality.rs`.
 #[derive(Debug)]
 pub struct Expression<'s> {
     /// The form.
@@ -52,7 +52,7 @@ pub enum ExpressionKind<'s> {
         /// The index as written; `u64::MAX` stands for anything larger.
         index: u64,
     },
-    /// A call of a function, a function block or (as TIME()) anything that looks like one.
+    /// A call of a function, a function block, or of a name that is neither, such as `TIME()`.
     Call {
         /// The function or instance that is called.
         callee: ExpressionId,
@@ -115,7 +115,7 @@ pub enum UnaryOperator {
     Not,
 }
 
-/// Infix operators, loosest first; each group's precedence is Table 71 of the third edition.
+/// Infix operators, loosest first, as in Table 71 of IEC 61131-3, third edition; those of equal precedence stand together.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum BinaryOperator {
     /// `OR`.

@@ -1,4 +1,4 @@
-//! Invalid declarations.
+//! Planted errors in declarations.
 
 use super::super::fault_site::{FaultSite, PLANTED};
 use super::edit::declaration;

@@ -1,4 +1,4 @@
-//! Empty ranges of labels.
+//! Planted errors in CASE labels: ranges that are empty.
 
 use super::super::fault_site::FaultSite;
 use crate::model::{CaseLabel, Expression, ExpressionKind, LiteralForm, Statement};

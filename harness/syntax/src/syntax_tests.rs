@@ -3,12 +3,12 @@
 //! | block | says |
 //! |---|---|
 //! | `st` | what is wrong with a program, by the marks of [`stickler_mdtest`], in the dialects behind the word (`ironplc-ed2` without one) |
-//! | `rendered`, `declared`, `used`, `leaves` | what the renderer writes of the program above, which names it declares and uses, and its expressions without operators, each with its place and depth |
+//! | `rendered`, `declared`, `used`, `leaves` | what the renderer writes of the program above, which names it declares and uses, and its literals and names, each with its place and depth |
 //! | `equal`, `different` | texts, one a line, of which the trees are all equal, or no two |
 //! | `kinds`, `tokens` | the kinds of the tokens of a text, and the tokens themselves |
 //! | `lexed` | the diagnostics of the lexer: a code and the text at which it points |
 //! | `grouping` | an expression with parentheses around each operation, and brackets around what is written in parentheses |
-//! | `tree` | parts of what the tree prints of itself, and how often: `Positional ×2 & Named` |
+//! | `tree` | parts of the `Debug` text of the tree, and how often: `Positional ×2 & Named` |
 //! | `enormous` | how many diagnostics a text has that is written with repetitions, or the only one: `2:6 S0002` |
 //! | `features`, `feature-uses`, `separable`, `parts`, `renamed` | the features of a program, and where it uses them; its names, or why it cannot stand beside others |
 
