@@ -1,4 +1,4 @@
-//! How plain the types and the numbers of a program are.
+//! The plainness of the types and numbers of a program: the order in which the normal form prefers them.
 
 use crate::forms::{PLAIN, named_types};
 use crate::program::{Part, ReadProgram};

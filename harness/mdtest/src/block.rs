@@ -17,7 +17,7 @@ pub struct Block {
 
 /// A program of a block.
 pub struct Program {
-    /// Its text.
+    /// The text of the program.
     pub text: String,
     /// The line of the block on which it stands alone, from 1.
     row: Option<usize>,
@@ -48,7 +48,7 @@ impl Program {
     }
 }
 
-/// Something that is not as a block says.
+/// A difference between what a block says and what came.
 #[derive(PartialEq, Eq, Debug)]
 pub struct Difference {
     /// The line of the block, from 1.

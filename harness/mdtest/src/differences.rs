@@ -11,11 +11,11 @@ pub struct Reported {
     pub line: u32,
     /// `error` or `warning`.
     pub severity: &'static str,
-    /// Its code.
+    /// The code of the diagnostic.
     pub code: String,
     /// The text at which it points.
     pub at: String,
-    /// Its message.
+    /// The message of the diagnostic.
     pub message: String,
     /// What it suggests to write there.
     pub suggestion: Option<String>,

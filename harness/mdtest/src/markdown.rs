@@ -35,7 +35,7 @@ pub(crate) struct Section {
 
 /// A row of a table.
 pub(crate) struct Row {
-    /// Its line, from 0.
+    /// The line of the row, from 0.
     pub(crate) line: usize,
     /// The names of the columns.
     pub(crate) columns: Vec<String>,

@@ -1,6 +1,6 @@
 //! The marks of a program: comments that say what must come of it.
 //!
-//! They are those of the conformance cases (`conformance-cases/README.md`):
+//! The marks are those of the conformance cases (`conformance-cases/README.md`):
 //!
 //! | mark | says |
 //! |---|---|
@@ -45,13 +45,13 @@ pub struct DiagnosticMark {
     pub line: u32,
     /// `error` or `warning`.
     pub severity: String,
-    /// Its code.
+    /// The code of the diagnostic.
     pub code: String,
     /// The text at which it points.
     pub at: Option<String>,
     /// What it suggests; empty for nothing.
     pub suggests: Option<String>,
-    /// Its message.
+    /// The message of the diagnostic.
     pub says: Option<String>,
 }
 

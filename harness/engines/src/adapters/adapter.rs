@@ -14,7 +14,7 @@ use crate::{
 };
 use stickler_types::DialectName;
 
-/// How one compiler is asked about programs.
+/// An adapter: the way in which one compiler is asked about programs.
 pub(super) trait Adapter: Send + Sync + Sized {
     /// The compiler.
     const COMPILER: Compiler;

@@ -1,4 +1,4 @@
-//! How a driver prints an observed value, for a person to read, and how an adapter reads it back to the same bits.
+//! Statements by which a driver prints observed values for a person, and the reading back of what it printed.
 
 use super::source::enumeration;
 use crate::{NamedValue, Observation, RunRequest};

@@ -88,14 +88,14 @@ pub(super) fn write(folder: &Path) -> PathBuf {
     path
 }
 
-/// What a browser shows at the addresses of the page.
+/// The addresses of the page, each with what a browser must show there.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Addresses {
     page: Vec<ShownPage>,
 }
 
-/// What a browser shows at an address.
+/// An address of the page, with what a browser must show there.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct ShownPage {
