@@ -17,7 +17,7 @@ use stickler_types::ElementaryType;
 /// The constructs of a program.
 #[derive(Debug)]
 pub(crate) struct Constructs {
-    /// What a smaller program may have only where the whole one has it.
+    /// The constructs that a smaller program may have only where the whole one has them.
     limited: BTreeSet<String>,
     /// The ways in which its statements use each name, in capitals: by itself, an element, a bit, a field.
     uses: BTreeMap<String, BTreeSet<String>>,

@@ -1,4 +1,4 @@
-//! What a wrong value says by its number alone of how it came about.
+//! Patterns of numbers: what of its origin a wrong value shows by its number alone.
 
 use crate::forms::named_types;
 use crate::program::ReadProgram;

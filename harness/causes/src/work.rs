@@ -6,11 +6,11 @@ use std::sync::LazyLock;
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_syntax::source::Span;
 
-/// What a piece of work is about.
+/// The subject of a piece of work.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Role {
-    /// What a program does with its values.
+    /// The operations of a program on its values.
     Operation,
     /// A form of literals that a compiler may not know.
     Literal,

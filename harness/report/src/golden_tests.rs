@@ -1,6 +1,6 @@
 //! Compares what is written about small runs with golden texts: each folder of `golden` is a test.
 //!
-//! Its `run.toml` describes the run; a comment on the first line says what the reports must show of it. The other files are the golden
+//! The file `run.toml` of a folder describes the run; a comment on the first line says what the reports must show of it. The other files are the golden
 //! texts of some of its reports, by the names that they have in a folder of reports, and besides:
 //!
 //! | file | what it holds |
@@ -47,7 +47,7 @@ struct RunFile {
     page: bool,
 }
 
-/// What a case has otherwise than that of [`sample::case`].
+/// The differences of a case from [`sample::case`].
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct CaseTable {
@@ -170,7 +170,7 @@ pub(crate) fn read(path: &Path) -> (Vec<Event>, bool) {
     (events, run.page)
 }
 
-/// What documents state about the conversions of a run, in a `statements.toml`.
+/// The statements of documents about the conversions of a run, in a `statements.toml`.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StatementsFile {
@@ -178,7 +178,7 @@ struct StatementsFile {
     statement: Vec<StatementTable>,
 }
 
-/// What a document states of a question of a case.
+/// The statement of a document about the question of a case.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct StatementTable {

@@ -1,4 +1,4 @@
-//! What a compiler's own diagnostic codes mean, and what follows of its diagnostics.
+//! The meanings of the diagnostic codes of a compiler, and the outcomes that follow from its diagnostics.
 
 use super::described::Parsed;
 use super::locate::unsupported;

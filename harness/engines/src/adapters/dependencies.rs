@@ -27,7 +27,7 @@ pub struct Dependency {
     beside: Vec<String>,
 }
 
-/// What a dependency is.
+/// The kind of a dependency.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 enum DependencyKind {

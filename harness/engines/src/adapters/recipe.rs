@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// The name of the file of a program.
 pub(super) const PROGRAM: &str = "program.st";
 
-/// What a step of a recipe is for.
+/// The purpose of a step of a recipe.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Purpose {
     /// The compiler under test reads the program.

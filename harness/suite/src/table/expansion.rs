@@ -38,7 +38,7 @@ pub(super) struct CaseMaker<'a, 'h> {
     budget: Budget,
 }
 
-/// What a cell or a row says of its cases in one group of dialects.
+/// The statement of a cell or a row about its cases in one group of dialects.
 pub(super) struct CaseParts<'p> {
     pub(super) id: Arc<str>,
     pub(super) line: u32,
