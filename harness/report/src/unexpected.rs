@@ -110,7 +110,7 @@ fn text(basis: &str, expected: &str, got: &str, program: &str, rerun: &str) -> S
         format!("basis: {basis}\n\n"),
         part("expected", expected),
         part("got", got),
-        part("program", program),
+        part("program", program.trim_start_matches('\n')),
         part("rerun", rerun),
     ]
     .concat();

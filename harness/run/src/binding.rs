@@ -7,9 +7,9 @@ use stickler_types::DialectName;
 /// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
 ///
 /// The reference is bound by every source, and every engine by a standard. A rule of Stickler binds others only where
-/// `strict_rules` says so. Any other source binds the compilers that it names, and a recording the compiler that was recorded. An engine for which Stickler has no adapter is
-/// bound by the sources that speak for the dialects it lists, since its author declared that it follows them; so is every engine
-/// by what `stickler.toml` states about a dialect of its own.
+/// `strict_rules` says so. Any other source binds the compilers that it names, and a recording the compiler that was recorded. An engine
+/// for which Stickler has no adapter is bound by the sources [that are about](Sources::are_about) the dialects it lists, since its author
+/// declared that it follows them; so is every engine by what `stickler.toml` states about a dialect of its own.
 #[must_use]
 pub fn binds(
     (basis, dialect): (&str, DialectName),
@@ -27,7 +27,7 @@ pub fn binds(
         SourceKind::Standard => true,
         SourceKind::Rule => strict_rules,
         _ if Compiler::from_name(&engine.name).is_some() => source.speaks_of(section, &engine.name),
-        _ => source.speaks_for(section, dialect),
+        _ => sources.are_about(source.dialects_of(section), dialect),
     }
 }
 

@@ -60,7 +60,8 @@ pub struct Header {
     pub engines: Vec<EngineHeader>,
     /// The number of case events that follow in a complete run.
     pub cases: u64,
-    /// The filters by which cases were selected, as they were typed; empty where all cases were.
+    /// The filters by which cases were selected, as they were typed, and those that left cases out, behind `not`; empty where all cases
+    /// were selected.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub filters: Vec<String>,
     /// The dialects whose cases were selected; empty where all were.

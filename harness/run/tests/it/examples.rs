@@ -1,5 +1,6 @@
 //! The tests that are tables and files in `tests/examples`.
 
+use crate::defined;
 use crate::fixtures::{Book, Puppet, engine_header, event, sources, suite};
 use crate::words::{expecting, outcome, shown};
 use std::time::Duration;
@@ -249,7 +250,10 @@ fn golden_bindings() {
         };
         let case = Case {
             basis: example.text("basis").into(),
-            dialect: DialectName::IRONPLC_ED3,
+            dialect: match example.get("dialect") {
+                Some("mine") => defined::extending("of-described", DialectName::IRONPLC_ED3),
+                named => named.unwrap_or("ironplc-ed3").parse().unwrap(),
+            },
             ..expecting(example.get("expects").unwrap_or("q = INT#1"))
         };
         let mut suite = suite(vec![case.clone()]);
