@@ -81,7 +81,7 @@ fn blessed(text: &str, run: &EngineRun, cases: &[(&str, DialectName)]) -> (Vec<S
     );
     let entries = read(&blessing.text).entries.into_iter();
     let entries =
-        entries.map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.case.as_str()));
+        entries.map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.cases[0].as_str()));
     (entries.collect(), blessing.strangers)
 }
 
