@@ -123,6 +123,7 @@ pub fn run_with(
             totals: tally.totals,
             engines: tally.engines,
             duration_ms,
+            causes_ms: None,
         }));
     }
     Ok(RunSummary {
