@@ -57,6 +57,14 @@ pub struct Case {
 }
 
 impl Case {
+    /// Returns whether another case has the same program and the same expectation.
+    pub(crate) fn asks_the_same_as(&self, other: &Case) -> bool {
+        self.source == other.source
+            && self.expectation == other.expectation
+            && self.observe == other.observe
+            && (self.scans, &self.set, &self.clock) == (other.scans, &other.set, &other.clock)
+    }
+
     /// Returns a case of a program that stands in no case file. It expects that the program is accepted, and observes nothing.
     pub fn of_program(id: &str, dialect: DialectName, source: &str) -> Case {
         Case {

@@ -25,7 +25,7 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     let selection = &arguments.selection;
     let plan = run_plan::plan(selection, None);
     let folder = CaseFolder::locate(selection.cases.as_deref())?;
-    let Loaded { suite, left_out, .. } = folder.load_for(&plan)?;
+    let Loaded { suite, left_out, .. } = folder.load_for(&plan, &[])?;
     let cases = match arguments.left_out {
         true => left_out.iter().collect(),
         false => select(&plan, &suite.cases),

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::folders::{folder, load, write};
-use stickler_suite::{FileKind, Suite, lint, load_file};
+use stickler_suite::{FileKind, Suite, Wanted, lint, load_file};
 
 const PROGRAM: &str =
     "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [\"matiec\"]\n*)\nx; (*! ok *)\n";
@@ -14,7 +14,7 @@ fn only_the_files_that_are_wanted_are_read() {
                  [[probe]]\nname = 'p'\nsource = 'x := {a}; (*! ok *)'\n";
     let folder = folder(&[("a/bad.st", "x"), ("a/good.st", PROGRAM), ("a/good.toml", table)]);
     let wanted = |wanted: FileKind| {
-        let suite = Suite::load_files(&folder.path().join("cases"), &[], |id, kind| {
+        let suite = Suite::load_files(&folder.path().join("cases"), Wanted::default(), |id, kind| {
             id == "a/good" && kind == wanted
         });
         assert!(suite.errors.is_empty(), "{:?}", suite.errors);
