@@ -184,7 +184,8 @@ impl Dialects {
     fn unknown(&self, name: &str) -> String {
         let dialects = DialectName::ALL.iter().map(|dialect| dialect.as_str());
         let groups = self.groups.keys().map(String::as_str);
-        let known: Vec<&str> = dialects.chain(groups).chain([EVERY]).collect();
+        let every = (!self.groups.contains_key(EVERY)).then_some(EVERY);
+        let known: Vec<&str> = dialects.chain(every).chain(groups).collect();
         format!("no dialect or group `{name}`; there are {}", known.join(", "))
     }
 }

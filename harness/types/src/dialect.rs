@@ -414,7 +414,7 @@ mod tests {
         assert_eq!(
             DialectName::ALL.map(has),
             [
-                false, true, true, false, true, true, true, true, true, true, true, true, true
+                false, true, true, false, true, true, true, true, true, true, true, true, true, false, true
             ]
         );
         assert!(Dialect::of(DialectName::IRONPLC_ED2).has(ElementaryType::Time));
