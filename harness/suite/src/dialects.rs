@@ -161,7 +161,8 @@ impl Dialects {
     }
 
     /// Returns whether names begin with the word for every documented system.
-    pub(crate) fn is_all(names: &str) -> bool {
+    #[must_use]
+    pub fn is_all(names: &str) -> bool {
         names.split_whitespace().next() == Some(EVERY)
     }
 

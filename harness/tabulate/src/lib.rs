@@ -24,6 +24,7 @@ pub mod folder;
 pub mod generate;
 pub mod inputs;
 pub mod lists;
+mod every_dialect;
 mod number;
 pub mod suggestion;
 pub mod table;
