@@ -127,9 +127,12 @@ impl Features {
     }
 
     /// Returns a feature of a program that a dialect does not declare to have: neither its edition of IEC 61131-3 has a table of it, nor
-    /// does its file name it.
+    /// does its file name it. `None` in a suite without a list of features.
     #[must_use]
     pub fn undeclared(&self, program: &str, dialect: DialectName) -> Option<FeatureKey> {
+        if self.list.is_empty() {
+            return None;
+        }
         let rules = Dialect::of(dialect);
         let is_of_edition = |key: &str| {
             let tables = self.get(key).map(|feature| &feature.tables);

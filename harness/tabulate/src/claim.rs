@@ -33,7 +33,11 @@ impl Table {
     /// another document than the one that says so, and the table has no column `basis`; where two dialects give different
     /// results; and where the file leaves out a dialect that has the function.
     pub fn expected(&self, call: &Call) -> Result<Vec<Agreed>, String> {
-        match self.probes.iter().any(|probe| probe.is_of_all && probe.claim == Some(ProbeClaim::Value)) {
+        match self
+            .probes
+            .iter()
+            .any(|probe| probe.is_of_all && probe.claim == Some(ProbeClaim::Value))
+        {
             true => self.in_every_dialect(call),
             false => Ok(vec![self.in_named_dialects(call)?]),
         }

@@ -24,8 +24,15 @@ impl Table {
         if !self.has_column("dialects") {
             return Err("the table names its dialects as `all` and has no column `dialects`".to_owned());
         }
-        if let Some(probe) = self.probes.iter().find(|probe| probe.claim != Some(ProbeClaim::Value)) {
-            return Err(format!("`{}` asserts no result, in dialects named as `all`", probe.name));
+        if let Some(probe) = self
+            .probes
+            .iter()
+            .find(|probe| probe.claim != Some(ProbeClaim::Value))
+        {
+            return Err(format!(
+                "`{}` asserts no result, in dialects named as `all`",
+                probe.name
+            ));
         }
         let statements = self.statements(call);
         let mut values: Vec<Value> = Vec::new();
@@ -39,9 +46,8 @@ impl Table {
             return Err("no source states the result".to_owned());
         }
         let agree = values.len() == 1;
-        let is_stated = |statement: &Statement| {
-            statement.basis.is_some() || agree && values.contains(&statement.value)
-        };
+        let is_stated =
+            |statement: &Statement| statement.basis.is_some() || agree && values.contains(&statement.value);
         let (stated, open): (Vec<Statement>, Vec<Statement>) = statements.into_iter().partition(is_stated);
         let agreed = values.iter().map(|value| {
             let of_value = stated.iter().filter(|statement| statement.value == *value);
@@ -53,22 +59,33 @@ impl Table {
             agreed.push(Agreed {
                 value: OPEN.to_owned(),
                 basis: String::new(),
-                dialects: named(&dialects, call),
+                dialects: self.named(&dialects, call),
             });
         }
         Ok(agreed)
     }
 
+    /// Returns the dialects that any probe asks.
+    fn dialects_of_probes(&self) -> impl Iterator<Item = DialectName> {
+        let asks = |dialect: &DialectName| self.probes.iter().any(|probe| probe.dialects.contains(dialect));
+        DialectName::ALL.into_iter().filter(asks)
+    }
+
     /// Returns the statements of the dialects of the probes that have the function.
     fn statements(&self, call: &Call) -> Vec<Statement> {
-        let asked = |dialect: &DialectName| self.probes.iter().any(|probe| probe.dialects.contains(dialect));
         let statement = |dialect: DialectName| {
             let own = call.expected(dialect)?;
-            let basis = own.basis.or_else(|| self.by_the_standard(call, dialect, &own.value));
+            let basis = own
+                .basis
+                .or_else(|| self.by_the_standard(call, dialect, &own.value));
             let value = own.value;
-            Some(Statement { dialect, value, basis })
+            Some(Statement {
+                dialect,
+                value,
+                basis,
+            })
         };
-        DialectName::ALL.into_iter().filter(asked).filter_map(statement).collect()
+        self.dialects_of_probes().filter_map(statement).collect()
     }
 
     /// Returns the table of the third edition that states the result, for a dialect that declares this edition.
@@ -86,7 +103,9 @@ impl Table {
             .filter_map(|statement| Some((statement.dialect, statement.basis?)))
             .collect();
         let is_named = |&(dialect, basis): &(DialectName, &str)| {
-            self.probes.iter().all(|probe| self.chosen(&probe.basis, dialect) == Some(basis))
+            self.probes
+                .iter()
+                .all(|probe| self.chosen(&probe.basis, dialect) == Some(basis))
         };
         let basis = match said.iter().find(|said| !is_named(said)) {
             None => String::new(),
@@ -99,26 +118,29 @@ impl Table {
         Ok(Agreed {
             value: value.to_string(),
             basis,
-            dialects: named(&dialects, call),
+            dialects: self.named(&dialects, call),
         })
     }
-}
 
-/// Returns the names of dialects in the shorter way: all of them, or all but some of those that have the types of the call.
-fn named(dialects: &[DialectName], call: &Call) -> String {
-    let has_types = |dialect: DialectName| {
-        let mut types = call.signature.operands.iter().chain([&call.signature.result]);
-        types.all(|ty| Dialect::of(dialect).has(*ty))
-    };
-    let others = DialectName::ALL.into_iter().filter(|dialect| !dialects.contains(dialect));
-    let others: Vec<&str> = others
-        .filter(|dialect| has_types(*dialect))
-        .map(DialectName::as_str)
-        .collect();
-    let those: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
-    match others.len() {
-        0 => String::new(),
-        number if number < those.len() => format!("all but {}", others.join(" ")),
-        _ => those.join(" "),
+    /// Returns the names of dialects in the shorter way: nothing for all of the table that have the types of the call, all but some of
+    /// these, or those.
+    fn named(&self, dialects: &[DialectName], call: &Call) -> String {
+        let has_types = |dialect: DialectName| {
+            let mut types = call.signature.operands.iter().chain([&call.signature.result]);
+            types.all(|ty| Dialect::of(dialect).has(*ty))
+        };
+        let others = self
+            .dialects_of_probes()
+            .filter(|dialect| !dialects.contains(dialect));
+        let others: Vec<&str> = others
+            .filter(|dialect| has_types(*dialect))
+            .map(DialectName::as_str)
+            .collect();
+        let those: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
+        match others.len() {
+            0 => String::new(),
+            number if number < those.len() => format!("all but {}", others.join(" ")),
+            _ => those.join(" "),
+        }
     }
 }

@@ -20,11 +20,11 @@
 pub mod call;
 pub mod cell;
 pub mod claim;
+mod every_dialect;
 pub mod folder;
 pub mod generate;
 pub mod inputs;
 pub mod lists;
-mod every_dialect;
 mod number;
 pub mod suggestion;
 pub mod table;

@@ -1,6 +1,7 @@
-//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, or the features of
-//! the language.
+//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, the features of
+//! the language, or how many cases there are.
 
+mod count;
 mod features;
 mod places;
 mod sources;
@@ -9,14 +10,13 @@ use crate::arguments::ListArguments;
 use crate::case_folder::{self, CaseFolder, Loaded};
 use crate::exit::Exit;
 use crate::output::{BOLD, DIM};
-use crate::{output, run_plan};
+use crate::run_plan;
 use serde::Serialize;
-use std::collections::{BTreeMap, BTreeSet, HashSet};
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use stickler_report::basis::Basis;
 use stickler_run::select;
 use stickler_suite::Case;
-use stickler_types::{Observation, counted};
 
 /// Lists the selected cases, their claims, the sources of these, or the places and features in their programs.
 ///
@@ -38,23 +38,17 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
         sources::write(out, &suite.sources, &cases, arguments.json)?;
     } else if arguments.places {
         places::write(out, &cases, arguments.json)?;
+    } else if arguments.count {
+        count::write(out, &cases, arguments.json)?;
     } else if arguments.features {
         features::write(out, &suite.features, &cases, arguments.json)?;
     } else if arguments.basis {
         write_claims(out, &claims(&cases), arguments.json)?;
     } else {
-        cases.iter().try_for_each(|case| match arguments.json {
+        cases.into_iter().try_for_each(|case| match arguments.json {
             true => write_json(out, &CaseLine::new(case)),
             false => writeln!(out, "{}@{}", case.id, case.dialect),
         })?;
-        let questions: HashSet<(&str, &[Observation])> =
-            cases.iter().map(|case| (&*case.source, &*case.observe)).collect();
-        let questions = counted(questions.len() as u64, "question", "questions");
-        let cases = counted(cases.len() as u64, "case", "cases");
-        writeln!(
-            output::stderr(),
-            "{cases}: {questions}, each asked in the dialects that can hold it"
-        )?;
     }
     Ok(case_folder::exit_of(&suite))
 }
