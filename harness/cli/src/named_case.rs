@@ -38,10 +38,12 @@ impl<'n> NamedCase<'n> {
         let plan = run_plan::plan(&selection, None);
         let dialect = Filter::new(name).dialect();
         let dialects: Vec<DialectName> = dialect.into_iter().collect();
-        let suite = CaseFolder::locate(cases)?.load_selected(&plan, &dialects, &dialects);
+        let folder = CaseFolder::locate(cases)?;
+        let suite = folder.load_selected(&plan, &dialects, &dialects);
         let named = NamedCase { suite, plan, name };
         if named.cases().is_empty() {
-            bail!("{}", no_such_case(&named.suite, name));
+            let others = folder.load_selected(&named.plan, &dialects, &[]);
+            bail!("{}", no_such_case(&others, name));
         }
         Ok(named)
     }

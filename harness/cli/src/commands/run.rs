@@ -96,7 +96,7 @@ fn run(
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
     let stated = match &report_folder {
-        Some(_) => statements(&selected, folder),
+        Some(_) => statements(&selected, &suite, folder),
         None => Statements::default(),
     };
     let mut sink = EventSink {
