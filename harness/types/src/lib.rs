@@ -22,6 +22,7 @@ pub mod boundaries;
 mod choice;
 pub mod choices;
 pub mod code;
+mod declared_features;
 pub mod diagnostic;
 pub mod dialect;
 pub mod dialect_file;
@@ -53,6 +54,7 @@ pub use choices::{
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
+pub use declared_features::DeclaredFeatures;
 pub use diagnostic::{Diagnostic, Severity};
 pub use dialect::{Dialect, DialectKind, Stated};
 pub use dialect_name::{DialectName, TakenName, UnknownDialect};

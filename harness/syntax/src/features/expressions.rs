@@ -137,6 +137,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let is_long = ty.is_some_and(ElementaryType::is_third_edition);
         let text = literal.text();
         let is_signed = text.starts_with(['-', '+']);
+        let is_octal = literal.kind == LiteralKind::BasedInteger
+            && text.trim_start_matches(['-', '+']).starts_with("8#");
+        self.note_if(is_octal, "octal-literal", span);
         let key = match literal.kind {
             LiteralKind::Integer if ty == Some(ElementaryType::Bool) => Some("typed-literal-boolean-digit"),
             LiteralKind::Integer => None,
