@@ -78,6 +78,9 @@ struct PlaceKey {
     promised: Strings,
     absent: Option<Vec<Spanned<String>>>,
     only_rejected: Option<Vec<Spanned<String>>>,
+    /// Whether the place stands only in probes that name it or a group of it.
+    #[serde(default)]
+    only_named: bool,
     only: Option<Spanned<String>>,
     units: Option<Vec<Spanned<String>>>,
     #[serde(default)]
@@ -192,9 +195,12 @@ impl Places {
         Ok(found)
     }
 
-    /// Returns all places of a role, by index.
-    pub(crate) fn all(&self, role: Role) -> Vec<usize> {
-        (0..self.of(role).len()).collect()
+    /// Returns the places of a role that a probe has without naming them, by index.
+    pub(crate) fn unnamed(&self, role: Role) -> Vec<usize> {
+        let places = self.of(role);
+        (0..places.len())
+            .filter(|&index| !places[index].key.only_named)
+            .collect()
     }
 
     /// Keeps the targets that take more than literals.

@@ -18,11 +18,12 @@ use crate::{Dialects, Source, Sources, files, ident};
 const PLACES: &str = "places.toml";
 
 /// The words in braces that the texts of a place may use.
-const WORDS: [&str; 9] = [
+const WORDS: [&str; 10] = [
     "from",
     "to",
     "value",
     "typed",
+    "arriving",
     "source",
     "target",
     "observe",
