@@ -8,6 +8,7 @@ use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
 use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
+use stickler_engines::OTHER_TYPE;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
 use stickler_types::{Code, Diagnostic};
@@ -74,6 +75,7 @@ impl Titled<'_, '_> {
             }
             Symptom::Surplus(_) => self.surplus(&wanted),
             Symptom::Value | Symptom::Missing => self.wrong_value(),
+            Symptom::OtherType => format!("values have {OTHER_TYPE}"),
             Symptom::NotWarned(_) => {
                 let missing = warning(expected, got);
                 let wrong = missing.code.as_deref().and_then(summary);

@@ -137,9 +137,12 @@ pub struct SelectionArguments {
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only the case that TEXT names; where it names none, the cases whose `id@dialect` contains it, or, where
-    /// TEXT has a `*`, those that it fits from start to end
+    /// TEXT has a `*`, those that it fits from start to end; may be repeated
     #[arg(long, value_name = "TEXT")]
-    pub filter: Option<String>,
+    pub filter: Vec<String>,
+    /// Leave out the cases that TEXT names or fits, as --filter reads it; may be repeated
+    #[arg(long, value_name = "TEXT")]
+    pub exclude: Vec<String>,
     /// Only cases of this dialect, which stickler.toml may define; may be repeated [default: those of documented systems]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,

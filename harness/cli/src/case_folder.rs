@@ -3,7 +3,7 @@
 use crate::carried_cases;
 use crate::exit::Exit;
 use crate::output;
-use crate::run_plan;
+use crate::{engines, run_plan, shell};
 use anyhow::{Context, bail};
 use std::collections::BTreeSet;
 use std::env;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
 use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite, Wanted};
-use stickler_types::{DialectName, Question};
+use stickler_types::{DialectName, Question, counted};
 
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
@@ -333,24 +333,63 @@ pub fn exit_of(suite: &Suite) -> Exit {
     }
 }
 
-/// Reports on stderr that the filters select no case, and returns the exit code for that.
-pub fn nothing_selected(suite: &Suite) -> Exit {
-    let is_beside = |dialect: &DialectName| {
-        dialect.is_custom() && suite.cases.iter().all(|case| case.dialect != *dialect)
-    };
-    let unless_named = match DialectName::defined().iter().any(is_beside) {
-        true => "; a dialect of stickler.toml has cases where --dialect names it",
-        false => "",
-    };
-    output::error(&match suite.cases.len() {
-        0 => anyhow::anyhow!("no case is selected: there are none"),
-        number => {
-            anyhow::anyhow!(
-                "no case is selected: none of {number} fits; `stickler list` lists them{unless_named}"
-            )
-        }
-    });
+/// Reports on stderr why a plan selects no case, and returns the exit code for that.
+pub fn nothing_selected(plan: &Plan, suite: &Suite) -> Exit {
+    output::error(&anyhow::anyhow!(
+        "no case is selected: {}",
+        why_nothing(plan, suite)
+    ));
     Exit::NothingTested.worst(exit_of(suite))
+}
+
+/// Returns what of a plan selects no case, and which cases there are otherwise.
+fn why_nothing(plan: &Plan, suite: &Suite) -> String {
+    let filters = options("--filter", plan.filters.iter().map(Filter::as_str));
+    let all = Plan {
+        filters: plan.filters.clone(),
+        ..Plan::default()
+    };
+    let fitting = select(&all, &suite.cases);
+    let in_dialects = Plan {
+        dialects: plan.dialects.clone(),
+        ..all
+    };
+    let spoken = select(&in_dialects, &suite.cases);
+    let number = counted(spoken.len() as u64, "case", "cases");
+    if suite.cases.is_empty() {
+        "there are none".to_owned()
+    } else if fitting.is_empty() {
+        let is_beside = |dialect: &DialectName| {
+            dialect.is_custom() && suite.cases.iter().all(|case| case.dialect != *dialect)
+        };
+        let unless_named = match DialectName::defined().iter().any(is_beside) {
+            true => "; a dialect of stickler.toml has cases where --dialect names it",
+            false => "",
+        };
+        let all = counted(suite.cases.len() as u64, "case", "cases");
+        format!("{filters} fits none of {all}; `stickler list` lists them{unless_named}")
+    } else if spoken.is_empty() {
+        let dialects = options("--dialect", plan.dialects.iter().map(|dialect| dialect.as_str()));
+        let of: BTreeSet<DialectName> = fitting.iter().map(|case| case.dialect).collect();
+        let of = engines::listed(&Vec::from_iter(of));
+        let what = if filters.is_empty() {
+            "the suite has"
+        } else {
+            &format!("{filters} fits")
+        };
+        format!("{dialects} has none of what {what}, which is of {of}")
+    } else if let Some(shard) = plan.shard {
+        format!("part {shard} has none of {number}")
+    } else {
+        let excluded = options("--exclude", plan.excluded.iter().map(Filter::as_str));
+        format!("{excluded} leaves out all of {number}")
+    }
+}
+
+/// Returns an option with its arguments, as it is typed.
+pub fn options<'a>(name: &str, arguments: impl Iterator<Item = &'a str>) -> String {
+    let typed = arguments.map(|argument| format!("{name} {}", shell::quote(argument)));
+    typed.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

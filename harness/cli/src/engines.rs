@@ -162,6 +162,10 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
             engine: identity.name.clone(),
             asked: listed(asked),
             spoken: listed(&identity.dialects),
+            hint: match identity.dialects.iter().find(|dialect| dialect.is_custom()) {
+                Some(own) => format!(", a dialect of stickler.toml, which is asked for with --dialect {own}"),
+                None => String::new(),
+            },
         }
         .into());
     }

@@ -32,7 +32,7 @@ impl<'n> NamedCase<'n> {
     pub fn load(name: &'n str, cases: Option<&Path>) -> anyhow::Result<NamedCase<'n>> {
         let selection = SelectionArguments {
             cases: cases.map(Path::to_owned),
-            filter: Some(name.to_owned()),
+            filter: vec![name.to_owned()],
             ..SelectionArguments::default()
         };
         let plan = run_plan::plan(&selection, None);

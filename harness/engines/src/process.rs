@@ -13,6 +13,7 @@ mod group;
 mod message;
 mod pause;
 mod session;
+mod time_limit;
 mod tool;
 mod usage;
 
@@ -25,6 +26,8 @@ use session::ProcessSession;
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+pub use time_limit::{end_questions_at, limit_programs};
+pub(crate) use time_limit::{milliseconds, time_limit};
 pub(crate) use tool::{Ended, ToolLimits, run as run_tool, run_with as run_tool_with};
 
 /// Kills every process that an engine of this program has started, with all that they started, and removes their working

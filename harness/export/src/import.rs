@@ -145,6 +145,7 @@ impl Export {
                     totals,
                 }],
                 duration_ms: 0,
+                causes_ms: None,
             }));
         }
         imported

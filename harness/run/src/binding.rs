@@ -46,8 +46,8 @@ impl Binding {
 ///
 /// The source is the one that binds most closely of those that the case file names: what the documents of the system or recordings of
 /// it state, then the standard, which binds in the features that the system declares, then what other systems document, where a miss
-/// is only a difference. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources that
-/// speak for the dialects that it lists, since its author declared that it follows them.
+/// is only a difference. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
+/// [that are about](stickler_suite::Sources::are_about) the dialects that it lists, since its author declared that it follows them.
 #[must_use]
 pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Binding {
     if engine.is_some_and(|engine| engine.name == Reference::NAME) {
@@ -59,7 +59,9 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
     let compiler = engine.filter(|engine| Compiler::from_name(&engine.name).is_some());
     let is_own = match compiler {
         Some(compiler) => source.speaks_of(section, &compiler.name),
-        None => source.speaks_for(section, claim.dialect),
+        None => suite
+            .sources
+            .are_about(source.dialects_of(section), claim.dialect),
     };
     match source.kind {
         SourceKind::Standard => match suite.features.undeclared(claim.program, claim.dialect) {

@@ -64,3 +64,4 @@ pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, address_of};
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
+pub use unmarked::without_blank_lines;

@@ -34,7 +34,7 @@ pub struct Case {
     pub area: Arc<str>,
     /// The 1-based line in [`Case::file`] that the case stands on: line 1 of a program, the row of a table.
     pub line: u32,
-    /// The program, marks and all: they are comments, so lines stay what they are in the file.
+    /// The program, with blanks in place of its marks, so that lines stay what they are in the file.
     pub source: Arc<str>,
     /// The number of scans that the program runs; at least 1.
     pub scans: u32,

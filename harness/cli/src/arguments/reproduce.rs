@@ -18,9 +18,6 @@ pub struct ReproduceArguments {
     /// The compiler: one with an adapter, or one that stickler.toml describes; it need not be here
     #[arg(long, value_name = "ENGINE")]
     pub engine: String,
-    /// Leave the header and the marks in the program of a case, and its lines where they are in the suite
-    #[arg(long)]
-    pub with_marks: bool,
     /// The dialect of a file
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Option<DialectName>,

@@ -15,12 +15,13 @@ use anyhow::bail;
 use std::collections::BTreeMap;
 use std::env;
 use std::io::Write;
+use std::time::Duration;
 use stickler_causes::Search;
 use stickler_conversions::overview::Statements;
-use stickler_engines::Engine;
+use stickler_engines::{Engine, limit_programs};
 use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
-use stickler_run::{AnswerStore, Baseline, Event, Plan, RunSummary, select};
+use stickler_run::{AnswerStore, Baseline, Event, Filter, Plan, RunSummary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
@@ -34,6 +35,9 @@ use watch::CaseWatch;
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     // An engine may take its time to start; the run itself ends in an orderly way.
     interrupt::at_once()?;
+    if let Some(seconds) = arguments.timeout {
+        limit_programs(Duration::from_secs(seconds));
+    }
     let engines = engines::by_names(&arguments.engine)?;
     let asked_for = asked_for(&engines);
     let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
@@ -89,9 +93,9 @@ fn run(
     };
     let selected = select(plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(&suite));
+        return Ok(case_folder::nothing_selected(plan, &suite));
     }
-    understood(&selected, engines)?;
+    understood(plan, &selected, engines)?;
     let report_folder =
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
@@ -160,7 +164,7 @@ fn spoken(engines: &[&dyn Engine]) -> Vec<DialectName> {
 
 /// # Errors
 /// Engines that speak the dialect of no case: then there is no run that could be reported.
-fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
+fn understood(plan: &Plan, cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
     let mut dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
     dialects.sort_unstable();
     dialects.dedup();
@@ -171,7 +175,14 @@ fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
             Err(error) => failed = failed.or(Some(error)),
         }
     }
-    failed.map_or(Ok(()), Err)
+    let filters = case_folder::options("--filter", plan.filters.iter().map(Filter::as_str));
+    match failed {
+        Some(error) if !filters.is_empty() => {
+            Err(error.context(format!("{filters} fits no case of its dialects")))
+        }
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
 }
 
 /// Returns, by the name of each engine, the argument of `--engine` that names it again, quoted for a shell.
@@ -220,6 +231,9 @@ fn judged_alike(arguments: &RunArguments) -> String {
     if let Some(grade) = arguments.strict {
         options.push_str(" --strict ");
         options.push_str(grade.as_str());
+    }
+    if let Some(seconds) = arguments.timeout {
+        options.push_str(&format!(" --timeout {seconds}"));
     }
     if arguments.strict_rules {
         options.push_str(" --strict-rules");

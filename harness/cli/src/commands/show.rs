@@ -79,7 +79,9 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
         writeln!(out, "{DIM}scans{DIM:#}     {}", case.scans)?;
     }
     writeln!(out, "\n{BOLD}Program{BOLD:#}\n")?;
-    for (number, line) in case.source.lines().enumerate() {
+    // The lines of the header and of marks in front are blank.
+    let is_blank = |(_, line): &(usize, &str)| line.trim().is_empty();
+    for (number, line) in case.source.lines().enumerate().skip_while(is_blank) {
         let gap = if line.is_empty() { "" } else { "  " };
         writeln!(out, "{DIM}{:>4}{DIM:#}{gap}{line}", number + 1)?;
     }

@@ -39,7 +39,7 @@ function showCauses(main, query) {
 
 /** Returns the box of a cause. */
 function causeBox(cause, number, open) {
-  const title = [el("span.tag.fail", {}, grouped(cause.number)), " ", engineNames().length > 1 ? `${cause.engine}: ` : "", quoted(cause.title)];
+  const title = [el("span.tag.fail", {}, cause.cases_shown), " ", engineNames().length > 1 ? `${cause.engine}: ` : "", quoted(cause.title)];
   if (cause.differs) title[0].className = "tag differs";
   return opening(title, () => {
     const address = addressOf("causes", { number });
@@ -89,7 +89,7 @@ function explained(cause) {
     link(addressOf("cases", { engine: cause.engine, dialect: some.dialect, probe: some.probe }), el("span.code", {}, some.probe)),
     some.dialect, basisLink(some.basis)]);
   const rest = cause.cases.length - rows.length;
-  return el("div", {}, table(`${counted(cause.number, "case fails", "cases fail")} for it`,
+  return el("div", {}, table(`${counted(cause.number, "case fails or differs", "cases fail or differ")} for it`,
     [el("th.number", {}, "cases"), "verdict", "probe", "dialect", "claim"], rows),
     rest > 0 ? el("p.dim", {}, `and ${counted(rest, "probe", "probes")} more`) : null);
 }

@@ -1,8 +1,10 @@
 // Programs, and what was expected beside what came.
 
-/** Returns a program with its lines numbered and its comments and marks coloured. */
+/** Returns a program with its lines numbered and its comments coloured, from its first line that is not blank. */
 function programView(text) {
-  const lines = text.replace(/\n$/, "").split("\n");
+  const all = text.replace(/\n$/, "").split("\n");
+  const blank = Math.max(0, all.findIndex((line) => line.trim() !== ""));
+  const lines = all.slice(blank);
   let comment = false;
   const line = (content) => {
     const span = el("span", {});
@@ -14,7 +16,9 @@ function programView(text) {
     }
     return span;
   };
-  return el("pre.program", { tabindex: "0", "aria-label": "program" }, lines.map(line));
+  const view = el("pre.program", { tabindex: "0", "aria-label": "program" }, lines.map(line));
+  view.style.counterReset = `line ${blank}`;
+  return view;
 }
 
 /**

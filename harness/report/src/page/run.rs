@@ -50,6 +50,8 @@ struct CauseData<'o> {
     /// Whether no case of it contradicts a source that binds the engine.
     differs: bool,
     number: u64,
+    /// The number of its cases that are not as expected, before that of all where they are not all.
+    cases_shown: String,
     cases: &'o [ExplainedCases],
     types: &'o [String],
     reduction: Reduced,
@@ -129,6 +131,7 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         title: &cause.title,
         differs: cause.differs(),
         number: cause.number(),
+        cases_shown: cause.cases_shown(),
         cases: &cause.cases,
         types: &cause.types,
         reduction: cause.reduction,

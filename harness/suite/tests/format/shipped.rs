@@ -63,6 +63,13 @@ fn no_program_that_must_be_accepted_has_a_keyword_for_a_name() {
 }
 
 #[test]
+fn no_program_that_an_engine_is_given_has_a_mark() {
+    let mut cases = SHIPPED.cases.iter();
+    let marked = cases.find(|case| case.source.contains("(*!") && !case.source.contains("'(*!"));
+    assert_eq!(marked.map(Case::key), None);
+}
+
+#[test]
 fn no_program_gives_the_name_of_a_standard_function_to_something_else() {
     // A compiler may take the name for the function's, and no document says that it must not.
     let functions: HashSet<&str> = STANDARD_FUNCTIONS.split_whitespace().collect();

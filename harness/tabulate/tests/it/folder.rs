@@ -85,7 +85,7 @@ fn nothing_is_asked_twice_for_one_source() {
     for case in cases() {
         let observed = case.observe.iter().map(|observed| format!("{observed:?}"));
         let (source, _) = case.basis.split_once(':').expect("a source and a section");
-        let program = case.without_marks().source;
+        let program = case.without_blank_lines().source;
         let asked = (case.dialect, source.to_owned(), program, observed.collect());
         if let Some(first) = seen.insert(asked, case.key()) {
             panic!("{} asks what {first} asks", case.key());

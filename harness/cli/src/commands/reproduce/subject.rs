@@ -61,11 +61,7 @@ impl ReproducedProgram {
         Ok(cases
             .map(|case| ReproducedProgram::Case {
                 address: address(&named.suite.sources, &case.basis),
-                case: Box::new(if arguments.with_marks {
-                    case.clone()
-                } else {
-                    case.without_marks()
-                }),
+                case: Box::new(case.without_blank_lines()),
             })
             .collect())
     }
