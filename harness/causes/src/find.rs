@@ -230,7 +230,7 @@ impl Asking<'_> {
     fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<ReducedGroup>, RunError> {
         let judge = CaseJudge {
             plan: self.search.plan,
-            sources: &self.search.suite.sources,
+            suite: self.search.suite,
             engine: self.engine.identity(),
             baseline: None,
         };

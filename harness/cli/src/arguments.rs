@@ -157,6 +157,9 @@ pub struct ListArguments {
     /// List claims instead: each section of each document, how many cases check it, and in which files
     #[arg(long)]
     pub basis: bool,
+    /// List the numbers instead: how many cases each dialect has in each area, and how many different questions they ask
+    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
+    pub count: bool,
     /// List the sources of the claims instead, and Stickler's own rules: what each is, where it opens, for whom it speaks,
     /// and how many of the cases rest on it
     #[arg(long, conflicts_with_all = ["basis", "left_out"])]
@@ -166,7 +169,7 @@ pub struct ListArguments {
     pub places: bool,
     /// List the features of the language instead, each with the tables of IEC 61131-3 that are about it: how many of the cases
     /// use it
-    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
+    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "count", "left_out"])]
     pub features: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
     /// what it overrides changes them and no document says how

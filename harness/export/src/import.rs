@@ -338,7 +338,7 @@ impl Export {
                 .into_iter()
                 .collect(),
             defined: self.manifest.defined.clone().into_iter().collect(),
-            sources: SourceHeader::all(judge.sources),
+            sources: SourceHeader::all(&judge.suite.sources),
             ..Header::default()
         }
     }

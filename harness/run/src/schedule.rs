@@ -80,7 +80,7 @@ pub fn run_with(
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
-        sources: &suite.sources,
+        suite,
         jobs: &open,
         engines,
         stores,

@@ -30,7 +30,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
         dialect: vec![arguments.dialect],
     };
     let plan = run_plan::plan(&selection, None);
-    let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
+    let Loaded { suite, defined, .. } = folder.load_for(&plan, &[])?;
     let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
         return Ok(case_folder::nothing_selected(&plan, &suite));

@@ -86,7 +86,7 @@ fn run(
     stores: &[Option<&dyn AnswerStore>],
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
-    let Loaded { suite, defined, .. } = folder.load_for(plan)?;
+    let Loaded { suite, defined, .. } = folder.load_for(plan, &spoken(engines))?;
     let plan = &Plan {
         defined,
         ..plan.clone()
@@ -100,7 +100,7 @@ fn run(
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
     let stated = match &report_folder {
-        Some(_) => statements(&selected, folder),
+        Some(_) => statements(&selected, &suite, folder),
         None => Statements::default(),
     };
     let mut sink = EventSink {
@@ -150,6 +150,16 @@ fn detail(arguments: &RunArguments) -> Detail {
 fn annotates(arguments: &RunArguments) -> bool {
     let in_job = || env::var_os("GITHUB_ACTIONS").is_some_and(|value| value == "true");
     arguments.annotate.unwrap_or_else(in_job)
+}
+
+/// Returns the dialects that any of the engines speaks.
+fn spoken(engines: &[&dyn Engine]) -> Vec<DialectName> {
+    let every = DialectName::ALL.into_iter().chain(DialectName::defined());
+    let is_spoken = |dialect: &DialectName| {
+        let mut engines = engines.iter();
+        engines.any(|engine| engine.identity().asked_in(*dialect).is_some())
+    };
+    every.filter(is_spoken).collect()
 }
 
 /// # Errors

@@ -262,7 +262,7 @@ fn golden_bindings() {
         let matched = plan.matched_baseline(&suite, &engine);
         let judge = CaseJudge {
             plan: &plan,
-            sources: &sources,
+            suite: &suite,
             engine: &engine,
             baseline: matched.as_ref(),
         };
