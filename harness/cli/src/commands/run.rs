@@ -93,7 +93,9 @@ fn run(
     };
     let selected = select(plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(plan, &suite));
+        let whole = folder.load_whole(plan);
+        understood(plan, &select(plan, &whole.cases), engines)?;
+        return Ok(case_folder::nothing_selected(plan, &whole));
     }
     understood(plan, &selected, engines)?;
     let report_folder =
