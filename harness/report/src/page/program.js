@@ -23,7 +23,7 @@ function programView(text) {
 
 /**
  * Compares two texts line by line.
- * @returns {Array<[string, string]>} lines with "-" (only expected), "+" (only got) or " " before them
+ * @returns {Array<[string, string]>} lines with "+" (only expected), "-" (only got) or " " before them
  */
 function difference(expected, got) {
   const [left, right] = [expected, got].map((text) => (text === "" ? [] : text.split("\n")));
@@ -41,8 +41,8 @@ function difference(expected, got) {
       lines.push([" ", left[i]]);
       i++;
       j++;
-    } else if (j >= right.length || (i < left.length && common[i + 1][j] >= common[i][j + 1])) lines.push(["-", left[i++]]);
-    else lines.push(["+", right[j++]]);
+    } else if (j >= right.length || (i < left.length && common[i + 1][j] >= common[i][j + 1])) lines.push(["+", left[i++]]);
+    else lines.push(["-", right[j++]]);
   }
   return lines;
 }
@@ -53,7 +53,7 @@ function differenceView(expected, got) {
     return el("p.notice", {}, "The page has no room for what was expected and what came; results.json beside it has both.");
   }
   const word = { "-": "less", "+": "more", " ": "same" };
-  const say = { "-": "expected", "+": "got", " ": "both" };
+  const say = { "+": "expected", "-": "got", " ": "both" };
   return el("pre", { tabindex: "0", "aria-label": "expected (-) and got (+)" },
     difference(expected, got).map(([sign, line]) => el(`div.${word[sign]}`, { title: say[sign] }, `${sign} ${line}`)));
 }

@@ -29,6 +29,7 @@ pub(super) struct RunData<'o> {
     causes_left_out: usize,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     observations: u64,
+    /// Where engines part; of a single engine, what it does.
     disagreements: Vec<Disagreement<'o>>,
     disagreements_left_out: usize,
 }
@@ -85,7 +86,10 @@ struct ReproducerData<'o> {
 pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
     let (header, footer) = (overview.header.as_ref()?, overview.footer.as_ref()?);
     let causes = causes(overview);
-    let mut disagreements = overview.observed.disagreements(&overview.engines());
+    let mut disagreements = match overview.engines()[..] {
+        [engine] => overview.observed.of_one(engine),
+        ref engines => overview.observed.disagreements(engines),
+    };
     let disagreements_left_out = disagreements.len().saturating_sub(MAX_DISAGREEMENTS);
     disagreements.truncate(MAX_DISAGREEMENTS);
     Some(RunData {

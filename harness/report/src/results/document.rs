@@ -26,8 +26,7 @@ pub(crate) struct ResultsDocument<'d> {
     pub(super) started: String,
     /// The duration of the run, in milliseconds.
     pub(super) duration_ms: u64,
-    /// The duration of the search for causes, in milliseconds; missing where there was none.
-    #[serde(default)]
+    /// The duration of the search for causes, in milliseconds; `null` where there was none.
     pub(super) causes_ms: Option<u64>,
     /// The engines that took part.
     #[schemars(length(min = 1))]
