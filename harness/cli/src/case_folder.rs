@@ -390,6 +390,8 @@ fn why_nothing(plan: &Plan, suite: &Suite) -> String {
         format!("{dialects} has none of what {what}, which is of {of}")
     } else if let Some(shard) = plan.shard {
         format!("part {shard} has none of {number}")
+    } else if plan.excluded.is_empty() {
+        format!("none of {number} is what is asked for")
     } else {
         let excluded = options("--exclude", plan.excluded.iter().map(Filter::as_str));
         format!("{excluded} leaves out all of {number}")

@@ -94,7 +94,10 @@ fn run(
     let selected = select(plan, &suite.cases);
     if selected.is_empty() {
         let whole = folder.load_whole(plan);
-        understood(plan, &select(plan, &whole.cases), engines)?;
+        let beside = select(plan, &whole.cases);
+        if !beside.is_empty() {
+            understood(plan, &beside, engines)?;
+        }
         return Ok(case_folder::nothing_selected(plan, &whole));
     }
     understood(plan, &selected, engines)?;
