@@ -6,11 +6,11 @@ use crate::lines::{clipped, described, line_with_number, unit_of};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{LOOPS, has_word, tokens};
+use crate::words::{LOOPS, elementary, has_word, tokens};
 use crate::work::operations;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
-use stickler_types::{Code, Diagnostic};
+use stickler_types::{Code, Diagnostic, ElementaryType};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
 /// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
@@ -91,7 +91,7 @@ impl Titled<'_, '_> {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
                 let mut lines = self.program.text.lines().zip(1..);
                 let found = lines.find(|(text, _)| is_loop(text)).map(|(_, number)| number);
-                format!("{}: no answer in time", self.line(found))
+                format!("{}: {}", self.line(found), clipped(&Fact::text(got)))
             }
             Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
             Symptom::Fault(fault) => format!("{somewhere} stops with the fault {fault}"),
@@ -167,6 +167,12 @@ impl Titled<'_, '_> {
         let declared = self.program.declaration(name);
         let Fact::Value { value: other, .. } = reported else {
             return format!("the value of {name} cannot be seen: {}", described(declared));
+        };
+        // A count that no date or time of day of the type has says nothing to a reader.
+        let is_none = |ty: &str| elementary(ty).is_some_and(ElementaryType::is_date_or_time);
+        let other = match other.to_string() {
+            text if text.ends_with("ns") && is_none(other.type_name()) => format!("no {}", other.type_name()),
+            text => clipped(&text),
         };
         let computed = self.program.computation(name);
         let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));

@@ -73,6 +73,18 @@ impl From<Outcome> for NoReproduction {
 const SCRIPT: &str = "run.sh";
 
 impl Reproduction {
+    /// Returns the reproduction with each command ended after a number of seconds, for a program that gives no answer.
+    #[must_use]
+    pub fn within(mut self, seconds: u64) -> Reproduction {
+        for command in &mut self.commands {
+            *command = format!("timeout {seconds} {command}");
+        }
+        if let Some(last) = self.commands.last_mut() {
+            *last = format!("{last} || echo \"exit code $? (124: no answer within {seconds} s)\"");
+        }
+        self
+    }
+
     /// Returns the name and text of a shell script that runs the commands in its own folder.
     #[must_use]
     pub fn script(&self) -> ReproductionFile {
