@@ -9,7 +9,7 @@ use crate::reduction::Smallest;
 use crate::suspect::unimplemented;
 use crate::words::{valued_types, words};
 use stickler_engines::Identity;
-use stickler_run::{Fact, Symptom, binds};
+use stickler_run::{Claim, Fact, Symptom, binding};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
@@ -44,8 +44,13 @@ pub(crate) fn promise<'s>(
     )?;
     let speaks = |basis: &&String| {
         let source = sources.of(basis);
+        let claim = Claim {
+            basis,
+            dialect: case.dialect,
+            program: &shown.program,
+        };
         source.is_some_and(|(source, section)| source.speaks_for(section, case.dialect))
-            && binds((basis, case.dialect), engine, sources, false)
+            && binding(claim, Some(engine), suite).binds(false)
     };
     feature.promised.iter().find(speaks).map(String::as_str)
 }

@@ -7,7 +7,7 @@ use crate::basis::Basis;
 use crate::discrepancies::NAME;
 use crate::markdown::{cells, code, fence, inline, linked};
 use crate::overview::Overview;
-use crate::text::{MAX_SHOWN_CHARACTERS, clip, duration, judged, noted, outdated, outdated_entries, visible};
+use crate::text::{MAX_SHOWN_CHARACTERS, clip, judged, noted, outdated, outdated_entries, took, visible};
 use crate::{compared, diff, engine};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
@@ -82,7 +82,7 @@ fn heading(overview: &Overview) -> String {
         }
     }
     if let Some(footer) = &overview.footer {
-        let _ = write!(text, ", in {}", duration(footer.duration_ms));
+        let _ = write!(text, ", in {}", took(footer));
     }
     text.push_str(".\n\n");
     let dialects = overview.header.iter().flat_map(|header| &header.defined);
@@ -165,7 +165,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
     for cause in small.iter().take(MAX_SHOWN_CAUSES) {
         page.add(&format!(
             "| {} | {} | {} | {} |\n",
-            cause.unexpected(),
+            cause.cases_shown(),
             inline(&cause.title),
             inline(&cause.engine),
             inline(&cause.shown.basis)

@@ -5,7 +5,7 @@ use crate::overview::Overview;
 use crate::text::visible;
 use crate::{compared, engine};
 use stickler_run::{CaseEvent, Cause, Fact, Verdict};
-use stickler_types::{counted, shortened};
+use stickler_types::shortened;
 
 /// The maximum number of characters of a title.
 const MAX_TITLE: usize = 200;
@@ -44,7 +44,10 @@ impl Unexpected {
 
 fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
     let shown = &cause.shown;
-    let cases = cause.unexpected();
+    let cases = match cause.number() {
+        1 => "1 case".to_owned(),
+        _ => format!("{} cases", cause.cases_shown()),
+    };
     let rerun = overview
         .engine(&cause.engine)
         .map(|engine| engine.rerun(&shown.case, &shown.dialect))
@@ -53,10 +56,7 @@ fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
         basis: shown.basis.clone(),
         file: shown.file.clone(),
         line: shown.line,
-        title: title(
-            &cause.engine,
-            &format!("{} ({})", cause.title, counted(cases, "case", "cases")),
-        ),
+        title: title(&cause.engine, &format!("{} ({cases})", cause.title)),
         text: text(
             &shown.basis,
             &Fact::text(&shown.expected),
@@ -65,7 +65,7 @@ fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
             &rerun,
         ),
         key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
-        cases,
+        cases: cause.unexpected(),
     }
 }
 
@@ -110,7 +110,7 @@ fn text(basis: &str, expected: &str, got: &str, program: &str, rerun: &str) -> S
         format!("basis: {basis}\n\n"),
         part("expected", expected),
         part("got", got),
-        part("program", program),
+        part("program", program.trim_start_matches('\n')),
         part("rerun", rerun),
     ]
     .concat();

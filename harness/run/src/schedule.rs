@@ -80,7 +80,7 @@ pub fn run_with(
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
-        sources: &suite.sources,
+        suite,
         jobs: &open,
         engines,
         stores,
@@ -123,6 +123,7 @@ pub fn run_with(
             totals: tally.totals,
             engines: tally.engines,
             duration_ms,
+            causes_ms: None,
         }));
     }
     Ok(RunSummary {
@@ -252,6 +253,11 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
             .filters
             .iter()
             .map(|filter| filter.as_str().to_owned())
+            .chain(
+                plan.excluded
+                    .iter()
+                    .map(|filter| format!("not {}", filter.as_str())),
+            )
             .collect(),
         dialects: plan.dialects.iter().map(ToString::to_string).collect(),
         shard: plan.shard.map(|shard| shard.to_string()),

@@ -54,7 +54,7 @@ pub use bases::{Bases, OR};
 pub use citations::NOT_STATED;
 pub use dialects::Dialects;
 pub use error::CaseFileError;
-pub use features::{Feature, Features};
+pub use features::{Feature, FeatureKey, Features};
 pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{
@@ -62,5 +62,6 @@ pub use model::{
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, address_of};
-pub use suite::{Suite, load_file, read_case_file};
+pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
+pub use unmarked::without_blank_lines;

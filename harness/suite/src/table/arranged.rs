@@ -59,10 +59,6 @@ impl<'a> Arranged<'a> {
                 chosen.entry(index).or_default().push(dialect);
             }
         }
-        for (&index, dialects) in &mut chosen {
-            let placement = places.placement(&self.design.arrangements()[index]);
-            places.retain_in_turn(number, &placement, dialects);
-        }
         chosen
     }
 

@@ -232,10 +232,7 @@ impl RowExpander<'_, '_> {
         else {
             return Ok(dialects.to_vec());
         };
-        let mut own = Vec::new();
-        for name in names.split_whitespace() {
-            own.extend(self.maker.table.context.dialects.resolve(name)?);
-        }
+        let own = self.maker.table.context.dialects.resolve(names)?;
         Ok(dialects
             .iter()
             .copied()

@@ -86,6 +86,8 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::RefCell;
+
     use crate::assembly::TypeNames;
     use crate::dialects::Dialects;
     use crate::place::Lines;
@@ -99,6 +101,8 @@ mod tests {
             text,
             lines: Lines::new(text),
             dialects: &Dialects::default(),
+            features: &crate::Features::default(),
+            named: RefCell::default(),
             sources: None,
             places: &crate::places::Places::default(),
             type_names: &TypeNames::default(),
