@@ -1,6 +1,7 @@
 //! Makes texts of unknown origin fit to be shown, since engines may print anything, and words the parts that several reports
 //! share.
 
+use std::borrow::Cow;
 use std::fmt::Write;
 use stickler_run::{BaselineNote, Footer, Grade, OutdatedEntry, Totals, Verdict, clip_line};
 use stickler_types::counted;
@@ -8,9 +9,22 @@ use stickler_types::counted;
 /// The maximum number of characters that a report for people shows of a line.
 pub(crate) const MAX_SHOWN_CHARACTERS: usize = 1200;
 
+/// The maximum number of characters of a program that a report keeps. `stickler show` prints all of it.
+const MAX_PROGRAM_LEN: usize = 32_000;
+
+/// Returns what a report keeps of a program, with a note on how much it leaves out.
+pub(crate) fn kept(program: &str) -> Cow<'_, str> {
+    // A note that says what is left out is not cut again.
+    match program.len() <= MAX_PROGRAM_LEN {
+        true => Cow::Borrowed(program),
+        false => Cow::Owned(clip_line(program, MAX_PROGRAM_LEN)),
+    }
+}
+
 /// Escapes the control characters of a text (`\u{1b}`), except line ends and tabs, so that an engine's message cannot move
-/// the cursor of a terminal.
+/// the cursor of a terminal, and keeps of a long one what a report keeps of a program.
 pub(crate) fn visible(text: &str) -> String {
+    let text = kept(text);
     let mut shown = String::with_capacity(text.len());
     for character in text.chars() {
         match character {
@@ -142,9 +156,19 @@ pub(crate) fn duration(milliseconds: u64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{clip, duration, noted, visible, wrapped};
+    use super::{MAX_PROGRAM_LEN, clip, duration, kept, noted, visible, wrapped};
     use crate::sample;
     use stickler_run::{BaselineNote, Verdict};
+
+    #[test]
+    fn of_a_long_program_the_beginning_is_kept_once() {
+        let program = "x := 1;\n".repeat(MAX_PROGRAM_LEN);
+        let shortened = kept(&program);
+        assert!(shortened.ends_with(" bytes more"), "{}", shortened.len());
+        assert!(shortened.len() < MAX_PROGRAM_LEN + 40);
+        assert_eq!(kept(&shortened), shortened);
+        assert_eq!(visible(&program), shortened);
+    }
 
     #[test]
     fn of_a_baseline_all_that_it_expects_is_told() {

@@ -146,6 +146,14 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_long_program_is_asked_about_alone() {
+        let case = |length: usize| Case::of_program("a/b", DialectName::MATIEC, &"x".repeat(length));
+        let cases = [case(LONG - 1), case(LONG), case(1)];
+        let asked = cases.each_ref().map(|case| (case, 0));
+        assert_eq!(packs(&asked, &[8]), [vec![1], vec![0, 2]]);
+    }
+
+    #[test]
     fn what_is_left_of_a_pack_makes_smaller_packs() {
         let halves = |count: usize, size| {
             let mut open = Vec::new();

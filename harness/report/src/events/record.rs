@@ -2,6 +2,7 @@
 
 use crate::LogError;
 use crate::groups::{Group, GroupNumber};
+use crate::text::kept;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use stickler_run::{BaselineNote, CaseEvent, Cause, Event, Fact, Footer, Header, Observed, Verdict};
@@ -74,7 +75,7 @@ pub(crate) struct CaseObject<'r> {
     /// The observations of the case.
     #[serde(default, skip_serializing_if = "<[Observed]>::is_empty")]
     observations: Cow<'r, [Observed]>,
-    /// The whole program, where the engine did not meet the expectation.
+    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     program: Option<Cow<'r, str>>,
     /// The question that the program asks, such as `implicit(INT,DINT)` or `REAL_TO_INT(REAL#2.5) : INT`.
@@ -148,7 +149,7 @@ impl<'r> CaseObject<'r> {
             expected: Cow::Borrowed(&case.expected),
             got: Cow::Borrowed(&case.got),
             observations: Cow::Borrowed(&case.observations),
-            program: case.program.as_deref().map(Cow::Borrowed),
+            program: case.program.as_deref().map(kept),
             question: case.question.as_ref().map(Cow::Borrowed),
             baseline: case.baseline.as_ref().map(Cow::Borrowed),
         }

@@ -2,6 +2,8 @@
 
 #[cfg(test)]
 use crate::claims::Claim;
+use crate::text::kept;
+use std::borrow::Cow;
 #[cfg(test)]
 use stickler_run::{BaselineHeader, Cause, DefinedHeader, SourceHeader};
 use stickler_run::{BaselineNote, CaseEvent, EngineHeader, Fact, Grade, Observed, Totals, Verdict};
@@ -113,9 +115,9 @@ pub(super) struct CaseResult<'d> {
     /// The observations of the case.
     #[serde(skip_serializing_if = "<[Observed]>::is_empty")]
     pub(super) observations: &'d [Observed],
-    /// The whole program, where the engine did not meet the expectation.
+    /// The program, of which 32000 characters are kept, where the engine did not meet the expectation.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) program: Option<&'d str>,
+    pub(super) program: Option<Cow<'d, str>>,
     /// The note of the engine's baseline on the case.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) baseline: Option<&'d BaselineNote>,
@@ -141,7 +143,7 @@ impl<'d> CaseResult<'d> {
             duration_us: case.duration_us,
             rerun: crate::engine::rerun(engine, case),
             observations: &case.observations,
-            program: case.program.as_deref(),
+            program: case.program.as_deref().map(kept),
             baseline: case.baseline.as_ref(),
         }
     }
