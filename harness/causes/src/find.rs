@@ -215,6 +215,7 @@ impl Asking<'_> {
             plan: self.search.plan,
             sources: &self.search.suite.sources,
             engine: self.engine.identity(),
+            lacks: None,
             baseline: None,
         };
         let open = || {

@@ -9,7 +9,7 @@ use crate::reduction::Smallest;
 use crate::suspect::unimplemented;
 use crate::words::{valued_types, words};
 use stickler_engines::Identity;
-use stickler_run::{Fact, Symptom, binds};
+use stickler_run::{Fact, Symptom};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
@@ -42,12 +42,7 @@ pub(crate) fn promise<'s>(
         Dialect::of(case.dialect),
         features,
     )?;
-    let speaks = |basis: &&String| {
-        let source = sources.of(basis);
-        source.is_some_and(|(source, section)| source.speaks_for(section, case.dialect))
-            && binds((basis, case.dialect), engine, sources, false)
-    };
-    feature.promised.iter().find(speaks).map(String::as_str)
+    stickler_run::promise(feature, case.dialect, engine, sources)
 }
 
 /// Returns the number of the line whose constructs the engine does not take; `None` where no line is known.

@@ -34,19 +34,26 @@ impl Unexpected {
     pub(crate) fn all(overview: &Overview) -> impl Iterator<Item = Unexpected> {
         let (small, unreduced) = overview.unexpected_causes();
         let cases = overview.unexplained_failures();
-        small
-            .into_iter()
-            .chain(unreduced)
-            .map(|cause| of_cause(cause, overview))
+        let lacks = overview.lacks.iter().filter(|lack| lack.is_failing_lack());
+        let lacks = lacks.map(|lack| Unexpected::of_lack(lack, overview));
+        let causes = small.into_iter().chain(unreduced);
+        lacks
+            .chain(causes.map(|cause| of_cause(cause, cause.unexpected(), ("case", "cases"), overview)))
             .chain(cases.map(|case| of_case(case, overview)))
+    }
+
+    /// Returns the message about a feature that an engine lacks.
+    pub(crate) fn of_lack(lack: &Cause, overview: &Overview) -> Unexpected {
+        let waiting = ("case waits for it", "cases wait for it");
+        of_cause(lack, lack.number(), waiting, overview)
     }
 }
 
-fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+fn of_cause(cause: &Cause, cases: u64, (one, several): (&str, &str), overview: &Overview) -> Unexpected {
     let shown = &cause.shown;
-    let cases = cause.unexpected();
     let rerun = overview
         .engine(&cause.engine)
+        .filter(|_| !shown.case.is_empty())
         .map(|engine| engine.rerun(&shown.case, &shown.dialect))
         .unwrap_or_default();
     Unexpected {
@@ -55,7 +62,7 @@ fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
         line: shown.line,
         title: title(
             &cause.engine,
-            &format!("{} ({})", cause.title, counted(cases, "case", "cases")),
+            &format!("{} ({})", cause.headline(), counted(cases, one, several)),
         ),
         text: text(
             &shown.basis,

@@ -1,7 +1,7 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{Acceptance, Case, SourceKind, Sources};
+use stickler_suite::{Acceptance, Case, Feature, SourceKind, Sources};
 use stickler_types::DialectName;
 
 /// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
@@ -47,4 +47,20 @@ pub fn promises(case: &Case, engine: &Identity, sources: &Sources) -> bool {
     let source = sources.of(&case.basis);
     source.is_none_or(|(source, _)| source.kind == SourceKind::Document)
         && binds((&case.basis, case.dialect), engine, sources, false)
+}
+
+/// Returns the first basis that promises a feature of the language and binds an engine in a dialect; `None` where nobody promises it.
+#[must_use]
+pub fn promise<'f>(
+    feature: &'f Feature,
+    dialect: DialectName,
+    engine: &Identity,
+    sources: &Sources,
+) -> Option<&'f str> {
+    let speaks = |basis: &&String| {
+        let source = sources.of(basis);
+        source.is_some_and(|(source, section)| source.speaks_for(section, dialect))
+            && binds((basis, dialect), engine, sources, false)
+    };
+    feature.promised.iter().find(speaks).map(String::as_str)
 }

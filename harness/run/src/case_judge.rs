@@ -2,7 +2,7 @@
 
 use crate::event::CaseEvent;
 use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
-use crate::{Answers, Fact, Judgement, MatchedBaseline, Plan, Verdict, binds, promises};
+use crate::{Answers, Fact, Judgement, Lacks, MatchedBaseline, Plan, Verdict, binds, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
 use stickler_suite::{Acceptance, Case, Sources};
@@ -23,6 +23,8 @@ pub struct CaseJudge<'r> {
     pub sources: &'r Sources,
     /// The identity of the engine.
     pub engine: &'r Identity,
+    /// What the engine lacks, where it was asked.
+    pub lacks: Option<&'r Lacks<'r>>,
     /// The engine's baseline, where it has one.
     pub baseline: Option<&'r MatchedBaseline<'r>>,
 }
@@ -31,9 +33,22 @@ impl CaseJudge<'_> {
     /// Returns the event of a case, from what the engine answered and how long it took.
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
-        let judgement = self.judgement(case, answers);
+        let mut judgement = self.judgement(case, answers);
         let basis = self.basis(case, &judgement).to_owned();
+        if let Some(lacks) = self.lacks
+            && let waits_for @ [_, ..] = &lacks.waits_for(case, &answers.run, judgement.verdict)[..]
+        {
+            judgement = Judgement {
+                verdict: Verdict::Waiting,
+                grade: None,
+                expected: judgement.expected,
+                got: waits_for.to_vec(),
+                observations: Vec::new(),
+            };
+        }
         let (judgement, baseline) = match self.baseline {
+            // No entry is about what a case tells nothing of.
+            Some(_) if judgement.verdict == Verdict::Waiting => (judgement, None),
             Some(baseline) => baseline.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
         };
@@ -135,6 +150,6 @@ const fn needs_program(verdict: Verdict) -> bool {
         | Verdict::Crash
         | Verdict::Timeout
         | Verdict::Error => true,
-        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,
+        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported | Verdict::Waiting => false,
     }
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
 use serde::Deserialize;
-use stickler_syntax::features::FeatureKey;
+pub use stickler_syntax::features::FeatureKey;
 use stickler_types::Dialect;
 use toml::Spanned;
 

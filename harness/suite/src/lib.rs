@@ -54,7 +54,7 @@ pub use bases::{Bases, OR};
 pub use citations::NOT_STATED;
 pub use dialects::Dialects;
 pub use error::CaseFileError;
-pub use features::{Feature, Features};
+pub use features::{Feature, FeatureKey, Features};
 pub use files::{FileKind, RECORDINGS};
 pub use lint::{LintFinding, LintSeverity, lint};
 pub use model::{

@@ -4,7 +4,7 @@ use super::{BAD, Detail, GOOD, Surroundings};
 use crate::discrepancies::NAME;
 use crate::events;
 use crate::overview::Overview;
-use crate::text::{duration, judged, outdated, outdated_entries, verdicts, visible, wrapped};
+use crate::text::{duration, judged, lacking, outdated, outdated_entries, verdicts, visible, wrapped};
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -88,18 +88,24 @@ fn result(overview: &Overview, is_broken: bool) -> (Style, String) {
         return (BAD, format!("Cut short after {cases}."));
     };
     let time = duration(footer.duration_ms);
-    if sum.all() > 0 && sum.of(Verdict::Unsupported) == sum.all() {
-        let nothing = format!("{cases} in {time}: nothing was tested, since all are unsupported.");
+    if sum.all() > 0 && sum.of(Verdict::Unsupported) + sum.of(Verdict::Waiting) == sum.all() {
+        let nothing = format!(
+            "{cases} in {time}: nothing was tested, since all are unsupported or wait for a feature."
+        );
         return (BAD, nothing);
     }
     let kinds = kinds(&sum, overview.failed == 0);
     let failed = overview.failed;
+    let lacking = lacking(overview).map_or(String::new(), |lacking| format!("{lacking}, and "));
     if failed > 0 {
         let failed = grouped(failed);
         return (
             BAD,
-            format!("{failed} of {cases} not as expected{kinds}, in {time}."),
+            format!("{lacking}{failed} of {cases} not as expected{kinds}, in {time}."),
         );
+    }
+    if !lacking.is_empty() {
+        return (BAD, format!("{lacking}{cases} as expected{kinds}, in {time}."));
     }
     let (style, but) = match overview.outdated().count() {
         0 if is_broken => (BAD, String::new()),

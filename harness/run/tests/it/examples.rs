@@ -259,6 +259,7 @@ fn golden_bindings() {
             plan: &plan,
             sources: &sources,
             engine: &engine,
+            lacks: None,
             baseline: matched.as_ref(),
         };
         let event = judge.event(&case, &answers(example), Duration::ZERO);
