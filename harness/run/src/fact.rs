@@ -95,6 +95,9 @@ pub enum Fact {
         feature: String,
         /// The feature in the words of a sentence.
         title: String,
+        /// The basis of the case, where it is a document that promises this compiler a program which uses no other feature.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        promised_by: Option<String>,
     },
     /// The engine also rejects a program with the same constructs and without a mistake, so that its rejection tells nothing.
     RejectsAlso {

@@ -14,6 +14,7 @@ pub(crate) use report::WaitingCases;
 pub(crate) use survey::{Survey, survey};
 
 use crate::{Fact, Verdict};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use stickler_engines::Outcome;
 use stickler_suite::{Acceptance, Case, Feature};
@@ -35,7 +36,7 @@ struct LackedFeature<'s> {
     /// The verdict on the minimal program: [`Verdict::Unsupported`] where nobody promises the feature.
     verdict: Verdict,
     /// The basis that promises the feature; empty where nobody does.
-    basis: &'s str,
+    basis: Cow<'s, str>,
     /// What the engine did with the minimal program.
     got: Vec<Fact>,
 }

@@ -229,7 +229,7 @@ impl<'s> LackedFeature<'s> {
         LackedFeature {
             feature,
             verdict: Verdict::Unsupported,
-            basis: "",
+            basis: "".into(),
             got: vec![Fact::Unsupported {
                 reason: DECLARED.to_owned(),
             }],
