@@ -73,11 +73,14 @@ pub struct FindingCause {
 
 impl FindingCause {
     /// Returns whether a cause that a run of the suite found, by its symptom and its constructs, explains this one: it is of the
-    /// same symptom, and all that it needs is there.
+    /// same symptom, this one needs no other construct, and all that the cause needs is there.
     #[must_use]
     pub fn is_explained_by(&self, symptom: &str, construct: &str) -> bool {
-        let has = |need: &str| self.constructs.iter().chain(&self.labels).any(|own| own == need);
-        self.symptom == symptom && construct.split(", ").all(|need| need.is_empty() || has(need))
+        let needs: Vec<&str> = construct.split(", ").filter(|need| !need.is_empty()).collect();
+        let has = |need: &&str| self.constructs.iter().chain(&self.labels).any(|own| own == need);
+        self.symptom == symptom
+            && needs.iter().all(has)
+            && self.constructs.iter().all(|own| needs.contains(&own.as_str()))
     }
 }
 
@@ -351,7 +354,11 @@ mod tests {
         assert_ne!(one.id, more.id);
         assert!(more.is_like(&one) && !one.is_like(&more));
         let cause = one.cause.unwrap();
-        assert!(cause.is_explained_by("rejected", "call, LREAL") && cause.is_explained_by("rejected", ""));
+        assert!(
+            cause.is_explained_by("rejected", "call, LREAL") && cause.is_explained_by("rejected", "call")
+        );
+        assert!(!cause.is_explained_by("rejected", ""), "another defect of more");
+        assert!(!more.cause.unwrap().is_explained_by("rejected", "call"));
         assert!(!cause.is_explained_by("rejected", "call, result"));
         assert!(!cause.is_explained_by("value", "call"));
     }

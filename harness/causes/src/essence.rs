@@ -185,7 +185,7 @@ fn needs(
         }
         // Whatever it says, it says where by one piece of work.
         Symptom::NoPlace(_) => ("no place".to_owned(), BTreeSet::new(), false),
-        Symptom::Text | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
+        Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }

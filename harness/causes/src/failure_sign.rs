@@ -86,7 +86,7 @@ impl Sign {
     pub(crate) fn shape(&self, program: &str) -> String {
         match self.symptom {
             // A compiler that loses the place of a diagnostic loses it in every program; the others are told by `at`.
-            Symptom::NoPlace(_) | Symptom::Text | Symptom::Error(_) => String::new(),
+            Symptom::NoPlace(_) | Symptom::Text | Symptom::OtherType | Symptom::Error(_) => String::new(),
             _ => shape(program, self.types()),
         }
     }

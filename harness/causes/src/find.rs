@@ -9,7 +9,7 @@ use crate::question::{Questioner, SearchAnswers, shown_case};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
-use stickler_engines::{Ability, Engine, EngineSession, Reproduction, reproduce_and_run};
+use stickler_engines::{Ability, Engine, EngineSession, Reproduction, end_questions_at, reproduce_and_run};
 use stickler_run::{
     AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, shown_by,
 };
@@ -21,6 +21,9 @@ use stickler_workers::{Cancellation, WorkerPool};
 /// of threads, so that the same groups are reduced on every machine.
 const WAVE: usize = 32;
 
+/// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
+const REPRODUCTION_SHARE: u32 = 10;
+
 /// The maximum number of characters that are kept of what the commands of a reproduction print.
 const MAX_PRINTED: usize = 10_000;
 
@@ -31,7 +34,8 @@ pub struct SearchLimits {
     pub questions: u64,
     /// The maximum number of questions for one group of cases.
     pub questions_a_group: u64,
-    /// The time after which no more questions are asked. What is found then depends on the speed of the machine.
+    /// The time after which no more questions are asked, and at which the last ones are cut off; its last tenth is for running the
+    /// commands of what was found. What is found then depends on the speed of the machine.
     pub time: Duration,
 }
 
@@ -83,7 +87,18 @@ pub fn find(
     search: &Search<'_>,
     progress: &mut dyn FnMut(CauseProgress),
 ) -> Result<Vec<Cause>, RunError> {
-    let deadline = Instant::now().checked_add(search.limits.time);
+    let found = find_before_end(failed, search, progress);
+    end_questions_at(None);
+    found
+}
+
+fn find_before_end(
+    failed: &FailedCases<'_>,
+    search: &Search<'_>,
+    progress: &mut dyn FnMut(CauseProgress),
+) -> Result<Vec<Cause>, RunError> {
+    let begun = Instant::now();
+    let deadline = begun.checked_add(search.limits.time - search.limits.time / REPRODUCTION_SHARE);
     let stop = || search.cancel.is_requested() || deadline.is_some_and(|end| Instant::now() >= end);
     let cases = cases(failed, search.suite);
     let mut reported = CauseProgress {
@@ -98,6 +113,7 @@ pub fn find(
         let mut groups: Vec<(Sign, FailureGroup)> = failed.groups.iter().filter_map(of_engine).collect();
         // Sorting keeps the order of the keys among groups of the same size.
         groups.sort_by_key(|(_, group)| std::cmp::Reverse(group.number()));
+        end_questions_at(deadline);
         let asking = Asking {
             engine: *engine,
             store: search.stores.get(place).copied().flatten(),
@@ -126,6 +142,7 @@ pub fn find(
         }
         let mut causes = merged(members);
         asking.second_witnesses(&mut causes, left)?;
+        end_questions_at(begun.checked_add(search.limits.time));
         asking.reproduce(&mut causes)?;
         found.extend(causes);
     }
@@ -213,7 +230,7 @@ impl Asking<'_> {
     fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<ReducedGroup>, RunError> {
         let judge = CaseJudge {
             plan: self.search.plan,
-            sources: &self.search.suite.sources,
+            suite: self.search.suite,
             engine: self.engine.identity(),
             lacks: None,
             baseline: None,
@@ -295,8 +312,8 @@ impl Asking<'_> {
         Ok(())
     }
 
-    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled, or ended before
-    /// the program was small, since most such programs show another cause again.
+    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled, ended before
+    /// the program was small, since most such programs show another cause again, or where they hang.
     fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String)> {
         let shown = &member.cause.shown;
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
@@ -320,7 +337,8 @@ impl Asking<'_> {
             _ => shown_by(&case),
         };
         let request = case.request();
-        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
+        let hangs = member.sign.symptom == Symptom::Hang;
+        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() || hangs {
             return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
         }
         let (reproduction, output) = reproduce_and_run(self.engine, &request, ability).ok()?;

@@ -9,7 +9,7 @@ use crate::reduction::Smallest;
 use crate::title::title;
 use std::collections::BTreeSet;
 use std::sync::Arc;
-use stickler_run::{Answers, Grade, Symptom, judge};
+use stickler_run::{Answers, Cause, Fact, Grade, Symptom, Verdict, judge};
 use stickler_suite::{Case, Expectation, ExpectedValue};
 use stickler_types::{DialectName, NamedValue, Outcome};
 
@@ -40,24 +40,35 @@ impl CauseKey {
         // The grade only says how exactly a rejection must be right; here none is, so any grade does.
         let strict = Grade::Rejected;
         let judged = judge(&case, &Answers::of_run(outcome.clone()), strict);
-        if !judged.verdict.is_discrepancy() {
-            return None;
-        }
-        let facts = (judged.expected, judged.got);
-        let deviation = Deviation::new(program, judged.verdict, facts, strict);
+        judged
+            .verdict
+            .is_discrepancy()
+            .then(|| CauseKey::of_facts(program, judged.verdict, (judged.expected, judged.got)))
+    }
+
+    /// Returns the key of the program that shows a cause, as that of any other program, so that both can be compared.
+    #[must_use]
+    pub fn of_shown(cause: &Cause) -> CauseKey {
+        let verdict = cause.cases.first().map_or(Verdict::Fail, |some| some.verdict);
+        let facts = (cause.shown.expected.clone(), cause.shown.got.clone());
+        CauseKey::of_facts(&cause.shown.program, verdict, facts)
+    }
+
+    fn of_facts(program: &str, verdict: Verdict, facts: (Vec<Fact>, Vec<Fact>)) -> CauseKey {
+        let deviation = Deviation::new(program, verdict, facts, Grade::Rejected);
         let smallest = Smallest::known(program.to_owned(), deviation);
         let essence = Essence::of(&smallest, &Normal::unasked(&smallest));
         let labels = match smallest.deviation.sign.symptom {
             Symptom::Value | Symptom::Missing => read(program, value_features),
             _ => BTreeSet::new(),
         };
-        Some(CauseKey {
+        CauseKey {
             // No code in the title, since the symptom carries it.
             title: title(&smallest, false),
             symptom: essence.symptom,
             constructs: essence.constructs,
             labels,
-        })
+        }
     }
 }
 

@@ -21,9 +21,7 @@ pub(crate) fn promise<'s>(
     case: &Case,
     (engine, suite): (&Identity, &'s Suite),
 ) -> Option<&'s str> {
-    let Suite {
-        features, sources, ..
-    } = suite;
+    let Suite { features, .. } = suite;
     let is_of_mistake = shown
         .deviation
         .expected
@@ -42,7 +40,7 @@ pub(crate) fn promise<'s>(
         Dialect::of(case.dialect),
         features,
     )?;
-    stickler_run::promise(feature, case.dialect, engine, sources)
+    stickler_run::promise(feature, (&shown.program, case.dialect), engine, suite)
 }
 
 /// Returns the number of the line whose constructs the engine does not take; `None` where no line is known.

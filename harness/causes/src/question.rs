@@ -25,10 +25,10 @@ impl SearchAnswers {
         answered.get(question).cloned()
     }
 
-    /// Keeps answers, but a limit of time or an error, which the machine may have caused.
+    /// Keeps answers, but an error, which the machine may have caused. A program that hangs is asked about once, since each time costs
+    /// the whole time limit.
     fn keep(&self, question: String, answers: &Answers) {
-        let by_the_machine =
-            |outcome: &Outcome| matches!(outcome, Outcome::TimedOut { .. } | Outcome::Error { .. });
+        let by_the_machine = |outcome: &Outcome| matches!(outcome, Outcome::Error { .. });
         if !answers.outcomes().any(by_the_machine) {
             let mut answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
             answered.insert(question, answers.clone());
@@ -269,7 +269,7 @@ pub(crate) fn as_the_reference(case: &Case, program: &str, observe: &[Observatio
 /// Returns the case with the program that a page shows, and the observations by which the deviation `sign` is seen there.
 pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
     let program = &shown.program;
-    let whole = case.without_marks();
+    let whole = case.without_blank_lines();
     if *whole.source == **program {
         return whole;
     }

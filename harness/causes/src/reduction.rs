@@ -8,7 +8,7 @@ use crate::question::{Deviation, Questioner, as_the_reference, with_program, wro
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
-use stickler_suite::Case;
+use stickler_suite::{Case, without_blank_lines};
 use stickler_types::Observation;
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
@@ -39,9 +39,9 @@ impl Smallest {
         }
     }
 
-    /// Returns the program of a case as it is, without header and marks.
+    /// Returns the program of a case as it is, without blank lines.
     pub(crate) fn unreduced(event: &CaseEvent, sign: &Sign) -> Smallest {
-        let (program, lines) = without_marks(event.program.as_deref().unwrap_or_default());
+        let (program, lines) = without_blank_lines(event.program.as_deref().unwrap_or_default());
         let deviation = Deviation {
             sign: sign.clone(),
             expected: moved(&event.expected, &lines),
@@ -117,10 +117,10 @@ pub(crate) fn reduce(
     };
     let smaller = with_program(case, sign, &smallest.program);
     match smaller.filter(|_| reduction != Reduced::Not) {
-        Some(smaller) => repeated(asked, &smaller, sign, smallest),
+        Some(smaller) => repeated(asked, &smaller, sign, smallest, stop),
         // Without its marks the program does not show it.
         None => {
-            let whole = repeated(asked, case, sign, smallest)?;
+            let whole = repeated(asked, case, sign, smallest, stop)?;
             let unreduced = Smallest::unreduced(event, sign);
             Ok(Smallest {
                 deviation: unreduced.deviation,
@@ -169,7 +169,7 @@ fn operand_alone(
         // What another group has shown is no chance.
         return match is_known {
             true => Ok(Some(found)),
-            false => repeated(asked, &operand, &unreduced.deviation.sign, found).map(Some),
+            false => repeated(asked, &operand, &unreduced.deviation.sign, found, stop).map(Some),
         };
     }
     Ok(None)
@@ -194,21 +194,22 @@ fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
         || now.any(|value| wrong_values(&event.expected, &event.got).any(|other| other == value))
 }
 
-/// Runs the case with the smallest program several times, and fills in what the engine does with it.
+/// Runs the case with the smallest program several times, and fills in what the engine does with it. `stop` is asked before each.
 fn repeated(
     asked: &mut Questioner<'_>,
     case: &Case,
     sign: &Sign,
     smallest: Smallest,
+    stop: &dyn Fn() -> bool,
 ) -> Result<Smallest, EngineError> {
     let mut found = None;
     let mut repeats = Repeats::default();
     let mut unanswered = 0;
-    while repeats.of < REPEATS || (is_by_chance(&repeats) && repeats.of < REPEATS_OF_CHANCE) {
+    let is_by_chance_so_far = |repeats: &Repeats| is_by_chance(repeats) && repeats.of < REPEATS_OF_CHANCE;
+    while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() {
         let (got, deviation) = asked.again(case)?;
-        // A busy machine is no property of the compiler, unless every answer takes too long.
-        if matches!(got[..], [Fact::TimedOut { .. }]) && sign.symptom != Symptom::Hang && unanswered < REPEATS
-        {
+        // A busy machine is no property of the compiler, unless the next answer takes too long as well.
+        if matches!(got[..], [Fact::TimedOut { .. }]) && unanswered == 0 {
             unanswered += 1;
             continue;
         }
@@ -219,6 +220,16 @@ fn repeated(
         found = found.or(deviation);
     }
     let questions = smallest.questions + u64::from(repeats.of + unanswered);
+    if stop() && repeats.seen == repeats.of {
+        let reduction = Reduced::Partly;
+        let deviation = found.unwrap_or_else(|| smallest.deviation.clone());
+        return Ok(Smallest {
+            deviation,
+            reduction,
+            questions,
+            ..smallest
+        });
+    }
     let Some(deviation) = found else {
         // Seen once, in the run.
         (repeats.seen, repeats.of) = (1, repeats.of + 1);
@@ -272,32 +283,13 @@ fn is_alike(one: &Fact, other: &Fact) -> bool {
 pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
     !matches!(
         symptom,
-        Symptom::Hang | Symptom::Error(_) | Symptom::Text | Symptom::NotWarned(_) | Symptom::Warned(_)
+        Symptom::Hang
+            | Symptom::Error(_)
+            | Symptom::OtherType
+            | Symptom::Text
+            | Symptom::NotWarned(_)
+            | Symptom::Warned(_)
     )
-}
-
-/// Returns a program without the marks of its case, which are comments that begin with `(*!`, and without the blank lines
-/// that they leave; and of each of its lines the number in the program with marks.
-pub(crate) fn without_marks(program: &str) -> (String, Vec<u32>) {
-    let mut unmarked = String::with_capacity(program.len());
-    let mut rest = program;
-    while let Some(start) = rest.find("(*!") {
-        unmarked.push_str(&rest[..start]);
-        let end = rest[start..].find("*)").map_or(rest.len(), |end| start + end + 2);
-        // The lines of a mark stay for now, so that lines are counted as they were.
-        unmarked.extend(rest[start..end].chars().filter(|character| *character == '\n'));
-        rest = &rest[end..];
-    }
-    unmarked.push_str(rest);
-    let (mut plain, mut lines) = (String::new(), Vec::new());
-    for (line, number) in unmarked.lines().zip(1..) {
-        if !line.trim().is_empty() {
-            plain.push_str(line.trim_end());
-            plain.push('\n');
-            lines.push(number);
-        }
-    }
-    (plain, lines)
 }
 
 /// Returns facts with the numbers of their lines changed to those of a program of which only `lines` are left.

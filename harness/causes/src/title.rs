@@ -8,6 +8,7 @@ use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
 use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
+use stickler_engines::OTHER_TYPE;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
 use stickler_types::{Code, Diagnostic};
@@ -74,6 +75,7 @@ impl Titled<'_, '_> {
             }
             Symptom::Surplus(_) => self.surplus(&wanted),
             Symptom::Value | Symptom::Missing => self.wrong_value(),
+            Symptom::OtherType => format!("values have {OTHER_TYPE}"),
             Symptom::NotWarned(_) => {
                 let missing = warning(expected, got);
                 let wrong = missing.code.as_deref().and_then(summary);
@@ -85,8 +87,8 @@ impl Titled<'_, '_> {
                 let (line, message) = (self.line(extra.line), said(&extra));
                 format!("{line} is accepted with a warning: {message}")
             }
-            Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", clipped(words)),
-            Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", clipped(words)),
+            Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", self.reason(words)),
+            Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
             Symptom::Hang => {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
                 let mut lines = self.program.text.lines().zip(1..);
@@ -110,6 +112,16 @@ impl Titled<'_, '_> {
         }
         reported.line = reported.line.filter(|line| *line > 1);
         reported
+    }
+
+    /// Returns the reason of a crash with its numbers, which `words` have lost.
+    fn reason(&self, words: &str) -> String {
+        let mut got = self.got.iter();
+        let reason = got.find_map(|fact| match fact {
+            Fact::Crashed { reason } | Fact::Unusable { reason } => Some(reason.as_str()),
+            _ => None,
+        });
+        clipped(reason.unwrap_or(words))
     }
 
     /// Returns a line in words; where it is not known or says nothing, the one that most probably matters.

@@ -137,9 +137,12 @@ pub struct SelectionArguments {
     #[arg(long, value_name = "DIR")]
     pub cases: Option<PathBuf>,
     /// Only the case that TEXT names; where it names none, the cases whose `id@dialect` contains it, or, where
-    /// TEXT has a `*`, those that it fits from start to end
+    /// TEXT has a `*`, those that it fits from start to end; may be repeated
     #[arg(long, value_name = "TEXT")]
-    pub filter: Option<String>,
+    pub filter: Vec<String>,
+    /// Leave out the cases that TEXT names or fits, as --filter reads it; may be repeated
+    #[arg(long, value_name = "TEXT")]
+    pub exclude: Vec<String>,
     /// Only cases of this dialect, which stickler.toml may define; may be repeated [default: those of documented systems]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
@@ -154,6 +157,9 @@ pub struct ListArguments {
     /// List claims instead: each section of each document, how many cases check it, and in which files
     #[arg(long)]
     pub basis: bool,
+    /// List the numbers instead: how many cases each dialect has in each area, and how many different questions they ask
+    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
+    pub count: bool,
     /// List the sources of the claims instead, and Stickler's own rules: what each is, where it opens, for whom it speaks,
     /// and how many of the cases rest on it
     #[arg(long, conflicts_with_all = ["basis", "left_out"])]
@@ -163,7 +169,7 @@ pub struct ListArguments {
     pub places: bool,
     /// List the features of the language instead, each with the tables of IEC 61131-3 that are about it: how many of the cases
     /// use it
-    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "left_out"])]
+    #[arg(long, conflicts_with_all = ["basis", "sources", "places", "count", "left_out"])]
     pub features: bool,
     /// List instead the cases that a dialect of stickler.toml does not take over from the one that it extends, because
     /// what it overrides changes them and no document says how

@@ -3,7 +3,7 @@
 use crate::carried_cases;
 use crate::exit::Exit;
 use crate::output;
-use crate::run_plan;
+use crate::{engines, run_plan, shell};
 use anyhow::{Context, bail};
 use std::collections::BTreeSet;
 use std::env;
@@ -11,8 +11,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_conversions::recording::{Recording, RecordingError};
 use stickler_run::{DefinedHeader, Filter, Plan, select};
-use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite};
-use stickler_types::{DialectName, Question};
+use stickler_suite::{Case, Dialects, FileKind, RECORDINGS, Suite, Wanted};
+use stickler_types::{DialectName, Question, counted};
 
 /// The name of the folder of cases.
 const NAME: &str = "conformance-cases";
@@ -94,10 +94,15 @@ impl CaseFolder {
         })
     }
 
-    /// Reads all cases, and reports mistakes in their files on stderr. Of the dialects that stickler.toml defines, only the given
-    /// ones get cases, so that a run without arguments is the same everywhere.
+    /// Reads all cases, with those that one edition of a compiler repeats of another, and reports mistakes in their files on stderr. Of the
+    /// dialects that stickler.toml defines, only the given ones get cases, so that a run without arguments is the same everywhere.
     pub fn load_with(&self, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
-        let suite = Suite::load_with(&self.path, &defined(dialects));
+        let wanted = Wanted {
+            defined: &defined(dialects),
+            with_repeats: true,
+            ..Wanted::default()
+        };
+        let suite = Suite::load_with(&self.path, wanted);
         report_mistakes(&suite);
         suite
     }
@@ -139,12 +144,14 @@ impl CaseFolder {
 
     /// Reads what the cases may cite, and no case.
     pub fn load_sources(&self) -> Suite {
-        Suite::load_files(&self.path, &[], |_, _| false)
+        Suite::load_files(&self.path, Wanted::default(), |_, _| false)
     }
 
     /// Reads the files in which a word stands, without reporting mistakes in them.
     pub fn load_mentioning(&self, word: &str) -> Suite {
-        Suite::load_files(&self.path, &[], |id, kind| self.mentions(id, kind, word))
+        Suite::load_files(&self.path, Wanted::default(), |id, kind| {
+            self.mentions(id, kind, word)
+        })
     }
 
     fn mentions(&self, id: &str, kind: FileKind, word: &str) -> bool {
@@ -154,8 +161,12 @@ impl CaseFolder {
 
     /// Reads the files that may contain a case that the filters select, and reports mistakes in them on stderr. Reads all files
     /// where the filters select no case of these.
-    pub fn load_selected(&self, plan: &Plan, dialects: impl IntoIterator<Item = DialectName>) -> Suite {
-        let defined = defined(dialects);
+    pub fn load_selected(&self, plan: &Plan, dialects: &[DialectName], asked: &[DialectName]) -> Suite {
+        let wanted = Wanted {
+            defined: &defined(dialects.iter().copied()),
+            asked,
+            with_repeats: false,
+        };
         let named: Vec<(&Filter, Option<&str>)> = plan
             .filters
             .iter()
@@ -169,9 +180,9 @@ impl CaseFolder {
         };
         // A baseline is compared with all cases: an entry that matches none is out of date.
         let some = (!named.is_empty() && plan.baselines.is_empty())
-            .then(|| Suite::load_files(&self.path, &defined, is_wanted))
+            .then(|| Suite::load_files(&self.path, wanted, is_wanted))
             .filter(|suite| !select(plan, &suite.cases).is_empty());
-        let suite = some.unwrap_or_else(|| Suite::load_with(&self.path, &defined));
+        let suite = some.unwrap_or_else(|| Suite::load_with(&self.path, wanted));
         report_mistakes(&suite);
         suite
     }
@@ -184,13 +195,18 @@ impl CaseFolder {
     }
 
     /// Loads the cases for a plan, including those of the dialects of stickler.toml that the plan or the end of a filter names.
-    /// Leaves out the selected inherited cases whose result an override may change, and reports their number on stderr.
+    /// Leaves out the selected inherited cases whose result an override may change, and reports their number on stderr. The cases are for
+    /// engines that speak the dialects `asked`, all where it is empty.
     ///
     /// # Errors
     /// A session of the reference that cannot be opened.
-    pub fn load_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
+    pub fn load_for(&self, plan: &Plan, asked: &[DialectName]) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
-        let suite = self.load_selected(plan, named.iter().copied());
+        let in_filters = plan.filters.iter().map(Filter::dialect);
+        let narrowed = !plan.dialects.is_empty()
+            || !named.is_empty() && in_filters.into_iter().all(|named| named.is_some());
+        let asked = if narrowed { &named[..] } else { asked };
+        let suite = self.load_selected(plan, &named, asked);
         self.prepared(plan, suite, named)
     }
 
@@ -201,8 +217,12 @@ impl CaseFolder {
     /// A session of the reference that cannot be opened.
     pub fn load_file_for(&self, plan: &Plan, id: &str, kind: FileKind) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
-        let defined = defined(named.iter().copied());
-        let suite = Suite::load_files(&self.path, &defined, |file, of| file == id && of == kind);
+        let wanted = Wanted {
+            defined: &defined(named.iter().copied()),
+            with_repeats: true,
+            ..Wanted::default()
+        };
+        let suite = Suite::load_files(&self.path, wanted, |file, of| file == id && of == kind);
         report_mistakes(&suite);
         self.prepared(plan, suite, named)
     }
@@ -213,8 +233,12 @@ impl CaseFolder {
     /// A session of the reference that cannot be opened.
     pub fn load_implicit_for(&self, plan: &Plan) -> anyhow::Result<Loaded> {
         let named = named_dialects(plan);
-        let defined = defined(named.iter().copied());
-        let mut suite = Suite::load_files(&self.path, &defined, |id, kind| {
+        let wanted = Wanted {
+            defined: &defined(named.iter().copied()),
+            with_repeats: true,
+            ..Wanted::default()
+        };
+        let mut suite = Suite::load_files(&self.path, wanted, |id, kind| {
             self.mentions(id, kind, "implicit(")
         });
         let is_implicit = |case: &Case| matches!(case.question.as_deref(), Some(Question::Implicit(_)));
@@ -309,24 +333,63 @@ pub fn exit_of(suite: &Suite) -> Exit {
     }
 }
 
-/// Reports on stderr that the filters select no case, and returns the exit code for that.
-pub fn nothing_selected(suite: &Suite) -> Exit {
-    let is_beside = |dialect: &DialectName| {
-        dialect.is_custom() && suite.cases.iter().all(|case| case.dialect != *dialect)
-    };
-    let unless_named = match DialectName::defined().iter().any(is_beside) {
-        true => "; a dialect of stickler.toml has cases where --dialect names it",
-        false => "",
-    };
-    output::error(&match suite.cases.len() {
-        0 => anyhow::anyhow!("no case is selected: there are none"),
-        number => {
-            anyhow::anyhow!(
-                "no case is selected: none of {number} fits; `stickler list` lists them{unless_named}"
-            )
-        }
-    });
+/// Reports on stderr why a plan selects no case, and returns the exit code for that.
+pub fn nothing_selected(plan: &Plan, suite: &Suite) -> Exit {
+    output::error(&anyhow::anyhow!(
+        "no case is selected: {}",
+        why_nothing(plan, suite)
+    ));
     Exit::NothingTested.worst(exit_of(suite))
+}
+
+/// Returns what of a plan selects no case, and which cases there are otherwise.
+fn why_nothing(plan: &Plan, suite: &Suite) -> String {
+    let filters = options("--filter", plan.filters.iter().map(Filter::as_str));
+    let all = Plan {
+        filters: plan.filters.clone(),
+        ..Plan::default()
+    };
+    let fitting = select(&all, &suite.cases);
+    let in_dialects = Plan {
+        dialects: plan.dialects.clone(),
+        ..all
+    };
+    let spoken = select(&in_dialects, &suite.cases);
+    let number = counted(spoken.len() as u64, "case", "cases");
+    if suite.cases.is_empty() {
+        "there are none".to_owned()
+    } else if fitting.is_empty() {
+        let is_beside = |dialect: &DialectName| {
+            dialect.is_custom() && suite.cases.iter().all(|case| case.dialect != *dialect)
+        };
+        let unless_named = match DialectName::defined().iter().any(is_beside) {
+            true => "; a dialect of stickler.toml has cases where --dialect names it",
+            false => "",
+        };
+        let all = counted(suite.cases.len() as u64, "case", "cases");
+        format!("{filters} fits none of {all}; `stickler list` lists them{unless_named}")
+    } else if spoken.is_empty() {
+        let dialects = options("--dialect", plan.dialects.iter().map(|dialect| dialect.as_str()));
+        let of: BTreeSet<DialectName> = fitting.iter().map(|case| case.dialect).collect();
+        let of = engines::listed(&Vec::from_iter(of));
+        let what = if filters.is_empty() {
+            "the suite has"
+        } else {
+            &format!("{filters} fits")
+        };
+        format!("{dialects} has none of what {what}, which is of {of}")
+    } else if let Some(shard) = plan.shard {
+        format!("part {shard} has none of {number}")
+    } else {
+        let excluded = options("--exclude", plan.excluded.iter().map(Filter::as_str));
+        format!("{excluded} leaves out all of {number}")
+    }
+}
+
+/// Returns an option with its arguments, as it is typed.
+pub fn options<'a>(name: &str, arguments: impl Iterator<Item = &'a str>) -> String {
+    let typed = arguments.map(|argument| format!("{name} {}", shell::quote(argument)));
+    typed.collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]

@@ -3,10 +3,10 @@
 use crate::arguments::RunArguments;
 use crate::output;
 use crate::progress::Progress;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use stickler_causes::{FailedCases, Search, SearchLimits, find};
 use stickler_engines::Engine;
-use stickler_run::{Event, Plan};
+use stickler_run::{Event, Footer, Plan};
 use stickler_types::counted;
 
 /// The part of a run between its last case and its footer.
@@ -14,7 +14,7 @@ pub struct CauseStage<'r> {
     failed: FailedCases<'r>,
     limits: Option<SearchLimits>,
     shows_progress: bool,
-    footer: Option<Event>,
+    footer: Option<Footer>,
 }
 
 impl<'r> CauseStage<'r> {
@@ -43,7 +43,7 @@ impl<'r> CauseStage<'r> {
             self.failed.take(&event);
         }
         match event {
-            Event::Footer(_) => self.footer = Some(event),
+            Event::Footer(footer) => self.footer = Some(footer),
             event => sink(event),
         }
     }
@@ -51,7 +51,8 @@ impl<'r> CauseStage<'r> {
     /// Searches for the causes of what failed, and passes them on, and the footer behind them. A run that was cut short has
     /// neither. An engine that cannot be asked any more leaves no causes, which is said on stderr.
     pub fn finish(self, search: &Search<'_>, sink: &mut dyn FnMut(Event)) {
-        let Some(footer) = self.footer else { return };
+        let Some(mut footer) = self.footer else { return };
+        let begun = Instant::now();
         if self.limits.is_some() && !self.failed.is_empty() {
             let progress = self.shows_progress.then(Progress::of_causes);
             let found = find(&self.failed, search, &mut |reported| {
@@ -72,7 +73,8 @@ impl<'r> CauseStage<'r> {
                 ));
             }
             causes.into_iter().for_each(|cause| sink(Event::Cause(cause)));
+            footer.causes_ms = u64::try_from(begun.elapsed().as_millis()).ok();
         }
-        sink(footer);
+        sink(Event::Footer(footer));
     }
 }

@@ -10,10 +10,10 @@ use stickler_types::{DialectName, MatrixWord, Question, Value};
 /// Returns what documents state: of the pairs of types, the parts of types and the calls of functions in these cases, and of the
 /// boundary values of these functions; and what the recorded compilers of the folder answer. A folder or file of recordings that cannot be
 /// read is reported on stderr.
-pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
+pub fn statements(cases: &[&Case], suite: &Suite, folder: &CaseFolder) -> Statements {
     let dialects: BTreeSet<DialectName> = cases.iter().map(|case| case.dialect).collect();
     let mut builder = StatementsBuilder::new(dialects.into_iter().collect());
-    for case in cases {
+    for case in cases.iter().filter(|case| is_of_its_system(case, suite)) {
         if let Some(question) = &case.question {
             builder.add(question, &statement(case));
         }
@@ -32,7 +32,7 @@ pub fn statements(cases: &[&Case], folder: &CaseFolder) -> Statements {
 /// Returns what documents state about the conversions of all cases of a folder.
 pub fn of_all_cases(folder: &CaseFolder) -> Statements {
     let suite = folder.load_with([]);
-    statements(&suite.cases.iter().collect::<Vec<_>>(), folder)
+    statements(&suite.cases.iter().collect::<Vec<_>>(), &suite, folder)
 }
 
 fn statement(case: &Case) -> CaseStatement<'_> {
@@ -66,7 +66,14 @@ pub fn asserted_results(suite: &Suite, function: &str) -> Vec<AssertedResult> {
                 basis: with_product(suite, &case.basis).into(),
             })
     };
-    suite.cases.iter().filter_map(asserted).collect()
+    let of_systems = suite.cases.iter().filter(|case| is_of_its_system(case, suite));
+    of_systems.filter_map(asserted).collect()
+}
+
+/// Returns whether the basis of a case speaks for the system of its dialect. What another system documents is no statement about this one.
+fn is_of_its_system(case: &Case, suite: &Suite) -> bool {
+    let source = suite.sources.of(&case.basis);
+    source.is_none_or(|(source, section)| source.speaks_for(section, case.dialect))
 }
 
 /// Returns the value that a case asserts, if it asserts exactly one.

@@ -176,6 +176,10 @@ pub fn spoken(identity: &Identity, asked: &[DialectName]) -> anyhow::Result<Vec<
             engine: identity.name.clone(),
             asked: listed(asked),
             spoken: listed(&identity.dialects),
+            hint: match identity.dialects.iter().find(|dialect| dialect.is_custom()) {
+                Some(own) => format!(", a dialect of stickler.toml, which is asked for with --dialect {own}"),
+                None => String::new(),
+            },
         }
         .into());
     }
@@ -210,9 +214,9 @@ pub fn seek(name: &str, called: &str, configuration: &ConfigurationFile) -> Opti
     }
     Some(match configuration.engine(name).map(|entry| &entry.kind) {
         Some(EngineKind::Compiler { compiler, places }) => compiler.seek(called, name, places),
-        Some(EngineKind::Command { line }) => CompilerSearch {
+        Some(EngineKind::Command { line, reproduce }) => CompilerSearch {
             located: Vec::new(),
-            engine: start(line, called, configuration),
+            engine: start((line, reproduce.as_deref()), called, configuration),
         },
         Some(EngineKind::Described(description)) => described(called, description, configuration),
         None => Compiler::from_name(name)?.seek(called, name, &DependencyPaths::default()),
@@ -221,13 +225,17 @@ pub fn seek(name: &str, called: &str, configuration: &ConfigurationFile) -> Opti
 
 /// Starts the program of a command line in the folder of the configuration file.
 fn start(
-    line: &str,
+    (line, reproduce): (&str, Option<&str>),
     called: &str,
     configuration: &ConfigurationFile,
 ) -> Result<Box<dyn Engine>, EngineError> {
     let folder = configuration.folder().unwrap_or(Path::new(""));
     let engine = ProcessEngine::start_in(folder, line, ProcessLimits::default())?;
-    Ok(Box::new(engine.named(called.to_owned())))
+    let engine = engine.named(called.to_owned());
+    Ok(match reproduce {
+        Some(command) => Box::new(engine.reproduced_by(command, folder)),
+        None => Box::new(engine),
+    })
 }
 
 /// Makes an engine from a description of stickler.toml; also returns which of its programs were found.
@@ -240,15 +248,12 @@ fn described(called: &str, description: &Description, configuration: &Configurat
     }
 }
 
-/// Returns every name by which an engine can be asked for: `reference`, the compilers with an adapter, and those of the file.
+/// Returns every name by which an engine can be asked for: `reference`, those of the file, and the compilers with an adapter.
 pub fn names(configuration: &ConfigurationFile) -> Vec<&str> {
-    let mut names = vec![REFERENCE];
-    names.extend(Compiler::ALL.map(Compiler::name));
-    let others = configuration
-        .engines()
-        .map(|(name, _)| name)
-        .filter(|name| Compiler::from_name(name).is_none());
-    names.extend(others);
+    let own = configuration.engines().map(|(name, _)| name);
+    let mut names: Vec<&str> = std::iter::once(REFERENCE).chain(own).collect();
+    let others = Compiler::ALL.map(Compiler::name).into_iter();
+    names.extend(others.filter(|name| configuration.engine(name).is_none()));
     names
 }
 

@@ -132,7 +132,7 @@ pub struct NoSuchEngine {
 
 /// The error for an engine that speaks none of the requested dialects.
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
-#[error("engine {engine} speaks none of {asked}; it says that it speaks: {spoken}")]
+#[error("engine {engine} speaks none of {asked}; it says that it speaks: {spoken}{hint}")]
 pub struct SpeaksNone {
     /// The name of the engine.
     pub engine: String,
@@ -140,6 +140,8 @@ pub struct SpeaksNone {
     pub asked: String,
     /// The dialects that the engine speaks, in a list.
     pub spoken: String,
+    /// How to ask for them, where that is needed; a fragment that begins with its comma.
+    pub hint: String,
 }
 
 /// The list of exit codes; its `Display` is the text that `--help` shows.

@@ -7,6 +7,7 @@ use anyhow::bail;
 use std::path::Path;
 use stickler_run::{Filter, Plan};
 use stickler_suite::{Case, Suite};
+use stickler_types::DialectName;
 
 /// The maximum number of ids that are suggested for an unknown one.
 const MAX_SUGGESTIONS: usize = 5;
@@ -31,15 +32,18 @@ impl<'n> NamedCase<'n> {
     pub fn load(name: &'n str, cases: Option<&Path>) -> anyhow::Result<NamedCase<'n>> {
         let selection = SelectionArguments {
             cases: cases.map(Path::to_owned),
-            filter: Some(name.to_owned()),
+            filter: vec![name.to_owned()],
             ..SelectionArguments::default()
         };
         let plan = run_plan::plan(&selection, None);
         let dialect = Filter::new(name).dialect();
-        let suite = CaseFolder::locate(cases)?.load_selected(&plan, dialect);
+        let dialects: Vec<DialectName> = dialect.into_iter().collect();
+        let folder = CaseFolder::locate(cases)?;
+        let suite = folder.load_selected(&plan, &dialects, &dialects);
         let named = NamedCase { suite, plan, name };
         if named.cases().is_empty() {
-            bail!("{}", no_such_case(&named.suite, name));
+            let others = folder.load_selected(&named.plan, &dialects, &[]);
+            bail!("{}", no_such_case(&others, name));
         }
         Ok(named)
     }

@@ -17,12 +17,10 @@ pub fn now() -> Timestamp {
 
 /// Returns the plan of a run that begins now and selects the requested cases.
 pub fn plan(selection: &SelectionArguments, shard: Option<Shard>) -> Plan {
+    let filters = |texts: &[String]| texts.iter().map(Filter::new).collect();
     Plan {
-        filters: selection
-            .filter
-            .iter()
-            .map(|text| Filter::new(text.as_str()))
-            .collect(),
+        filters: filters(&selection.filter),
+        excluded: filters(&selection.exclude),
         dialects: selection.dialect.clone(),
         shard,
         rerun_prefix: format!("{} run{}", shell::program(), places(selection.cases.as_deref())),

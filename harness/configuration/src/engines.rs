@@ -35,6 +35,8 @@ pub enum EngineKind {
     Command {
         /// The command line, unchanged.
         line: String,
+        /// The command by which a person gives a program to the compiler without the adapter.
+        reproduce: Option<String>,
     },
     /// A compiler whose adapter is described by data.
     Described(Box<Description>),
@@ -79,7 +81,10 @@ pub(crate) fn entry(
         },
         (None, Some(_)) => {
             let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"), &[LACKS])?;
-            EngineKind::Command { line: keys.command }
+            EngineKind::Command {
+                line: keys.command,
+                reproduce: keys.reproduce,
+            }
         }
         (None, None) if keys.is_empty() => return Err(says_nothing(name, span)),
         (None, None) => EngineKind::Described(Box::new(description(name, keys, value.span())?)),
@@ -185,6 +190,7 @@ fn places(
 #[serde(deny_unknown_fields)]
 struct CommandKeys {
     command: String,
+    reproduce: Option<String>,
 }
 
 /// Reads the description of a compiler.

@@ -31,7 +31,9 @@ pub use adapters::{
 pub use digest::Digest;
 pub use engine::{Ability, Engine, EngineError, Identity, Packed, Session};
 pub use grade::Grade;
-pub use process::{ProcessEngine, ProcessLimits, kill_all_processes, stop_all_processes};
+pub use process::{
+    ProcessEngine, ProcessLimits, end_questions_at, kill_all_processes, limit_programs, stop_all_processes,
+};
 pub use reference::Reference;
 pub use reproduction::{
     NoReproduction, Reproduction, ReproductionFile, ReproductionTool, ScriptOutput, reproduce_and_run,
@@ -41,4 +43,4 @@ pub use shell::shell_quote;
 pub use stickler_types::{
     ClockSetting, Diagnostic, NamedValue, Observation, Outcome, RunRequest, Setting, Severity,
 };
-pub use validate::{Check, CheckVerdict, Validation, validate};
+pub use validate::{Check, CheckVerdict, OTHER_TYPE, Validation, validate};

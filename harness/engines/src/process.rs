@@ -13,18 +13,22 @@ mod group;
 mod message;
 mod pause;
 mod session;
+mod time_limit;
 mod tool;
 mod usage;
 
-use crate::{Engine, EngineError, Identity, Session};
+use crate::reproduction::HERE;
+use crate::{Ability, Engine, EngineError, Identity, NoReproduction, Reproduction, RunRequest, Session};
 pub(crate) use command_line::CommandLine;
 pub(crate) use connection::{Connection, Failure};
 pub(crate) use folder::Folder;
 pub(crate) use message::{excerpt, line};
 use session::ProcessSession;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+pub use time_limit::{end_questions_at, limit_programs};
+pub(crate) use time_limit::{milliseconds, time_limit};
 pub(crate) use tool::{Ended, ToolLimits, run as run_tool, run_with as run_tool_with};
 
 /// Kills every process that an engine of this program has started, with all that they started, and removes their working
@@ -77,6 +81,8 @@ pub struct ProcessEngine {
     limits: ProcessLimits,
     /// The process that answered the first `hello`; the first session takes it.
     spare: Mutex<Option<Connection>>,
+    /// The command by which a person runs a program on the compiler, and the folder of the file that states it.
+    reproduced_by: Option<(String, PathBuf)>,
 }
 
 impl ProcessEngine {
@@ -109,6 +115,7 @@ impl ProcessEngine {
             command,
             limits,
             spare: Mutex::new(Some(connection)),
+            reproduced_by: None,
         })
     }
 
@@ -118,11 +125,32 @@ impl ProcessEngine {
         self.identity.name = name;
         self
     }
+
+    /// Returns the engine with the [command](Reproduction::by_command) by which a person runs a program on its compiler, and the folder of the
+    /// file that states it.
+    #[must_use]
+    pub fn reproduced_by(mut self, command: &str, folder: &Path) -> ProcessEngine {
+        self.reproduced_by = Some((command.to_owned(), folder.to_owned()));
+        self
+    }
 }
 
 impl Engine for ProcessEngine {
     fn identity(&self) -> &Identity {
         &self.identity
+    }
+
+    fn reproduce(&self, request: &RunRequest<'_>, _: Ability) -> Result<Reproduction, NoReproduction> {
+        match &self.reproduced_by {
+            Some((command, _)) => Ok(Reproduction::by_command(command, request)),
+            None => Err(NoReproduction::NoTools(self.identity.name.clone())),
+        }
+    }
+
+    fn tools(&self) -> Vec<(String, PathBuf)> {
+        let here = self.reproduced_by.iter();
+        here.map(|(_, folder)| (HERE.to_owned(), folder.clone()))
+            .collect()
     }
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {

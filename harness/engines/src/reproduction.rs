@@ -46,7 +46,8 @@ pub struct ReproductionTool {
 pub enum NoReproduction {
     /// The engine is no compiler whose command line Stickler knows; holds its name.
     #[error(
-        "{0} has no command line of its own: it is part of Stickler, or is asked over the wire protocol alone"
+        "{0} has no command line of its own: it is part of Stickler, or is asked over the wire protocol alone, and no \
+         `reproduce = \"…\"` in stickler.toml says how a person runs it"
     )]
     NoTools(String),
     /// The compiler cannot do what the program needs; holds the reason, as a fragment.
@@ -72,7 +73,31 @@ impl From<Outcome> for NoReproduction {
 /// The name of the file of [`Reproduction::script`].
 const SCRIPT: &str = "run.sh";
 
+/// The variable for the folder of `stickler.toml`.
+pub(crate) const HERE: &str = "HERE";
+
 impl Reproduction {
+    /// Returns the reproduction by a command that a person states, in which `{file}` stands for the program, `{dialect}` for the name of
+    /// its dialect and `{here}` for the folder of `stickler.toml`.
+    #[must_use]
+    pub fn by_command(command: &str, request: &RunRequest<'_>) -> Reproduction {
+        let file = ReproductionFile {
+            name: "program.st".to_owned(),
+            text: request.source.to_owned(),
+        };
+        let here = command.contains("{here}").then(|| ReproductionTool {
+            variable: HERE.to_owned(),
+            default: ".".to_owned(),
+        });
+        let command = command.replace("{file}", &file.name);
+        let command = command.replace("{dialect}", request.dialect.as_str());
+        Reproduction {
+            commands: vec![command.replace("{here}", &format!("\"${HERE}\""))],
+            files: vec![file],
+            tools: here.into_iter().collect(),
+        }
+    }
+
     /// Returns the name and text of a shell script that runs the commands in its own folder.
     #[must_use]
     pub fn script(&self) -> ReproductionFile {

@@ -7,9 +7,10 @@
 mod reply;
 mod smoke;
 
-use crate::process::{CommandLine, Connection, Failure, ProcessLimits, line};
+use crate::process::{CommandLine, Connection, Failure, ProcessLimits, line, milliseconds};
 use crate::protocol::{ProgramRequest, Reply, Request, RunMessage};
 use crate::{Ability, EngineError, Identity, Outcome};
+pub use reply::OTHER_TYPE;
 use smoke::{Ask, SmokeExpectation, SmokeQuestion, SmokeSet};
 use std::path::Path;
 use stickler_types::DialectName;
@@ -258,7 +259,7 @@ impl Conversation<'_> {
             }
             Err(Failure::Ended) => Err(connection.end()),
             Err(Failure::TimedOut) => {
-                let limit = u64::try_from(self.limits.reply.as_millis()).unwrap_or(u64::MAX);
+                let limit = milliseconds(self.limits.reply);
                 Err(format!("it does not answer within {}", Outcome::limit(limit)))
             }
             Err(Failure::Memory(limit)) => Err(format!("it held more than {} MiB of memory", limit >> 20)),

@@ -272,12 +272,16 @@ impl<'s> UnaryCall<'s> {
     }
 
     /// Returns the basis of TIME to and from a number: whole milliseconds that the target holds exactly or as the nearest
-    /// real. No document states another conversion of a duration, and IronPLC documents a TIME of 32 bits.
+    /// real. No document states another conversion of a duration, and IronPLC documents a TIME of 32 bits. Its page names bit strings
+    /// beside the numbers, and the ForgeIEC page excepts no type; FALSE is 0 and TRUE is 1 there.
     fn of_time(self, raw: u64) -> Option<&'static str> {
         let milliseconds = self.whole_milliseconds(raw)?;
+        let other = if self.to.is_duration() { self.from } else { self.to };
         match self.rules {
-            Rules::Ironplc => i32::try_from(milliseconds).is_ok().then_some(IRONPLC_TIME),
             Rules::Matiec => Some(NAMING),
+            _ if other == ElementaryType::Bool => None,
+            Rules::Ironplc => i32::try_from(milliseconds).is_ok().then_some(IRONPLC_TIME),
+            _ if other.is_bit_string() => None,
             Rules::Plcnext => Some(MILLISECONDS_RULE),
             Rules::Strucpp if self.from == ElementaryType::Time => Some(STRUCPP_TIME),
             // "TO_TIME(integer) already scales ms → ns"; of reals it says nothing.
@@ -294,12 +298,16 @@ impl<'s> UnaryCall<'s> {
         // The unit of a duration is the same, whatever counts a date.
         let calendar = MomentUnits::Seconds;
         match (self.from.family(), self.to.family()) {
-            (Family::Duration, Family::Signed | Family::Unsigned | Family::Real) => {
+            (
+                Family::Duration,
+                Family::Signed | Family::Unsigned | Family::Real | Family::BitString | Family::Boolean,
+            ) => {
                 let units = moment::units(raw, self.from, calendar);
-                let holds = self.to.is_real() || integer::holds(self.to, units);
+                let holds =
+                    self.to.is_real() || self.to == ElementaryType::Bool || integer::holds(self.to, units);
                 (holds && moment::has_whole_units(raw, self.from, calendar)).then_some(units)
             }
-            (Family::Signed | Family::Unsigned, Family::Duration) => {
+            (Family::Signed | Family::Unsigned | Family::BitString | Family::Boolean, Family::Duration) => {
                 let number = integer::number(raw, self.from);
                 moment::fits(moment::of_units(number, self.to, calendar)).then_some(number)
             }

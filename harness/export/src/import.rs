@@ -145,6 +145,7 @@ impl Export {
                     totals,
                 }],
                 duration_ms: 0,
+                causes_ms: None,
             }));
         }
         imported
@@ -337,7 +338,7 @@ impl Export {
                 .into_iter()
                 .collect(),
             defined: self.manifest.defined.clone().into_iter().collect(),
-            sources: SourceHeader::all(judge.sources),
+            sources: SourceHeader::all(&judge.suite.sources),
             ..Header::default()
         }
     }

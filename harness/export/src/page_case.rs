@@ -80,7 +80,7 @@ impl<'c> PageCase<'c> {
         };
         refuse(case)?;
         let encodings = if rejected { Vec::new() } else { encodings(case)? };
-        let parts = ProgramParts::of(&without_marks(&case.source), Dialect::of(case.dialect))?;
+        let parts = ProgramParts::of(&case.source, Dialect::of(case.dialect))?;
         let alone = parts.units.is_empty();
         // Where such a program is rejected, no other of its page would run.
         let asks_acceptance = alone && case.observe.is_empty();
@@ -174,32 +174,5 @@ fn is_negative_zero(value: &Value) -> bool {
             raw,
         } => *raw == (-0.0_f64).to_bits(),
         _ => false,
-    }
-}
-
-/// Removes the marks of the suite from a text: comments `(*! … *)`, which do not nest.
-fn without_marks(source: &str) -> String {
-    let mut text = String::with_capacity(source.len());
-    let mut rest = source;
-    while let Some(at) = rest.find("(*!") {
-        let Some(length) = rest[at..].find("*)") else {
-            break;
-        };
-        text.push_str(&rest[..at]);
-        rest = &rest[at + length + 2..];
-    }
-    text.push_str(rest);
-    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
-    lines.join("\n")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::without_marks;
-
-    #[test]
-    fn marks_and_what_is_blank_before_them_go_and_other_comments_stay() {
-        let source = "(*!\ntitle = \"t\"\n*)\nx := 1;    (*! ok *)\n(* c *)\n(*! values\nx = INT#1\n*)\n";
-        assert_eq!(without_marks(source), "\nx := 1;\n(* c *)\n");
     }
 }

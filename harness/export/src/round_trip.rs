@@ -14,7 +14,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use stickler_engines::{Ability, Engine, Grade, Identity, Observation, Outcome, Reference, RunRequest};
 use stickler_run::{CaseEvent, CaseJudge, Event, Fact, Plan, Verdict};
-use stickler_suite::{Acceptance, Case, Sources, load_file};
+use stickler_suite::{Acceptance, Case, Suite, load_file};
 use stickler_types::{DialectName, Value};
 
 /// The case files of the tests, which together have every type, POUs and types of their own, constants, and open values.
@@ -80,7 +80,7 @@ fn plan(dialect: DialectName) -> ExportPlan {
 fn import(export: &Export, texts: &[CopiedText], sink: &mut dyn FnMut(Event)) -> Imported {
     let judge = CaseJudge {
         plan: &Plan::default(),
-        sources: &Sources::default(),
+        suite: &Suite::default(),
         engine: &engine(),
         lacks: None,
         baseline: None,

@@ -229,7 +229,7 @@ pub enum ArithmeticOperator {
 }
 
 /// Comparison of two values of one type. REAL and LREAL follow IEC 60559: NaN is unequal to everything.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum ComparisonOperator {
     /// `=`.
     Equal,
@@ -287,6 +287,8 @@ pub enum StandardFunction {
     Len,
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
+    /// GT and its kin: pops `count` values, pushes a BOOL: whether each of them compares so with the one behind it.
+    InOrder(ComparisonOperator),
 }
 
 impl StandardFunction {

@@ -35,12 +35,13 @@ pub enum Side {
 }
 
 impl Side {
-    /// Returns the character that is printed before a line of this side.
+    /// Returns the character that is printed before a line of this side: a plus, which is mostly green, where the line is to be there, and a
+    /// minus where it is not.
     pub const fn sign(self) -> char {
         match self {
             Side::Both | Side::Gap => ' ',
-            Side::Expected => '-',
-            Side::Got => '+',
+            Side::Expected => '+',
+            Side::Got => '-',
         }
     }
 }
@@ -201,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_changed_value_stands_beside_the_value_expected() {
-        assert_eq!(text("r = INT#-5", "r = INT#251"), "- r = INT#-5\n+ r = INT#251\n");
+        assert_eq!(text("r = INT#-5", "r = INT#251"), "+ r = INT#-5\n- r = INT#251\n");
     }
 
     #[test]
@@ -211,9 +212,9 @@ mod tests {
 
     #[test]
     fn a_last_line_is_the_same_where_the_other_text_goes_on() {
-        assert_eq!(text("a\nb", "a\nb\nc"), "  a\n  b\n+ c\n");
-        assert_eq!(text("a\nb\nc", "b"), "- a\n  b\n- c\n");
-        assert_eq!(text("", "b"), "+ b\n");
+        assert_eq!(text("a\nb", "a\nb\nc"), "  a\n  b\n- c\n");
+        assert_eq!(text("a\nb\nc", "b"), "+ a\n  b\n+ c\n");
+        assert_eq!(text("", "b"), "- b\n");
         assert!(lines("a\nb\n", "a\nb").is_empty());
     }
 
@@ -228,7 +229,7 @@ mod tests {
             .filter(|line| line.side == Side::Gap)
             .count();
         assert_eq!(gaps, 1);
-        assert!(text(&expected, &got).contains("- line 35\n+ LINE 35\n"));
+        assert!(text(&expected, &got).contains("+ line 35\n- LINE 35\n"));
     }
 
     #[test]

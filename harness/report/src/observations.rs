@@ -82,6 +82,29 @@ impl Observations {
         disagreements
     }
 
+    /// Returns the observations of a run of one engine: the cases of a probe in which it did the same, in the order of ids.
+    pub fn of_one(&self, engine: &str) -> Vec<Disagreement<'_>> {
+        let mut lists: Vec<Disagreement<'_>> = Vec::new();
+        let mut places: HashMap<(&str, u32, u32), usize> = HashMap::new();
+        for ((id, name), seen) in &self.seen {
+            for seen in seen {
+                let place = *places
+                    .entry((probe(id), *name, seen.value))
+                    .or_insert(lists.len());
+                match lists.get_mut(place) {
+                    Some(alike) => alike.cases += 1,
+                    None => lists.push(Disagreement {
+                        id,
+                        name: self.words.word(*name),
+                        values: vec![(self.words.word(seen.value), vec![engine.to_owned()])],
+                        cases: 1,
+                    }),
+                }
+            }
+        }
+        lists
+    }
+
     /// Returns whether two engines disagree: in a dialect that both support, or, where they share none, in all of their
     /// values.
     fn disagree(&self, seen: &[Seen]) -> bool {

@@ -30,7 +30,7 @@ pub struct Overview {
     pub failed: u64,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     pub observations: u64,
-    /// The observations, where several engines took part; a single engine has none to disagree with.
+    /// The observations of all engines.
     pub observed: Observations,
     /// The causes of failing cases, those that explain most cases first; none where they were not searched for.
     pub causes: Vec<Cause>,
@@ -55,9 +55,7 @@ impl Overview {
     fn take_case(&mut self, case: &CaseEvent) {
         self.claims.take(case);
         self.observations += case.observations.len() as u64;
-        if self.engines().len() > 1 {
-            self.observed.take(case);
-        }
+        self.observed.take(case);
         let dialects = entry(&mut self.totals, &case.engine);
         let areas = entry(dialects, &case.dialect);
         entry(areas, &case.area).count(case.verdict);

@@ -229,6 +229,7 @@ fn footer<R>(header: &Header, streams: &[PartReader<R>]) -> Footer {
     for part in streams.iter().filter_map(|stream| stream.footer.as_ref()) {
         whole.totals += part.totals;
         whole.duration_ms = whole.duration_ms.max(part.duration_ms);
+        whole.causes_ms = whole.causes_ms.max(part.causes_ms);
         for engine in &mut whole.engines {
             let same = part.engines.iter().find(|other| other.name == engine.name);
             engine.totals += same.map(|other| other.totals).unwrap_or_default();

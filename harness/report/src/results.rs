@@ -99,6 +99,7 @@ impl Results {
         let out = &mut self.file;
         write!(out, "\n]")?;
         key(out, "duration_ms", &footer.duration_ms)?;
+        key(out, "causes_ms", &footer.causes_ms)?;
         key(out, "engines", &engines(header, footer))?;
         list(out, "claims", overview.claims.iter())?;
         list(out, "causes", overview.lacks.iter().chain(&overview.causes))?;

@@ -223,6 +223,7 @@ pub(crate) fn run_of(cases: Vec<CaseEvent>) -> Vec<Event> {
         totals,
         engines,
         duration_ms: 34,
+        causes_ms: None,
     }));
     events
 }

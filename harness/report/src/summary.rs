@@ -9,7 +9,7 @@ use crate::markdown::{cells, code, fence, inline, linked};
 use crate::overview::Overview;
 use crate::terminal::lacks::said;
 use crate::text::{
-    MAX_SHOWN_CHARACTERS, clip, duration, judged, lacking, noted, outdated, outdated_entries, visible,
+    MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
 };
 use crate::{compared, diff, engine};
 use std::fmt::Write;
@@ -87,7 +87,7 @@ fn heading(overview: &Overview) -> String {
         }
     }
     if let Some(footer) = &overview.footer {
-        let _ = write!(text, ", in {}", duration(footer.duration_ms));
+        let _ = write!(text, ", in {}", took(footer));
     }
     text.push_str(".\n\n");
     let dialects = overview.header.iter().flat_map(|header| &header.defined);
@@ -192,7 +192,7 @@ fn causes(overview: &Overview, page: &mut BoundedMarkdown) {
     for cause in small.iter().take(MAX_SHOWN_CAUSES) {
         page.add(&format!(
             "| {} | {} | {} | {} |\n",
-            cause.unexpected(),
+            cause.cases_shown(),
             inline(&cause.title),
             inline(&cause.engine),
             inline(&cause.shown.basis)

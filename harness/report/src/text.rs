@@ -3,7 +3,7 @@
 
 use crate::overview::Overview;
 use std::fmt::Write;
-use stickler_run::{BaselineNote, Grade, OutdatedEntry, Totals, Verdict, clip_line};
+use stickler_run::{BaselineNote, Footer, Grade, OutdatedEntry, Totals, Verdict, clip_line};
 use stickler_types::counted;
 
 /// The maximum number of characters that a report for people shows of a line.
@@ -62,6 +62,14 @@ pub(crate) fn wrapped(sentence: &str, columns: Option<usize>) -> String {
         used += length;
     }
     text
+}
+
+/// Formats how long a run took, and beside it how long the search for causes took.
+pub(crate) fn took(footer: &Footer) -> String {
+    let causes = footer.causes_ms.map_or_else(String::new, |time| {
+        format!(", and {} for the causes", duration(time))
+    });
+    duration(footer.duration_ms) + &causes
 }
 
 /// Returns the note that follows the name of an engine whose rejections need not match code and line to pass.

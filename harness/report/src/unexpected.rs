@@ -38,18 +38,26 @@ impl Unexpected {
         let lacks = lacks.map(|lack| Unexpected::of_lack(lack, overview));
         let causes = small.into_iter().chain(unreduced);
         lacks
-            .chain(causes.map(|cause| of_cause(cause, cause.unexpected(), ("case", "cases"), overview)))
+            .chain(causes.map(|cause| Unexpected::of_cause(cause, overview)))
             .chain(cases.map(|case| of_case(case, overview)))
+    }
+
+    fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+        let cases = match cause.number() {
+            1 => "1 case".to_owned(),
+            _ => format!("{} cases", cause.cases_shown()),
+        };
+        of_cause(cause, &cases, overview)
     }
 
     /// Returns the message about a feature that an engine lacks.
     pub(crate) fn of_lack(lack: &Cause, overview: &Overview) -> Unexpected {
-        let waiting = ("case waits for it", "cases wait for it");
-        of_cause(lack, lack.number(), waiting, overview)
+        let waiting = counted(lack.number(), "case waits for it", "cases wait for it");
+        of_cause(lack, &waiting, overview)
     }
 }
 
-fn of_cause(cause: &Cause, cases: u64, (one, several): (&str, &str), overview: &Overview) -> Unexpected {
+fn of_cause(cause: &Cause, cases: &str, overview: &Overview) -> Unexpected {
     let shown = &cause.shown;
     let rerun = overview
         .engine(&cause.engine)
@@ -60,10 +68,7 @@ fn of_cause(cause: &Cause, cases: u64, (one, several): (&str, &str), overview: &
         basis: shown.basis.clone(),
         file: shown.file.clone(),
         line: shown.line,
-        title: title(
-            &cause.engine,
-            &format!("{} ({})", cause.headline(), counted(cases, one, several)),
-        ),
+        title: title(&cause.engine, &format!("{} ({cases})", cause.headline())),
         text: text(
             &shown.basis,
             &Fact::text(&shown.expected),
@@ -72,7 +77,7 @@ fn of_cause(cause: &Cause, cases: u64, (one, several): (&str, &str), overview: &
             &rerun,
         ),
         key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
-        cases,
+        cases: cause.unexpected().max(1),
     }
 }
 
@@ -117,7 +122,7 @@ fn text(basis: &str, expected: &str, got: &str, program: &str, rerun: &str) -> S
         format!("basis: {basis}\n\n"),
         part("expected", expected),
         part("got", got),
-        part("program", program),
+        part("program", program.trim_start_matches('\n')),
         part("rerun", rerun),
     ]
     .concat();

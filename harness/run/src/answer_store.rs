@@ -126,7 +126,7 @@ impl StoredOutcome {
         })
     }
 
-    /// Converts back to an outcome; returns `None` where a literal or a fault cannot be parsed.
+    /// Converts back to an outcome; returns `None` where a literal cannot be parsed.
     fn outcome(self) -> Option<Outcome> {
         Some(match self {
             StoredOutcome::Accepted(warnings) => Outcome::Accepted { warnings },
@@ -136,7 +136,7 @@ impl StoredOutcome {
             },
             StoredOutcome::Rejected(diagnostics) => Outcome::Rejected { diagnostics },
             StoredOutcome::Faulted(fault, line, literals, warnings) => Outcome::Faulted {
-                fault: fault.parse::<Fault>().ok()?,
+                fault: Fault::reported(&fault),
                 line,
                 values: values(literals)?,
                 warnings,

@@ -35,9 +35,9 @@ pub struct Baseline {
 /// An entry of a baseline: cases with known verdicts, and the reason.
 #[derive(Clone, Debug)]
 pub struct Entry {
-    /// The cases that the entry is about: an id, or a pattern in which `*` stands for any text; either may end in
+    /// The cases that the entry is about, one or several: ids, and patterns in which `*` stands for any text; either may end in
     /// `@dialect`.
-    pub case: Filter,
+    pub cases: Vec<Filter>,
     /// The expected verdicts: one that is no pass; or several alternatives, for a compiler whose answer varies from run to
     /// run.
     pub verdicts: Vec<Verdict>,
@@ -89,20 +89,28 @@ impl Entry {
         let is_beside = |dialect: DialectName| {
             dialect.is_custom() && !suite.cases.iter().any(|case| case.dialect == dialect)
         };
-        self.case.dialect().is_some_and(is_beside)
+        let dialects = self.cases.iter().filter_map(Filter::dialect);
+        dialects.into_iter().any(is_beside)
+    }
+
+    /// Returns the first id or pattern of the entry, and the number of the others.
+    fn shown(&self) -> String {
+        shown(self.cases.iter().map(Filter::as_str))
     }
 
     /// Returns whether the entry expects this verdict.
     fn expects(&self, verdict: Verdict) -> bool {
         self.verdicts.contains(&verdict)
     }
+}
 
-    /// Returns whether the entry is about this case.
-    fn covers(&self, id: &str, dialect: &str) -> bool {
-        match self.case.is_pattern() {
-            true => self.case.fits(id, dialect),
-            false => self.case.names(id, dialect),
-        }
+/// Returns the first of several ids and patterns, and the number of the others.
+fn shown<'t>(cases: impl Iterator<Item = &'t str>) -> String {
+    let mut cases = cases;
+    let first = cases.next().unwrap_or_default();
+    match cases.count() {
+        0 => first.to_owned(),
+        more => format!("{first} and {more} more"),
     }
 }
 

@@ -1,33 +1,76 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{Acceptance, Case, Feature, SourceKind, Sources};
-use stickler_types::DialectName;
+use stickler_suite::{Acceptance, Case, Feature, FeatureKey, SourceKind, Suite};
+use stickler_types::{Dialect, DialectName};
 
-/// Returns whether the source that a basis names binds an engine that runs a program in a dialect.
-///
-/// The reference is bound by every source, and every engine by a standard. A rule of Stickler binds others only where
-/// `strict_rules` says so. Any other source binds the compilers that it names, and a recording the compiler that was recorded. An engine for which Stickler has no adapter is
-/// bound by the sources that speak for the dialects it lists, since its author declared that it follows them; so is every engine
-/// by what `stickler.toml` states about a dialect of its own.
-#[must_use]
-pub fn binds(
-    (basis, dialect): (&str, DialectName),
-    engine: &Identity,
-    sources: &Sources,
-    strict_rules: bool,
-) -> bool {
-    if engine.name == Reference::NAME {
-        return true;
+/// A claim: that a program of a dialect does what a source states.
+#[derive(Clone, Copy, Debug)]
+pub struct Claim<'c> {
+    /// The source and the section: `source: section`.
+    pub basis: &'c str,
+    /// The dialect in which the program is read.
+    pub dialect: DialectName,
+    /// The program.
+    pub program: &'c str,
+}
+
+/// The reason why a claim binds the compilers of its dialect, or does not.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub enum Binding {
+    /// A document, a recording or a measurement of the system itself, or what `stickler.toml` states about a dialect of its own.
+    Own,
+    /// The standard, of features that the system declares.
+    Standard,
+    /// The standard, but of a feature that the system does not declare.
+    Undeclared(FeatureKey),
+    /// One of Stickler's own rules.
+    Rule,
+    /// A document, a recording or a measurement of another system.
+    OtherSystem,
+}
+
+impl Binding {
+    /// Returns whether a miss is a failure; a rule of Stickler's own binds only where `strict_rules` says so.
+    #[must_use]
+    pub const fn binds(&self, strict_rules: bool) -> bool {
+        match self {
+            Binding::Own | Binding::Standard => true,
+            Binding::Rule => strict_rules,
+            Binding::Undeclared(_) | Binding::OtherSystem => false,
+        }
     }
-    let Some((source, section)) = sources.of(basis) else {
-        return true;
+}
+
+/// Returns why a claim binds an engine, or does not; without an engine, any compiler of the dialect.
+///
+/// The source is the one that binds most closely of those that the case file names: what the documents of the system or recordings of
+/// it state, then the standard, which binds in the features that the system declares, then what other systems document, where a miss
+/// is only a difference. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
+/// [that are about](stickler_suite::Sources::are_about) the dialects that it lists, since its author declared that it follows them.
+#[must_use]
+pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Binding {
+    if engine.is_some_and(|engine| engine.name == Reference::NAME) {
+        return Binding::Own;
+    }
+    let Some((source, section)) = suite.sources.of(claim.basis) else {
+        return Binding::Own;
+    };
+    let compiler = engine.filter(|engine| Compiler::from_name(&engine.name).is_some());
+    let is_own = match compiler {
+        Some(compiler) => source.speaks_of(section, &compiler.name),
+        None => suite
+            .sources
+            .are_about(source.dialects_of(section), claim.dialect),
     };
     match source.kind {
-        SourceKind::Standard => true,
-        SourceKind::Rule => strict_rules,
-        _ if Compiler::from_name(&engine.name).is_some() => source.speaks_of(section, &engine.name),
-        _ => source.speaks_for(section, dialect),
+        SourceKind::Standard => match suite.features.undeclared(claim.program, claim.dialect) {
+            Some(feature) => Binding::Undeclared(feature),
+            None => Binding::Standard,
+        },
+        SourceKind::Rule => Binding::Rule,
+        _ if is_own => Binding::Own,
+        _ => Binding::OtherSystem,
     }
 }
 
@@ -39,28 +82,56 @@ pub fn binds(
 /// own counts as a document. Nothing is promised where the program must be rejected or its acceptance is open, and of a rendered
 /// text no document promises that its program runs.
 #[must_use]
-pub fn promises(case: &Case, engine: &Identity, sources: &Sources) -> bool {
+pub fn promises(case: &Case, engine: &Identity, suite: &Suite) -> bool {
     let expectation = &*case.expectation;
     if expectation.accepted != Acceptance::Required || expectation.rendered.is_some() {
         return false;
     }
-    let source = sources.of(&case.basis);
+    let source = suite.sources.of(&case.basis);
     source.is_none_or(|(source, _)| source.kind == SourceKind::Document)
-        && binds((&case.basis, case.dialect), engine, sources, false)
+        && binding(Claim::of(case), Some(engine), suite) == Binding::Own
 }
 
-/// Returns the first basis that promises a feature of the language and binds an engine in a dialect; `None` where nobody promises it.
+impl<'c> Claim<'c> {
+    /// Returns the claim of a case.
+    #[must_use]
+    pub fn of(case: &'c Case) -> Claim<'c> {
+        Claim {
+            basis: &case.basis,
+            dialect: case.dialect,
+            program: &case.source,
+        }
+    }
+}
+
+/// Returns the first basis that promises a feature of the language and binds an engine in a program of a dialect; `None` where there is none.
 #[must_use]
 pub fn promise<'f>(
     feature: &'f Feature,
-    dialect: DialectName,
+    (program, dialect): (&str, DialectName),
     engine: &Identity,
-    sources: &Sources,
+    suite: &Suite,
 ) -> Option<&'f str> {
     let speaks = |basis: &&String| {
-        let source = sources.of(basis);
+        let source = suite.sources.of(basis);
+        let claim = Claim {
+            basis,
+            dialect,
+            program,
+        };
         source.is_some_and(|(source, section)| source.speaks_for(section, dialect))
-            && binds((basis, dialect), engine, sources, false)
+            && binding(claim, Some(engine), suite).binds(false)
     };
     feature.promised.iter().find(speaks).map(String::as_str)
+}
+
+/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of its edition is about
+/// the feature.
+pub(crate) fn declared_by(feature: &Feature, dialect: DialectName, suite: &Suite) -> Option<String> {
+    // No table of the fourth edition is public; its features are those of the third.
+    let edition = Dialect::of(dialect).features.edition?.min(3);
+    let row = feature.tables.get(&edition)?;
+    let is_declared = suite.features.undeclared(&feature.program, dialect).is_none();
+    let table = row.split(',').next().unwrap_or(row);
+    is_declared.then(|| format!("iec-61131-3: {table}"))
 }

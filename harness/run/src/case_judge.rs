@@ -2,10 +2,10 @@
 
 use crate::event::CaseEvent;
 use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
-use crate::{Answers, Fact, Judgement, Lacks, MatchedBaseline, Plan, Verdict, binds, promises};
+use crate::{Answers, Claim, Fact, Judgement, Lacks, MatchedBaseline, Plan, Verdict, binding, promises};
 use std::time::Duration;
 use stickler_engines::Identity;
-use stickler_suite::{Acceptance, Case, Sources};
+use stickler_suite::{Acceptance, Case, Suite};
 use stickler_types::Fault;
 
 /// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
@@ -19,8 +19,8 @@ const EVERY_MISTAKE: &str = "rule: every-mistake-is-told";
 pub struct CaseJudge<'r> {
     /// The plan of the run, which states how strictly the engine is judged.
     pub plan: &'r Plan,
-    /// The sources of the expectations, which state whom they bind.
-    pub sources: &'r Sources,
+    /// The suite of the cases, whose sources and features state whom an expectation binds.
+    pub suite: &'r Suite,
     /// The identity of the engine.
     pub engine: &'r Identity,
     /// What the engine lacks, where it was asked.
@@ -36,7 +36,9 @@ impl CaseJudge<'_> {
         let mut judgement = self.judgement(case, answers);
         let basis = self.basis(case, &judgement).to_owned();
         if let Some(lacks) = self.lacks
-            && let waits_for @ [_, ..] = &lacks.waits_for(case, &answers.run, judgement.verdict)[..]
+            && let waits_for @ [_, ..] = &lacks.waits_for(case, (&answers.run, judgement.verdict), || {
+                promises(case, self.engine, self.suite)
+            })[..]
         {
             judgement = Judgement {
                 verdict: Verdict::Waiting,
@@ -100,7 +102,7 @@ impl CaseJudge<'_> {
         {
             judgement.verdict = Verdict::Differs;
         } else if let [Fact::NotImplemented { promised_by, .. }] = &mut judgement.got[..]
-            && promises(case, self.engine, self.sources)
+            && promises(case, self.engine, self.suite)
         {
             *promised_by = Some(case.basis.to_string());
             judgement.verdict = Verdict::Fail;
@@ -110,8 +112,12 @@ impl CaseJudge<'_> {
 
     /// Returns whether the basis of what was missed binds the engine.
     fn binds(&self, case: &Case, missed: &Judgement) -> bool {
-        let claim = (self.basis(case, missed), case.dialect);
-        binds(claim, self.engine, self.sources, self.plan.strict_rules)
+        let claim = Claim {
+            basis: self.basis(case, missed),
+            ..Claim::of(case)
+        };
+        let binding = binding(claim, Some(self.engine), self.suite);
+        binding.binds(self.plan.strict_rules)
     }
 
     /// Returns the basis of a judgement: that of the case, but a rule of Stickler where nothing was missed but what only the rule

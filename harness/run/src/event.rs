@@ -60,7 +60,8 @@ pub struct Header {
     pub engines: Vec<EngineHeader>,
     /// The number of case events that follow in a complete run.
     pub cases: u64,
-    /// The filters by which cases were selected, as they were typed; empty where all cases were.
+    /// The filters by which cases were selected, as they were typed, and those that left cases out, behind `not`; empty where all cases
+    /// were selected.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub filters: Vec<String>,
     /// The dialects whose cases were selected; empty where all were.
@@ -235,8 +236,11 @@ pub struct Footer {
     pub totals: Totals,
     /// The verdict counts of each engine, in the order of the header.
     pub engines: Vec<EngineTotals>,
-    /// The duration of the run, in milliseconds.
+    /// The duration of the run until its last case, in milliseconds.
     pub duration_ms: u64,
+    /// The duration of the search for causes behind it, in milliseconds; `None` where there was none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub causes_ms: Option<u64>,
 }
 
 /// The verdict counts of one engine.

@@ -35,7 +35,7 @@ pub enum Fact {
     },
     /// The execution stops with a fault.
     Fault {
-        /// The kind of fault; in JSON its word.
+        /// The kind of fault; in JSON its word, which may be one of the compiler.
         #[serde(serialize_with = "spelled", deserialize_with = "fault")]
         #[cfg_attr(feature = "schema", schemars(with = "String"))]
         fault: Fault,
@@ -311,8 +311,7 @@ fn value<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Value, D::Error> 
 }
 
 fn fault<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Fault, D::Error> {
-    let word = String::deserialize(deserializer)?;
-    word.parse().map_err(de::Error::custom)
+    String::deserialize(deserializer).map(|words| Fault::reported(&words))
 }
 
 #[cfg(test)]

@@ -53,7 +53,7 @@ pub fn judge(case: &Case, answers: &Answers, strict: Grade) -> Judgement {
         Outcome::Rejected { diagnostics } => rejected(expectation, diagnostics, strict, &mut findings),
         Outcome::Faulted {
             fault, line, values, ..
-        } => faulted(expectation, (*fault, *line), values, strict, &mut findings),
+        } => faulted(case, (*fault, *line), values, strict, &mut findings),
         Outcome::Executed { values, .. } => executed(expectation, values, &mut findings),
         _ => accepted(expectation, &mut findings),
     };
@@ -177,17 +177,18 @@ fn rejected(
 }
 
 fn faulted(
-    expectation: &Expectation,
+    case: &Case,
     (fault, line): (Fault, Option<u32>),
     values: &[NamedValue],
     strict: Grade,
     findings: &mut Findings,
 ) -> Option<Grade> {
+    let expectation = &*case.expectation;
     findings.add(Fact::Fault { fault, line });
     values::compare(&expectation.values, values, findings);
     let Some(expected) = expectation.fault else {
-        // Where acceptance itself is open, how the program ends is open as well, unless values are asserted.
-        findings.require(expectation.accepted == Acceptance::Observed);
+        // A case that asserts nothing records how the program ends. So does one whose acceptance is open, unless values are asserted.
+        findings.require(expectation.accepted == Acceptance::Observed || case.is_open());
         return None;
     };
     if expected.fault != fault {
@@ -239,12 +240,14 @@ fn observations(case: &Case, run: &Outcome) -> Vec<Observed> {
             name: "acceptance".to_owned(),
             value: value.to_owned(),
         });
-        if let Outcome::Faulted { fault, .. } = run {
-            observations.push(Observed {
-                name: "fault".to_owned(),
-                value: fault.to_string(),
-            });
-        }
+    }
+    if let Outcome::Faulted { fault, .. } = run
+        && (case.expectation.accepted == Acceptance::Observed || case.is_open())
+    {
+        observations.push(Observed {
+            name: "fault".to_owned(),
+            value: fault.to_string(),
+        });
     }
     if case.observe.len() > case.expectation.values.len()
         && let Outcome::Executed { values, .. } | Outcome::Faulted { values, .. } = run

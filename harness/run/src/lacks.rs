@@ -17,8 +17,8 @@ use crate::{Fact, Verdict};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, HashMap};
 use stickler_engines::Outcome;
-use stickler_suite::{Acceptance, Case, Feature};
-use stickler_types::DialectName;
+use stickler_suite::{Acceptance, Case, Feature, FeatureKey};
+use stickler_types::{DialectName, ElementaryType};
 
 /// What one engine of a run does not take.
 #[derive(Clone, Debug, Default)]
@@ -43,8 +43,13 @@ struct LackedFeature<'s> {
 
 impl Lacks<'_> {
     /// Returns what a case waits for, by what the engine did with its program and the verdict on that; nothing where the case tells
-    /// something of the engine.
-    pub(crate) fn waits_for(&self, case: &Case, run: &Outcome, verdict: Verdict) -> Vec<Fact> {
+    /// something of the engine. `is_promised` says whether a document promises the engine that it accepts the program.
+    pub(crate) fn waits_for(
+        &self,
+        case: &Case,
+        (run, verdict): (&Outcome, Verdict),
+        is_promised: impl Fn() -> bool,
+    ) -> Vec<Fact> {
         let Some(refusal) = Refusal::of(run) else {
             return Vec::new();
         };
@@ -54,13 +59,18 @@ impl Lacks<'_> {
             // A crash tells something where the minimal program gives another answer.
             used.contains(&*lacked.feature.key) && (refusal == Refusal::Stated || lacked.verdict == verdict)
         };
-        let missed = features.into_iter().flatten().filter(is_missed);
-        let mut facts: Vec<Fact> = missed
-            .map(|lacked| Fact::Lacks {
-                feature: lacked.feature.key.clone(),
-                title: lacked.feature.title.clone(),
-            })
-            .collect();
+        let missed: Vec<&LackedFeature<'_>> = features.into_iter().flatten().filter(is_missed).collect();
+        let is_only = |feature: &Feature| {
+            let is_its_own =
+                |key: &FeatureKey| **key == *feature.key || feature.needs.iter().any(|need| need == key);
+            missed.len() == 1 && used.iter().all(|key| is_its_own(key) || is_type(key))
+        };
+        let fact = |lacked: &&LackedFeature<'_>| Fact::Lacks {
+            feature: lacked.feature.key.clone(),
+            title: lacked.feature.title.clone(),
+            promised_by: (is_only(lacked.feature) && is_promised()).then(|| case.basis.to_string()),
+        };
+        let mut facts: Vec<Fact> = missed.iter().map(fact).collect();
         let must_be_rejected = case.expectation.accepted == Acceptance::Rejected;
         if facts.is_empty() && must_be_rejected && verdict == Verdict::Pass {
             let counterpart = self.refused_counterparts.get(&(&*case.id, case.dialect));
@@ -70,6 +80,11 @@ impl Lacks<'_> {
         }
         facts
     }
+}
+
+/// Returns whether a feature is an elementary type.
+fn is_type(key: &str) -> bool {
+    ElementaryType::from_name(&key.to_ascii_uppercase()).is_some()
 }
 
 /// The way in which an engine does not take a program.

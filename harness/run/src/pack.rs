@@ -22,10 +22,14 @@ enum PackKind {
     Rejected,
 }
 
+/// The length in bytes from which a program is asked about alone: it may overwhelm the compiler, and those beside it would be asked again.
+const LONG: usize = 32 << 10;
+
 /// Returns the kind of pack to which a case may belong; `None` where the engine must be asked about it alone.
 fn pack_kind(case: &Case) -> Option<PackKind> {
     let expectation = &*case.expectation;
     match expectation.accepted {
+        _ if case.source.len() >= LONG => None,
         // More is asked about it than to run it.
         _ if expectation.rendered.is_some() => None,
         Acceptance::Required | Acceptance::Observed => Some(PackKind::Accepted),

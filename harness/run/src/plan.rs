@@ -19,6 +19,8 @@ pub struct Plan {
     pub unpacked: bool,
     /// The filters of the run; a case that fits any of them is selected, and every case where there is none.
     pub filters: Vec<Filter>,
+    /// The filters of the cases that are left out, whatever else selects them.
+    pub excluded: Vec<Filter>,
     /// The dialects of the run; all where there is none.
     pub dialects: Vec<DialectName>,
     /// The part of a divided run; `None` runs the whole.
@@ -53,6 +55,7 @@ impl Default for Plan {
             jobs: 0,
             unpacked: false,
             filters: Vec::new(),
+            excluded: Vec::new(),
             dialects: Vec::new(),
             shard: None,
             strict: None,

@@ -90,7 +90,7 @@ pub fn run_with(
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
         plan,
-        sources: &suite.sources,
+        suite,
         jobs: &open,
         engines,
         stores,
@@ -141,6 +141,7 @@ pub fn run_with(
             totals: tally.totals,
             engines: tally.engines,
             duration_ms,
+            causes_ms: None,
         }));
     }
     Ok(RunSummary {
@@ -277,6 +278,11 @@ fn header(plan: &Plan, suite: &Suite, engines: &[&dyn Engine], cases: usize) -> 
             .filters
             .iter()
             .map(|filter| filter.as_str().to_owned())
+            .chain(
+                plan.excluded
+                    .iter()
+                    .map(|filter| format!("not {}", filter.as_str())),
+            )
             .collect(),
         dialects: plan.dialects.iter().map(ToString::to_string).collect(),
         shard: plan.shard.map(|shard| shard.to_string()),

@@ -3,8 +3,8 @@
 use crate::{Filter, Plan};
 use stickler_suite::Case;
 
-/// Selects the cases that fit the plan's dialects, filters and shard, in the order of the suite. A filter that is the id or
-/// the key of a case among the dialects selects that case alone.
+/// Selects the cases that fit the plan's dialects, filters and shard, and none of what it excludes, in the order of the suite. A filter
+/// that is the id or the key of a case among the dialects selects that case alone.
 #[must_use]
 pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
     let spoken = |case: &&Case| plan.dialects.is_empty() || plan.dialects.contains(&case.dialect);
@@ -13,6 +13,10 @@ pub fn select<'s>(plan: &Plan, cases: &'s [Case]) -> Vec<&'s Case> {
         let chosen = chosen_by_any(&plan.filters, &selected);
         let mut chosen = chosen.into_iter();
         selected.retain(|_| chosen.next().unwrap_or(false));
+    }
+    if !plan.excluded.is_empty() {
+        let mut excluded = chosen_by_any(&plan.excluded, &selected).into_iter();
+        selected.retain(|_| !excluded.next().unwrap_or(false));
     }
     if let Some(shard) = plan.shard {
         selected.retain(|case| shard.holds_case(&case.id, case.dialect.as_str()));

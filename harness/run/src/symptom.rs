@@ -56,6 +56,8 @@ pub enum Symptom {
     NotFaulted(String),
     /// The engine computes a wrong value.
     Value,
+    /// The engine gives a value of another type than that of its variable.
+    OtherType,
     /// The engine does not give a value.
     Missing,
     /// The engine renders another text.
@@ -145,6 +147,7 @@ impl Symptom {
             Symptom::FaultLine(fault) => ("line-of", fault),
             Symptom::NotFaulted(fault) => ("not-faulted", fault),
             Symptom::Value => ("value", ""),
+            Symptom::OtherType => ("other-type", ""),
             Symptom::Missing => ("missing", ""),
             Symptom::Text => ("text", ""),
         }
@@ -171,6 +174,7 @@ impl Symptom {
             Symptom::FaultLine(_) => "it does not report the line where the program stops",
             Symptom::NotFaulted(_) => "it goes on where the program must stop",
             Symptom::Value => "it computes another value",
+            Symptom::OtherType => "it gives a value of another type than that of its variable",
             Symptom::Missing => "it does not show a value",
             Symptom::Text => "it gives back another text",
         }
@@ -267,6 +271,18 @@ fn value(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
         (Fact::Value { name, .. }, Fact::OtherValue { name: same }) => name == same,
         _ => false,
     };
-    let wrong = |wanted: &Fact| got.iter().any(|reported| differ(wanted, reported));
-    expected.iter().any(wrong).then_some(Symptom::Value)
+    let type_of = |fact: &Fact| match fact {
+        Fact::Value { value, .. } => Some(value.type_name().to_owned()),
+        _ => None,
+    };
+    let differing = expected.iter().find_map(|wanted| {
+        let reported = got.iter().find(|reported| differ(wanted, reported))?;
+        Some((type_of(wanted), type_of(reported)))
+    });
+    differing.map(
+        |(wanted, reported)| match reported.is_some() && wanted != reported {
+            true => Symptom::OtherType,
+            false => Symptom::Value,
+        },
+    )
 }

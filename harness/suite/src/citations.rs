@@ -46,12 +46,13 @@ impl Citations {
     }
 
     /// Returns the basis of a case of a dialect that asserts something: the first of those written whose source speaks for the
-    /// dialect; `None` where none is written. Keeps a mistake there, and for each that the case cannot cite. Without `sources` the
-    /// first of those written is taken.
+    /// dialect; `None` where none is written. Where no source does, a dialect that the file does not name itself has the first: what another
+    /// system documents, which binds no compiler of this dialect. Keeps a mistake where none is written, and for each that the case cannot
+    /// cite. Without `sources` the first of those written is taken.
     pub(crate) fn cite(
         &mut self,
         written: Option<&WrittenBasis>,
-        dialect: DialectName,
+        (dialect, is_named): (DialectName, bool),
         sources: Option<&Sources>,
     ) -> Option<Arc<str>> {
         let is_filled =
@@ -73,7 +74,7 @@ impl Citations {
         let mut mistakes: Vec<Mistake> = mistakes.collect();
         let chosen = sources.and_then(|sources| sources.choose(&written.text, dialect));
         let stated = all().any(|basis| is_stated(basis, dialect));
-        if sources.is_some() && chosen.is_none() && !stated && mistakes.is_empty() {
+        if is_named && sources.is_some() && chosen.is_none() && !stated && mistakes.is_empty() {
             let message = format!("`{}` does not speak for {dialect}", written.text);
             let hint = "cite what says it of this dialect; where nothing does, leave it open";
             mistakes.push(Mistake::new(written.line, message).key("basis").hint(hint));

@@ -1,6 +1,6 @@
 //! Conditions under which a mark or a probe applies: `if no|open`, `if row = ANY_INT and column <> row`.
 
-use stickler_types::{ElementaryType, MatrixWord};
+use stickler_types::{ElementaryType, GenericType, MatrixWord};
 
 /// A conjunction of tests; without a test it always holds.
 #[derive(Clone, Debug, Default)]
@@ -20,7 +20,7 @@ enum Alternative {
     Text(Box<str>),
     /// The text of another placeholder.
     Slot(usize),
-    Generic(Generic),
+    Generic(GenericType),
 }
 
 /// The placeholders that a condition may test.
@@ -101,7 +101,9 @@ impl PlaceholderTest {
         let fits = self.alternatives.iter().any(|alternative| match alternative {
             Alternative::Text(word) => **word == *text,
             Alternative::Slot(slot) => values[*slot] == text,
-            Alternative::Generic(generic) => generic.contains(text),
+            Alternative::Generic(generic) => {
+                ElementaryType::from_name(text).is_some_and(|ty| generic.contains(ty))
+            }
         });
         fits != self.negated
     }
@@ -126,7 +128,7 @@ fn alternatives(words: &[&str], testable: Testable<'_>) -> Result<Vec<Alternativ
         .split('|')
         .map(|word| match word.trim() {
             "" => Err(format!("`{joined}` has an empty alternative")),
-            word => Ok(match (Generic::parse(word), testable.slot(word)) {
+            word => Ok(match (GenericType::from_name(word), testable.slot(word)) {
                 (Some(generic), _) => Alternative::Generic(generic),
                 (None, Ok(slot)) => Alternative::Slot(slot),
                 (None, Err(_)) => Alternative::Text(word.into()),
@@ -146,34 +148,4 @@ fn words_of_cells(words: &[&str]) -> Result<Vec<Alternative>, String> {
             )),
         })
         .collect()
-}
-
-/// A generic data type of the standard.
-///
-/// Basis: iec-61131-3: Figure 5 (hierarchy of the generic data types).
-#[derive(Clone, Copy, Debug)]
-struct Generic(fn(ElementaryType) -> bool);
-
-impl Generic {
-    fn parse(word: &str) -> Option<Generic> {
-        use ElementaryType::{Bool, Char, String, Wchar, Wstring};
-        Some(Generic(match word {
-            "ANY_SIGNED" => |ty| ty.is_integer() && ty.is_signed(),
-            "ANY_UNSIGNED" => |ty| ty.is_integer() && ty.is_unsigned(),
-            "ANY_INT" => ElementaryType::is_integer,
-            "ANY_REAL" => ElementaryType::is_real,
-            "ANY_NUM" => |ty| ty.is_integer() || ty.is_real(),
-            "ANY_BIT" => |ty| ty == Bool || ty.is_bit_string(),
-            "ANY_DURATION" => ElementaryType::is_duration,
-            "ANY_DATE" => ElementaryType::is_date_or_time,
-            "ANY_STRING" => |ty| matches!(ty, String | Wstring),
-            "ANY_CHARS" => |ty| matches!(ty, String | Wstring | Char | Wchar),
-            "ANY_CHAR" => |ty| matches!(ty, Char | Wchar),
-            _ => return None,
-        }))
-    }
-
-    fn contains(self, name: &str) -> bool {
-        ElementaryType::from_name(name).is_some_and(self.0)
-    }
 }

@@ -10,13 +10,16 @@ use toml::Spanned;
 
 use crate::error::{CaseFileError, Mistake, in_file};
 use crate::place::Lines;
-use crate::{files, toml_text};
+use crate::{Wanted, files, toml_text};
 
 /// The folder of the files of dialects, below the root of a suite.
 const FOLDER: &str = "dialects";
 
 /// The file of the groups, below the root of a suite.
 const GROUPS: &str = "dialects.toml";
+
+/// The word for every documented system: a case file that names it asks those that have the features of its programs.
+const EVERY: &str = "all";
 
 /// The dialects and groups of dialects that case files may name.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +29,10 @@ pub struct Dialects {
     added: Vec<DialectName>,
     /// The user-defined dialects that take over the cases of the dialects that they extend.
     defined: Vec<DialectName>,
+    /// The dialects that get cases; all where there is none.
+    asked: Vec<DialectName>,
+    /// Whether a dialect that is asked beside another one gets the cases in which they do not differ.
+    with_repeats: bool,
 }
 
 #[derive(Deserialize)]
@@ -36,11 +43,28 @@ struct DialectsFile {
 }
 
 impl Dialects {
-    /// Adds user-defined dialects, which take over the cases of the dialects that they extend.
-    pub(crate) fn with_defined(mut self, defined: &[DialectName]) -> Dialects {
-        self.defined
-            .extend(defined.iter().filter(|dialect| dialect.is_custom()));
+    /// Adds the user-defined dialects that are wanted, which take over the cases of the dialects that they extend, and restricts those that
+    /// get cases.
+    pub(crate) fn wanting(mut self, wanted: Wanted<'_>) -> Dialects {
+        let defined = wanted.defined.iter().filter(|dialect| dialect.is_custom());
+        self.defined.extend(defined);
+        self.asked = wanted.asked.to_vec();
+        self.with_repeats = wanted.with_repeats;
         self
+    }
+
+    /// Returns whether a dialect gets cases.
+    pub(crate) fn asks(&self, dialect: DialectName) -> bool {
+        self.asked.is_empty() || self.asked.contains(&dialect)
+    }
+
+    /// Returns the dialects that are asked beside another one that is asked, each with the other; none where repeats are wanted.
+    pub(crate) fn asked_beside(&self) -> impl Iterator<Item = (DialectName, DialectName)> {
+        let beside = |dialect: DialectName| {
+            let other = dialect.rules().asked_beside.as_ref()?.parse().ok()?;
+            Some((dialect, other)).filter(|&(_, other)| !self.with_repeats && self.asks(other))
+        };
+        self.documented().filter_map(beside)
     }
 
     /// Defines the dialects of a suite's folder, so that a command line may name them; what is wrong with its files is reported
@@ -101,10 +125,14 @@ impl Dialects {
         Ok(())
     }
 
+    /// Returns every documented system.
+    fn documented(&self) -> impl Iterator<Item = DialectName> {
+        DialectName::ALL.into_iter().chain(self.added.iter().copied())
+    }
+
     /// Returns every dialect that case files may name, user-defined ones among them.
     pub(crate) fn all(&self) -> Vec<DialectName> {
-        let added = self.added.iter().chain(&self.defined).copied();
-        DialectName::ALL.into_iter().chain(added).collect()
+        self.documented().chain(self.defined.iter().copied()).collect()
     }
 
     /// Returns the groups, each with its dialects.
@@ -114,27 +142,51 @@ impl Dialects {
             .map(|(name, members)| (name.as_str(), members.as_slice()))
     }
 
-    /// Returns the dialects that a name stands for: those of a group, or the dialect itself and those that extend it.
+    /// Returns the dialects that names with blanks between them stand for: those of a group, or a dialect itself and those that extend it.
+    /// `all` stands for every documented system, and `all but codesys twincat` for the others.
     ///
     /// # Errors
     /// A message that lists the names there are.
-    pub fn resolve(&self, name: &str) -> Result<Vec<DialectName>, String> {
-        let mut found = match (self.groups.get(name), name.parse::<DialectName>()) {
-            (Some(group), _) => group.clone(),
-            (None, Ok(dialect)) => vec![dialect],
-            (None, Err(_)) => return Err(self.unknown(name)),
+    pub fn resolve(&self, names: &str) -> Result<Vec<DialectName>, String> {
+        let (named, but) = match names.split_once(" but ") {
+            Some((named, but)) => (named, but),
+            None => (names, ""),
         };
-        let extending = self.defined.iter().filter(|name| found.contains(&name.base()));
-        let extending: Vec<DialectName> = extending.copied().collect();
-        found.extend(extending);
+        let mut found = self.of_names(named)?;
+        let others = self.of_names(but)?;
+        found.retain(|dialect| !others.contains(dialect));
         found.sort_unstable();
         found.dedup();
         Ok(found)
     }
 
+    /// Returns whether names begin with the word for every documented system.
+    #[must_use]
+    pub fn is_all(names: &str) -> bool {
+        names.split_whitespace().next() == Some(EVERY)
+    }
+
+    fn of_names(&self, names: &str) -> Result<Vec<DialectName>, String> {
+        let mut found = Vec::new();
+        for name in names.split_whitespace().map(|name| name.trim_end_matches(',')) {
+            match (self.groups.get(name), name.parse::<DialectName>()) {
+                (Some(group), _) => found.extend(group),
+                (None, Ok(dialect)) => found.push(dialect),
+                (None, Err(_)) if name == EVERY => found.extend(self.documented()),
+                (None, Err(_)) => return Err(self.unknown(name)),
+            }
+        }
+        let extending = self.defined.iter().filter(|name| found.contains(&name.base()));
+        let extending: Vec<DialectName> = extending.copied().collect();
+        found.extend(extending);
+        Ok(found)
+    }
+
     fn unknown(&self, name: &str) -> String {
         let dialects = DialectName::ALL.iter().map(|dialect| dialect.as_str());
-        let known: Vec<&str> = dialects.chain(self.groups.keys().map(String::as_str)).collect();
+        let groups = self.groups.keys().map(String::as_str);
+        let every = (!self.groups.contains_key(EVERY)).then_some(EVERY);
+        let known: Vec<&str> = dialects.chain(every).chain(groups).collect();
         format!("no dialect or group `{name}`; there are {}", known.join(", "))
     }
 }
@@ -162,6 +214,49 @@ pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
             errors.push(mistake.in_file(&shown));
             (dialects, errors)
         }
+    }
+}
+
+/// A set of dialects.
+#[derive(Clone, PartialEq, Eq, Debug, Default)]
+pub(crate) struct DialectSet {
+    /// The first dialects, one bit each.
+    first: u64,
+    /// The other dialects of the set; usually none.
+    others: Vec<DialectName>,
+}
+
+impl DialectSet {
+    /// Adds a dialect; returns false if the set had it already.
+    pub(crate) fn insert(&mut self, dialect: DialectName) -> bool {
+        if self.contains(dialect) {
+            return false;
+        }
+        match DialectSet::bit(dialect) {
+            Some(bit) => self.first |= bit,
+            None => self.others.push(dialect),
+        }
+        true
+    }
+
+    /// Adds the dialects of another set.
+    pub(crate) fn extend(&mut self, other: &DialectSet) {
+        self.first |= other.first;
+        for &dialect in &other.others {
+            self.insert(dialect);
+        }
+    }
+
+    /// Returns whether a dialect is in the set.
+    pub(crate) fn contains(&self, dialect: DialectName) -> bool {
+        match DialectSet::bit(dialect) {
+            Some(bit) => self.first & bit != 0,
+            None => self.others.contains(&dialect),
+        }
+    }
+
+    fn bit(dialect: DialectName) -> Option<u64> {
+        1_u64.checked_shl(u32::try_from(dialect.index()).ok()?)
     }
 }
 

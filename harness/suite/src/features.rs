@@ -3,11 +3,13 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::LazyLock;
 
+use rustc_hash::FxHashMap;
 use serde::Deserialize;
 pub use stickler_syntax::features::FeatureKey;
-use stickler_types::Dialect;
+use stickler_types::{Dialect, DialectName};
 use toml::Spanned;
 
+use crate::dialects::{DialectSet, Dialects};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -19,7 +21,12 @@ const FEATURES: &str = "features.toml";
 
 /// The list of the language's features.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
-pub struct Features(Vec<Feature>);
+pub struct Features {
+    /// In the order of the file.
+    list: Vec<Feature>,
+    /// The dialects that lack a feature, by its key.
+    lacked: FxHashMap<String, DialectSet>,
+}
 
 /// A construct of the language that a program may use, a dialect may have, and an engine may lack.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -74,22 +81,91 @@ impl Features {
 
     /// Returns the features, in the order of the file.
     pub fn iter(&self) -> impl Iterator<Item = &Feature> {
-        self.0.iter()
+        self.list.iter()
     }
 
     /// Returns the feature of a key; `None` where the list has none of it.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Feature> {
-        self.0.iter().find(|feature| feature.key == key)
+        self.list.iter().find(|feature| feature.key == key)
+    }
+
+    /// Returns the dialects that lack a feature of a program.
+    pub(crate) fn lacking(&self, source: &str) -> DialectSet {
+        let mut lacking = DialectSet::default();
+        for used in stickler_syntax::features::features(source, &Dialect::DEFAULT) {
+            if let Some(dialects) = self.lacked.get(&*used) {
+                lacking.extend(dialects);
+            }
+        }
+        lacking
+    }
+
+    /// Notes which of the dialects lack which features; returns a mistake for each word of a dialect that is no feature. A folder of cases may
+    /// have fewer features than the dialects that Stickler carries name, so these are not asked.
+    fn ask(&mut self, dialects: &[DialectName]) -> Vec<Mistake> {
+        let mut mistakes = Vec::new();
+        for &dialect in dialects {
+            let declared = &dialect.rules().features;
+            let is_carried = DialectName::ALL.contains(&dialect);
+            for word in declared.has.iter().chain(&declared.lacks) {
+                if !is_carried && self.get(word).is_none() {
+                    let known = self.list.iter().map(|feature| feature.key.as_str());
+                    let message = format!("`[features]` of {dialect} names `{word}`, which is no feature");
+                    mistakes.push(Mistake::new(1, message).hint(suggestion(word, known)));
+                }
+            }
+            let lacked = self
+                .list
+                .iter()
+                .filter(|feature| dialect.rules().lacks(&feature.key));
+            for key in lacked.map(|feature| feature.key.clone()).collect::<Vec<_>>() {
+                self.lacked.entry(key).or_default().insert(dialect);
+            }
+        }
+        mistakes
+    }
+
+    /// Returns a feature of a program that a dialect does not declare to have: neither its edition of IEC 61131-3 has a table of it, nor
+    /// does its file name it. `None` in a suite without a list of features.
+    #[must_use]
+    pub fn undeclared(&self, program: &str, dialect: DialectName) -> Option<FeatureKey> {
+        if self.list.is_empty() {
+            return None;
+        }
+        let rules = Dialect::of(dialect);
+        let is_of_edition = |key: &str| {
+            let tables = self.get(key).map(|feature| &feature.tables);
+            // No table of the fourth edition is public: it has what the third has, without what its file names.
+            let edition = rules.features.edition.map(|edition| edition.min(3));
+            edition
+                .zip(tables)
+                .is_some_and(|(edition, tables)| tables.contains_key(&edition))
+        };
+        let declares = |key: &str| {
+            !rules.lacks(key) && (rules.features.has.iter().any(|has| has == key) || is_of_edition(key))
+        };
+        stickler_syntax::features::features(program, rules)
+            .into_iter()
+            .find(|key| !declares(key))
     }
 }
 
-/// Reads the features of a suite and what is wrong with their file. A suite without the file has none.
-pub(crate) fn read(root: &files::Root, sources: &Sources) -> (Features, Vec<CaseFileError>) {
+/// Reads the features of a suite and what is wrong with their file, or with what the dialects say of them. A suite without the file
+/// has none.
+pub(crate) fn read(
+    root: &files::Root,
+    sources: &Sources,
+    dialects: &Dialects,
+) -> (Features, Vec<CaseFileError>) {
     root.read_own(FEATURES, |text| {
         let lines = Lines::new(text);
         match toml_text::read(text, 0, &lines) {
-            Ok(tables) => features(tables, sources, &lines),
+            Ok(tables) => {
+                let (mut features, mut mistakes) = features(tables, sources, &lines);
+                mistakes.extend(features.ask(&dialects.all()));
+                (features, mistakes)
+            }
             Err(mistake) => (Features::default(), vec![mistake]),
         }
     })
@@ -139,5 +215,9 @@ fn features(
         promised: table.promised.into_iter().map(Spanned::into_inner).collect(),
         program: table.program,
     };
-    (Features(tables.into_iter().map(feature).collect()), mistakes)
+    let features = Features {
+        list: tables.into_iter().map(feature).collect(),
+        lacked: FxHashMap::default(),
+    };
+    (features, mistakes)
 }

@@ -1,7 +1,9 @@
 //! The properties that all cases of a file or a probe share, and the making of cases from them.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
+use rustc_hash::FxHashSet;
 use stickler_types::{DialectName, Question};
 use toml::Spanned;
 
@@ -9,6 +11,7 @@ use crate::assembly::{Assembly, TypeNames};
 use crate::citations::{Citations, WrittenBasis};
 use crate::dialects::Dialects;
 use crate::error::Mistake;
+use crate::features::Features;
 use crate::model::{Case, MatrixCell};
 use crate::place::Lines;
 use crate::places::{Placement, Places};
@@ -27,6 +30,10 @@ pub(crate) struct FileContext<'a> {
     pub(crate) text: &'a str,
     pub(crate) lines: Lines,
     pub(crate) dialects: &'a Dialects,
+    /// The features of the language, and the dialects that lack them.
+    pub(crate) features: &'a Features,
+    /// The dialects that the file names otherwise than by `all`.
+    pub(crate) named: RefCell<FxHashSet<DialectName>>,
     /// The sources that cases may cite; `None` where they are not known.
     pub(crate) sources: Option<&'a Sources>,
     /// The places that probes may name.
@@ -79,7 +86,7 @@ impl Harvest {
         }
     }
 
-    /// Adds a case for each of the dialects. A case that asserts something without a basis is a mistake and left out.
+    /// Adds a case for each of the dialects, but for those that the file names as `all` only and that lack a feature of the program. A case that asserts something without a basis is a mistake and left out.
     pub(crate) fn add(
         &mut self,
         context: &FileContext<'_>,
@@ -89,10 +96,13 @@ impl Harvest {
     ) {
         let open = group.assembly.expectation.is_open(&group.assembly.observe);
         let written = group.basis.as_ref();
-        for &dialect in dialects {
+        for &dialect in &context.having(dialects, &group.source) {
             let basis = match open {
                 true => Some(self.citations.none(written)),
-                false => self.citations.cite(written, dialect, context.sources),
+                false => {
+                    let is_named = context.named.borrow().contains(&dialect);
+                    self.citations.cite(written, (dialect, is_named), context.sources)
+                }
             };
             let Some(basis) = basis else { continue };
             let case = Case {
@@ -137,13 +147,33 @@ impl FileContext<'_> {
         let mut dialects = Vec::new();
         for name in names {
             match self.dialects.resolve(name.get_ref()) {
-                Ok(resolved) => dialects.extend(resolved),
+                Ok(resolved) => {
+                    if !Dialects::is_all(name.get_ref()) {
+                        self.named.borrow_mut().extend(&resolved);
+                    }
+                    dialects.extend(resolved);
+                }
                 Err(message) => mistakes.push(self.lines.mistake(name, key, message)),
             }
         }
         dialects.sort_unstable();
         dialects.dedup();
         dialects
+    }
+
+    /// Returns those of the dialects that a program can be asked in: the file names them, or they have all features of the program.
+    fn having(&self, dialects: &[DialectName], source: &str) -> Vec<DialectName> {
+        let asked = dialects
+            .iter()
+            .copied()
+            .filter(|&dialect| self.dialects.asks(dialect));
+        let mut having: Vec<DialectName> = asked.collect();
+        let named = self.named.borrow();
+        if !having.iter().all(|dialect| named.contains(dialect)) {
+            let lacking = self.features.lacking(source);
+            having.retain(|dialect| named.contains(dialect) || !lacking.contains(*dialect));
+        }
+        having
     }
 }
 

@@ -62,5 +62,6 @@ pub use model::{
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
 pub use sources::{Source, SourceKind, Sources, address_of};
-pub use suite::{Suite, load_file, read_case_file};
+pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
+pub use unmarked::without_blank_lines;

@@ -236,11 +236,7 @@ impl MarkReader<'_> {
         if names.is_empty() {
             return Err("`in` needs a dialect or a group behind it".to_owned());
         }
-        let mut dialects = Vec::new();
-        for name in names {
-            dialects.extend(self.dialects.resolve(name.trim_end_matches(','))?);
-        }
-        Ok(dialects)
+        self.dialects.resolve(&names.join(" "))
     }
 }
 

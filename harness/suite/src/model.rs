@@ -34,7 +34,7 @@ pub struct Case {
     pub area: Arc<str>,
     /// The 1-based line in [`Case::file`] that the case stands on: line 1 of a program, the row of a table.
     pub line: u32,
-    /// The program, marks and all: they are comments, so lines stay what they are in the file.
+    /// The program, with blanks in place of its marks, so that lines stay what they are in the file.
     pub source: Arc<str>,
     /// The number of scans that the program runs; at least 1.
     pub scans: u32,
@@ -57,6 +57,21 @@ pub struct Case {
 }
 
 impl Case {
+    /// Returns whether another case has the same program and the same expectation.
+    pub(crate) fn asks_the_same_as(&self, other: &Case) -> bool {
+        // Where a file asserts a value does not matter.
+        let without_lines = |case: &Case| {
+            let mut expectation = (*case.expectation).clone();
+            expectation.values.iter_mut().for_each(|value| value.line = 0);
+            expectation
+        };
+        self.source == other.source
+            && (Arc::ptr_eq(&self.expectation, &other.expectation)
+                || without_lines(self) == without_lines(other))
+            && self.observe == other.observe
+            && (self.scans, &self.set, &self.clock) == (other.scans, &other.set, &other.clock)
+    }
+
     /// Returns a case of a program that stands in no case file. It expects that the program is accepted, and observes nothing.
     pub fn of_program(id: &str, dialect: DialectName, source: &str) -> Case {
         Case {

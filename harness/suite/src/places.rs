@@ -10,7 +10,7 @@ mod read;
 use std::sync::Arc;
 
 use serde::Deserialize;
-use stickler_types::{DialectName, Fnv1a};
+use stickler_types::DialectName;
 use toml::Spanned;
 
 use crate::condition::Condition;
@@ -34,8 +34,6 @@ pub struct Places {
     configuration: String,
     /// The combinations of source, target and surrounding that no probe takes, because tables ask the same with programs of their own.
     plain: Vec<[usize; 3]>,
-    /// The dialects of one compiler, which take the programs that they have in common in turn.
-    in_turn: Vec<Vec<DialectName>>,
 }
 
 /// The part that a place has in a program.
@@ -80,6 +78,9 @@ struct PlaceKey {
     promised: Strings,
     absent: Option<Vec<Spanned<String>>>,
     only_rejected: Option<Vec<Spanned<String>>>,
+    /// Whether the place stands only in probes that name it or a group of it.
+    #[serde(default)]
+    only_named: bool,
     only: Option<Spanned<String>>,
     units: Option<Vec<Spanned<String>>>,
     #[serde(default)]
@@ -194,9 +195,12 @@ impl Places {
         Ok(found)
     }
 
-    /// Returns all places of a role, by index.
-    pub(crate) fn all(&self, role: Role) -> Vec<usize> {
-        (0..self.of(role).len()).collect()
+    /// Returns the places of a role that a probe has without naming them, by index.
+    pub(crate) fn unnamed(&self, role: Role) -> Vec<usize> {
+        let places = self.of(role);
+        (0..places.len())
+            .filter(|&index| !places[index].key.only_named)
+            .collect()
     }
 
     /// Keeps the targets that take more than literals.
@@ -208,31 +212,6 @@ impl Places {
     fn is_plain(&self, arrangement: &Arrangement) -> bool {
         let places = [arrangement.source, arrangement.target, arrangement.surrounding];
         self.plain.contains(&places)
-    }
-
-    /// Keeps one dialect of each compiler for a program of a cell or a row, whose number is `number`. The turn is a hash, so that each
-    /// dialect meets all places. A user-defined dialect stays where the one that it extends does.
-    pub(crate) fn retain_in_turn(
-        &self,
-        number: usize,
-        placement: &Placement,
-        dialects: &mut Vec<DialectName>,
-    ) {
-        for group in &self.in_turn {
-            let present = group.iter().filter(|dialect| dialects.contains(dialect));
-            let present: Vec<DialectName> = present.copied().collect();
-            if present.len() > 1 {
-                let mut hash = Fnv1a::of(number.to_string());
-                for name in placement.names() {
-                    hash.write_part(name);
-                }
-                let kept = present[hash.folded() as usize % present.len()];
-                dialects.retain(|dialect| {
-                    let base = dialect.base();
-                    base == kept || !present.contains(&base)
-                });
-            }
-        }
     }
 
     /// Returns the names of the places of an arrangement.

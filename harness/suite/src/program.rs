@@ -11,6 +11,7 @@ use crate::mark_reader::MarkReader;
 use crate::place::TextPlace;
 use crate::scan::{RawMark, scan};
 use crate::template::Template;
+use crate::unmarked::unmarked;
 
 /// The number of mistakes in the marks of one program after which the rest is dropped, because they have one cause.
 const MAX_MISTAKES: usize = 50;
@@ -18,6 +19,7 @@ const MAX_MISTAKES: usize = 50;
 /// A program or a template of programs, with its marks.
 #[derive(Debug)]
 pub(crate) struct ProgramTemplate {
+    /// The program, with blanks in place of its marks.
     pub(crate) source: Template,
     pub(crate) marks: Vec<Mark>,
     /// The position of the source in the case file.
@@ -50,12 +52,15 @@ impl ProgramTemplate {
             let message = "`(*!` stands in a string or in another comment, where it is no mark";
             remarks.0.push(Mistake::new(place.line(line), message));
         }
+        let (unmarked, offsets) = unmarked(text, &found.marks);
         let source = read_source(text, place, reader)
+            .and_then(|marked| Ok((marked, read_source(&unmarked, place, reader)?)))
             .map_err(|mistake| mistakes.push(mistake))
             .ok();
         let mut marks = Vec::new();
         let mut spans = Vec::new();
-        for raw in found.marks.iter().filter(|raw| raw.start >= marks_from) {
+        let read = found.marks.iter().zip(offsets);
+        for (raw, offset) in read.filter(|(raw, _)| raw.start >= marks_from) {
             if mistakes.len() > MAX_MISTAKES {
                 mistakes.push(Mistake::new(
                     place.line(raw.line),
@@ -64,15 +69,15 @@ impl ProgramTemplate {
                 break;
             }
             match reader.read(raw) {
-                Ok(mark) => marks.push(mark),
+                Ok(mark) => marks.push(Mark { offset, ..mark }),
                 Err(mistake) => mistakes.push(Mistake::new(place.line(mistake.line), mistake.message)),
             }
             spans.push(*raw);
         }
         match source {
-            Some(source) if mistakes.is_empty() => {
+            Some((marked, source)) if mistakes.is_empty() => {
                 let names = reader.testable.names.len();
-                let (used, used_in_marks) = uses(&source, &spans, names);
+                let (used, used_in_marks) = uses(&marked, &spans, names);
                 Ok(ProgramTemplate {
                     source,
                     marks,

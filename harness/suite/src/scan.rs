@@ -20,6 +20,11 @@ impl RawMark<'_> {
     pub(crate) fn text_start(&self) -> usize {
         self.start + "(*!".len()
     }
+
+    /// Returns the byte offset behind the mark.
+    pub(crate) fn end(&self) -> usize {
+        self.text_start() + self.text.len() + "*)".len()
+    }
 }
 
 /// The marks of a text, and the places that look like marks.

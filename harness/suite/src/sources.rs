@@ -52,7 +52,7 @@ pub struct Source {
     pub read: String,
     /// The built-in engines for which the source speaks. A standard and the rules name none.
     pub engines: Vec<String>,
-    /// The dialects for which the source speaks. A standard and the rules name none.
+    /// The dialects for which the source speaks; of a standard, those that are the standard itself. The rules name none.
     pub dialects: Vec<DialectName>,
     pub(crate) sections: Sections,
     /// The origin that each recording states, or the reason why no case can cite it; empty for every other source.
@@ -131,6 +131,21 @@ impl Sources {
     pub fn of<'s, 'b>(&'s self, basis: &'b str) -> Option<(&'s Source, &'b str)> {
         let (key, section) = basis.split_once(':')?;
         Some((self.get(key)?, section.trim()))
+    }
+
+    /// Returns whether documents that speak for some dialects are about this one, so that they bind who follows it: they speak for
+    /// it or for the system of which it is a variant. About a dialect of `stickler.toml` only its definition is, since it inherits what the
+    /// extended one does and not whom that is bound to; about the dialect of a standard only the standard is.
+    #[must_use]
+    pub fn are_about(&self, dialects: &[DialectName], dialect: DialectName) -> bool {
+        let system = if dialect.is_custom() {
+            dialect
+        } else {
+            dialect.base()
+        };
+        let is_standard =
+            |source: &Source| source.kind == SourceKind::Standard && source.dialects.contains(&system);
+        (dialects.contains(&dialect) || dialects.contains(&system)) && !self.iter().any(is_standard)
     }
 
     /// Returns the source and the section that a basis such as `ironplc-bit-access: Syntax` names.

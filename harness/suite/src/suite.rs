@@ -1,16 +1,18 @@
 //! Reads a folder of case files into a suite.
 
+use std::cell::RefCell;
 use std::panic::resume_unwind;
 use std::path::Path;
 use std::thread;
 
 use rustc_hash::FxHashMap;
 use serde::Deserialize;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, Fnv1a};
 use stickler_workers::{SpawnError, WorkerPool};
 
 use crate::assembly::TypeNames;
 use crate::defined::restate;
+use crate::dialects::DialectSet;
 use crate::error::{Mistake, in_file};
 use crate::files::FileKind;
 use crate::frame::{FileContext, Harvest};
@@ -40,6 +42,21 @@ pub struct Suite {
     pub(crate) remarks: Vec<CaseFileError>,
 }
 
+/// The dialects whose cases are wanted of a suite. By default every dialect has cases, and repeats are left out.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wanted<'w> {
+    /// The dialects that were [defined](DialectName::define) and take over the cases of the dialect that each extends, unchanged except
+    /// where its definition states a result. An overridden cell of a matrix expects the word of the definition, and a call of a conversion
+    /// function expects the result of exact arithmetic with the choices of the definition. Whether another case depends on an override
+    /// cannot be told here.
+    pub defined: &'w [DialectName],
+    /// The dialects that get cases; all where there is none.
+    pub asked: &'w [DialectName],
+    /// Whether a dialect that is asked beside another one, such as another edition of one compiler, gets the cases of tables in which
+    /// they do not differ. Otherwise it gets a sample of them, unless the other one is not asked.
+    pub with_repeats: bool,
+}
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SuiteFile {
@@ -51,29 +68,22 @@ impl Suite {
     ///
     /// Loading never fails: mistakes are listed in [`Suite::errors`], also if `dir` does not exist.
     pub fn load(dir: &Path) -> Suite {
-        Suite::load_with(dir, &[])
+        Suite::load_with(dir, Wanted::default())
     }
 
-    /// Reads every case file, and adds cases for these dialects that were [defined](DialectName::define): those of the
-    /// dialect that each extends, unchanged except where its definition states a result. An overridden cell of a matrix
-    /// expects the word of the definition, and a call of a conversion function expects the result of exact arithmetic with
-    /// the choices of the definition. This crate cannot tell whether another case depends on an override.
-    pub fn load_with(dir: &Path, defined: &[DialectName]) -> Suite {
-        Suite::load_files(dir, defined, |_, _| true)
+    /// Reads every case file, and returns the cases that are wanted.
+    pub fn load_with(dir: &Path, wanted: Wanted<'_>) -> Suite {
+        Suite::load_files(dir, wanted, |_, _| true)
     }
 
     /// Reads the case files that `is_wanted` selects by the id of a file (its path below `dir` without the extension) and
     /// its kind. Does not report the mistakes of the other files.
-    pub fn load_files(
-        dir: &Path,
-        defined: &[DialectName],
-        is_wanted: impl Fn(&str, FileKind) -> bool,
-    ) -> Suite {
+    pub fn load_files(dir: &Path, wanted: Wanted<'_>, is_wanted: impl Fn(&str, FileKind) -> bool) -> Suite {
         let root = files::Root::new(dir);
         let mut suite = Suite::default();
         suite.read_version(&root);
         suite.read_dialects(&root);
-        suite.dialects = std::mem::take(&mut suite.dialects).with_defined(defined);
+        suite.dialects = std::mem::take(&mut suite.dialects).wanting(wanted);
         let (read, (places, errors), mut listing) = thread::scope(|scope| {
             // Nothing else is needed to list the files, and the other processor is idle.
             let listing = thread::Builder::new().spawn_scoped(scope, || files::list(&root));
@@ -90,8 +100,7 @@ impl Suite {
         suite.remarks.extend(read.remarks);
         suite.errors.extend(errors);
         let sources = read.sources;
-        let (features, errors) = features::read(&root, &sources);
-        suite.features = features;
+        let (features, errors) = features::read(&root, &sources, &suite.dialects);
         suite.errors.extend(errors);
         let type_names = TypeNames::default();
         listing
@@ -101,6 +110,7 @@ impl Suite {
         suite.remarks.extend(listing.remarks);
         let names = SuiteNames {
             dialects: &suite.dialects,
+            features: &features,
             sources: Some(&sources),
             places: &places,
             types: &type_names,
@@ -122,6 +132,7 @@ impl Suite {
             suite.take(&file.shown, harvest);
         }
         suite.sources = sources;
+        suite.features = features;
         suite.places = places;
         suite.errors.sort();
         suite
@@ -167,8 +178,11 @@ pub fn load_file(root: &Path, path: &Path) -> (Vec<Case>, Vec<CaseFileError>) {
     errors.extend(read.errors);
     let (places, mistakes) = places::read(&root, &dialects, &read.sources);
     errors.extend(mistakes);
+    let (features, mistakes) = features::read(&root, &read.sources, &dialects);
+    errors.extend(mistakes);
     let names = SuiteNames {
         dialects: &dialects,
+        features: &features,
         sources: Some(&read.sources),
         places: &places,
         types: &TypeNames::default(),
@@ -190,6 +204,7 @@ pub fn read_case_file(
 ) -> (Vec<Case>, Vec<CaseFileError>) {
     let names = SuiteNames {
         dialects,
+        features: &Features::default(),
         sources: None,
         places,
         types: &TypeNames::default(),
@@ -205,6 +220,7 @@ pub fn read_case_file(
 #[derive(Clone, Copy)]
 struct SuiteNames<'a> {
     dialects: &'a Dialects,
+    features: &'a Features,
     sources: Option<&'a Sources>,
     places: &'a Places,
     types: &'a TypeNames,
@@ -238,6 +254,8 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
         text,
         lines: Lines::new(text),
         dialects: names.dialects,
+        features: names.features,
+        named: RefCell::default(),
         sources: names.sources,
         places: names.places,
         type_names: names.types,
@@ -250,6 +268,9 @@ fn read_text(below_root: &str, shown: &str, kind: FileKind, text: &str, names: S
     harvest.mistakes.extend(harvest.citations.mistakes());
     harvest.remarks.extend(harvest.citations.idle());
     drop_duplicates(&mut harvest);
+    if kind == FileKind::Table {
+        drop_repeats(&mut harvest, names.dialects);
+    }
     harvest
 }
 
@@ -282,30 +303,21 @@ fn drop_duplicates(harvest: &mut Harvest) {
     }
 }
 
-/// A set of dialects.
-#[derive(Clone, Debug, Default)]
-struct DialectSet {
-    /// The first dialects, one bit each.
-    first: u64,
-    /// The other dialects of the set; usually none.
-    others: Vec<DialectName>,
-}
-
-impl DialectSet {
-    /// Adds a dialect; returns false if the set had it already.
-    fn insert(&mut self, dialect: DialectName) -> bool {
-        let Some(bit) = u32::try_from(dialect.index())
-            .ok()
-            .and_then(|index| 1_u64.checked_shl(index))
-        else {
-            let is_new = !self.others.contains(&dialect);
-            if is_new {
-                self.others.push(dialect);
-            }
-            return is_new;
-        };
-        let is_new = self.first & bit == 0;
-        self.first |= bit;
-        is_new
-    }
+/// Drops most of the cases that another edition of the same compiler is asked, too, with the same expectation: those that are not in a sample
+/// by a hash of the id.
+fn drop_repeats(harvest: &mut Harvest, dialects: &Dialects) {
+    const SAMPLE: u32 = 16;
+    let others: Vec<(DialectName, DialectName)> = dialects.asked_beside().collect();
+    let is_other = |dialect| others.iter().any(|&(_, other)| other == dialect);
+    let cases = harvest.cases.iter().filter(|case| is_other(case.dialect));
+    let there: FxHashMap<(&str, DialectName), &Case> =
+        cases.map(|case| ((&*case.id, case.dialect), case)).collect();
+    let is_repeated = |case: &Case| {
+        let beside = others.iter().filter(|&&(dialect, _)| dialect == case.dialect);
+        let mut twins = beside.filter_map(|&(_, other)| there.get(&(&*case.id, other)));
+        twins.any(|twin| twin.asks_the_same_as(case)) && Fnv1a::of(&*case.id).folded() % SAMPLE != 0
+    };
+    let repeated: Vec<bool> = harvest.cases.iter().map(is_repeated).collect();
+    let mut repeated = repeated.into_iter();
+    harvest.cases.retain(|_| !repeated.next().unwrap_or(false));
 }

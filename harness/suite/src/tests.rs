@@ -3,7 +3,7 @@
 use crate::condition::{Condition, Testable};
 use crate::scan::scan;
 use crate::template::Template;
-use crate::{Dialects, Sources, Suite, files, ident, sources};
+use crate::{Dialects, Sources, Suite, Wanted, files, ident, sources};
 use stickler_mdtest::{Example, check_examples};
 use stickler_types::DialectName;
 
@@ -138,7 +138,7 @@ fn golden_sources() {
 
 #[test]
 fn a_folder_without_sources_is_told_where_they_are_described() {
-    let errors = Suite::load_files(std::path::Path::new("/nowhere"), &[], |_, _| false).errors;
+    let errors = Suite::load_files(std::path::Path::new("/nowhere"), Wanted::default(), |_, _| false).errors;
     let said: Vec<String> = errors.iter().map(ToString::to_string).collect();
     let told = said
         .iter()

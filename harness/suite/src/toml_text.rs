@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
-use serde::de::{
-    self, Deserialize, DeserializeOwned, Deserializer, SeqAccess, Visitor, value::SeqAccessDeserializer,
-};
+use serde::Deserialize;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{self, DeserializeOwned, Deserializer, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
 use crate::error::Mistake;
@@ -117,11 +117,35 @@ impl<'de> Deserialize<'de> for Scalar {
 
 struct ScalarVisitor;
 
-impl Visitor<'_> for ScalarVisitor {
+/// A text that is written many times, so that a case file can have a program of a size that nobody writes.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Repetition {
+    /// The text, in which `{number}` stands for the number of the repetition, and `{before}` for the one before it.
+    text: String,
+    times: u32,
+}
+
+impl Repetition {
+    /// The largest number of times, which is more than two bytes count.
+    const MAX_TIMES: u32 = 100_000;
+
+    fn written_out(&self) -> String {
+        let written = (1..=self.times).map(|number| {
+            let text = self.text.replace("{number}", &number.to_string());
+            text.replace("{before}", &(number - 1).to_string())
+        });
+        written.collect()
+    }
+}
+
+impl<'de> Visitor<'de> for ScalarVisitor {
     type Value = Scalar;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str("a string, a number, true or false")
+        formatter.write_str(
+            "a string, a number, true, false, `{ text = \"…\", times = … }`, or an array of such texts",
+        )
     }
 
     fn visit_str<E: de::Error>(self, text: &str) -> Result<Scalar, E> {
@@ -150,5 +174,27 @@ impl Visitor<'_> for ScalarVisitor {
 
     fn visit_f64<E: de::Error>(self, _: f64) -> Result<Scalar, E> {
         Ok(Scalar::Number)
+    }
+
+    /// Joins texts and repetitions.
+    fn visit_seq<A: SeqAccess<'de>>(self, mut parts: A) -> Result<Scalar, A::Error> {
+        let mut joined = String::new();
+        while let Some(part) = parts.next_element::<Scalar>()? {
+            match part {
+                Scalar::Text(text) => joined.push_str(&text),
+                _ => return Err(de::Error::custom("the parts of a cell are texts")),
+            }
+        }
+        Ok(Scalar::Text(joined))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Scalar, A::Error> {
+        let repetition = Repetition::deserialize(MapAccessDeserializer::new(map))?;
+        match repetition.times {
+            1..=Repetition::MAX_TIMES => Ok(Scalar::Text(repetition.written_out())),
+            times => Err(de::Error::custom(format!(
+                "a text is repeated at most 100000 times, not {times}"
+            ))),
+        }
     }
 }

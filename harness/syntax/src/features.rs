@@ -22,7 +22,8 @@ use std::collections::BTreeSet;
 use stickler_types::dialect::{PartialAccess, ThirdEditionTypes};
 use stickler_types::{Dialect, ElementaryType};
 
-/// The key of a feature in `conformance-cases/features.toml`; of a standard function its name in small letters.
+/// The key of a feature in `conformance-cases/features.toml`; of a standard function its name in small letters, behind which
+/// `-function` stands where an operator has that key.
 pub type FeatureKey = Cow<'static, str>;
 
 /// A feature where a program uses it.

@@ -23,16 +23,27 @@ const DOCUMENTED: [DialectName; 3] = [
 ];
 
 /// The word of a row whose result no document states.
-const OPEN: &str = "open";
+pub(crate) const OPEN: &str = "open";
 
 impl Table {
-    /// Returns what the asserting probes agree on.
+    /// Returns what the asserting probes agree on: one result, or, where they name the dialects as `all`, each result that a source states.
     ///
     /// # Errors
     /// A sentence that names the dialect, where a probe asserts what is open there and the table has no column `dialects`, leaves open what a document says, or names
     /// another document than the one that says so, and the table has no column `basis`; where two dialects give different
     /// results; and where the file leaves out a dialect that has the function.
-    pub fn expected(&self, call: &Call) -> Result<Agreed, String> {
+    pub fn expected(&self, call: &Call) -> Result<Vec<Agreed>, String> {
+        match self
+            .probes
+            .iter()
+            .any(|probe| probe.is_of_all && probe.claim == Some(ProbeClaim::Value))
+        {
+            true => self.in_every_dialect(call),
+            false => Ok(vec![self.in_named_dialects(call)?]),
+        }
+    }
+
+    fn in_named_dialects(&self, call: &Call) -> Result<Agreed, String> {
         self.check_dialects(call)?;
         let mut agreed: Option<String> = None;
         let mut bases: Vec<(DialectName, &'static str)> = Vec::new();
@@ -116,7 +127,7 @@ impl Table {
 
     /// Returns the bases of a call as a cell has them: sources that speak for some dialects stand before those that speak for
     /// all.
-    fn bases(&self, said: &[(DialectName, &'static str)]) -> Result<String, String> {
+    pub(crate) fn bases(&self, said: &[(DialectName, &'static str)]) -> Result<String, String> {
         let mut bases: Vec<&str> = said.iter().map(|(_, basis)| *basis).collect();
         bases.sort_unstable();
         bases.dedup();

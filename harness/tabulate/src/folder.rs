@@ -4,7 +4,7 @@ use crate::call::Call;
 use crate::table::{Table, TableNames};
 use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
-use stickler_suite::Suite;
+use stickler_suite::{Suite, Wanted};
 
 /// The folder of the case files, seen from the root of the repository.
 const SUITE: &str = "conformance-cases";
@@ -65,7 +65,7 @@ pub fn tables(root: &Path) -> Result<Vec<(PathBuf, Table)>, String> {
 /// A message, where one of the two files cannot be read or has a mistake.
 pub fn names(root: &Path) -> Result<TableNames, String> {
     let suite = root.join(SUITE);
-    let suite = Suite::load_files(&suite, &[], |_, _| false);
+    let suite = Suite::load_files(&suite, Wanted::default(), |_, _| false);
     match suite.errors.first() {
         Some(mistake) => Err(mistake.to_string()),
         None => Ok(TableNames {

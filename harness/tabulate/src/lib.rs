@@ -20,6 +20,7 @@
 pub mod call;
 pub mod cell;
 pub mod claim;
+mod every_dialect;
 pub mod folder;
 pub mod generate;
 pub mod inputs;

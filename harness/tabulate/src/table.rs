@@ -7,7 +7,7 @@ use serde::Deserialize;
 use std::fmt::Write;
 use std::ops::Range;
 use std::sync::Arc;
-use stickler_suite::{Bases, Dialects, Generate, Sources};
+use stickler_suite::{Bases, Dialects, Generate, SourceKind, Sources};
 use stickler_types::{DialectName, ElementaryType, WrittenValue};
 use toml::Spanned;
 
@@ -77,6 +77,8 @@ pub struct TableProbe {
     pub claim: Option<ProbeClaim>,
     /// The dialects in which it claims that.
     pub dialects: Vec<DialectName>,
+    /// Whether it names them as `all`, so that a row is asked in those whose sources say so.
+    pub is_of_all: bool,
     /// The sources that say so, as one text: a dialect's is the first that speaks for it.
     pub basis: String,
     /// Whether a row may be recorded instead: the variable is observed with its type.
@@ -109,6 +111,7 @@ impl Table {
         let probes = keys.probe.into_iter().map(|probe| {
             Ok(TableProbe {
                 claim: ProbeClaim::of(&probe),
+                is_of_all: Dialects::is_all(&probe.dialects.as_ref().unwrap_or(&keys.dialects).join(" ")),
                 dialects: match &probe.dialects {
                     Some(names) => resolve(names, dialects)?,
                     None => all.clone(),
@@ -165,6 +168,11 @@ impl Table {
         self.sources.choose(bases, dialect)
     }
 
+    /// Returns the kind of the source of a basis.
+    pub(crate) fn kind_of(&self, basis: &str) -> Option<SourceKind> {
+        self.sources.of(basis).map(|(source, _)| source.kind)
+    }
+
     fn column(&self, name: &str) -> Option<usize> {
         self.columns.iter().position(|column| column == name)
     }
@@ -176,7 +184,15 @@ impl Table {
     /// A sentence, where an entry of `[generate]` means nothing, or a row is no call of a conversion function.
     pub fn calls(&self) -> Result<Vec<Call>, String> {
         let Some(generate) = &self.generate else {
-            return self.rows.iter().map(|row| self.call(row)).collect();
+            let mut calls = Vec::new();
+            for row in &self.rows {
+                let call = self.call(row)?;
+                // A call has a row for each of its results.
+                if calls.last() != Some(&call) {
+                    calls.push(call);
+                }
+            }
+            return Ok(calls);
         };
         let mut calls = generate::calls(generate)?;
         calls.retain(|call| self.expected(call).is_ok());
@@ -207,11 +223,13 @@ impl Table {
     /// A sentence that names the call, where a probe [claims](Table::expected) what no document says.
     pub fn rows_of(&self, calls: &[Call]) -> Result<Vec<Vec<String>>, String> {
         let cells = self.cells().unwrap_or_default();
-        let rows = calls.iter().map(|call| {
+        let mut rows = Vec::new();
+        for call in calls {
             let expected = self.expected(call).map_err(|what| format!("{call}: {what}"))?;
-            Ok(cells.iter().map(|cell| cell(call, &expected)).collect())
-        });
-        rows.collect()
+            let row = |agreed| cells.iter().map(|cell| cell(call, agreed)).collect();
+            rows.extend(expected.iter().map(row));
+        }
+        Ok(rows)
     }
 
     /// Returns the text of the file with other rows in place of its own; nothing else changes.

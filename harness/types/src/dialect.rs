@@ -7,7 +7,9 @@
 use crate::choice::{Choice, choices};
 pub use crate::options::{PartialAccess, ThirdEditionTypes, Widening};
 pub use crate::{ComparedTypes, ConstantTypes, ImplicitWarnings, OperandTypes, ResultSigns, ShiftCounts};
-use crate::{ConversionChoices, DialectName, Documents, ElementaryType, MatrixWord, Rounding};
+use crate::{
+    ConversionChoices, DeclaredFeatures, DialectName, Documents, ElementaryType, MatrixWord, Rounding,
+};
 use std::collections::BTreeMap;
 use toml::de::DeValue;
 
@@ -171,6 +173,10 @@ choices! {
         place: String = String::new();
         /// What the documents of the system say, in the words by which exact arithmetic and the generator know them.
         documents: Documents = Documents::DEFAULT;
+        /// What the system says of the features of the language.
+        features: DeclaredFeatures = DeclaredFeatures::NONE;
+        /// The system beside which it is asked only where the two differ, and a sample of the rest: another edition of one compiler.
+        asked_beside: Option<String> = None;
         /// The pairs of types for which the file states whether they convert implicitly, whatever `widening` says.
         cells: BTreeMap<Pair, Stated> = BTreeMap::new();
         /// The bases of the statements that are made beside the documents, by their keys: `mine: rounding (stickler.toml:9)`.
@@ -217,6 +223,7 @@ impl Dialect {
             spelling: spelling.to_owned(),
             about: None,
             kind: DialectKind::Custom,
+            asked_beside: None,
             place: place.to_owned(),
             cells: self.cells.iter().map(cell).collect(),
             stated: self.stated.iter().map(stated).collect(),
@@ -356,6 +363,33 @@ impl Dialect {
         self.cells.get(&(from, to))
     }
 
+    /// Returns whether the system lacks a feature of the list `conformance-cases/features.toml`, by its own words or by the choices of its
+    /// file.
+    #[must_use]
+    pub fn lacks(&self, feature: &str) -> bool {
+        use ElementaryType::{Char, Ldate, Ldt, Ltime, Ltod, Wchar};
+        let by_choice = match feature {
+            "ltime" | "long-duration-literal" => !self.has(Ltime),
+            "ldate" | "long-date-literal" => !self.has(Ldate),
+            "ltod" | "long-time-of-day-literal" => !self.has(Ltod),
+            "ldt" | "long-date-and-time-literal" => !self.has(Ldt),
+            "char" => !self.has(Char),
+            "wchar" => !self.has(Wchar),
+            "wstring" | "wide-string-literal" => !self.documents.wide_strings,
+            "bit-access" => !self.bit_access,
+            "partial-access-bit" => !self.partial_access.is_enabled(),
+            "partial-access-byte" | "partial-access-word" | "partial-access-double-word" => {
+                self.partial_access != PartialAccess::UpToDoubleWords
+            }
+            "line-comment" => !self.line_comments,
+            "nested-comment" => !self.nested_comments,
+            "ampersand" | "power" => !self.ampersand_and_power,
+            "round" | "ceil" | "ceiling" | "floor" => !self.rounding_functions,
+            _ => false,
+        };
+        by_choice || self.features.lacks.iter().any(|lacked| lacked == feature)
+    }
+
     /// Returns whether the dialect has this elementary type.
     #[must_use]
     pub const fn has(&self, ty: ElementaryType) -> bool {
@@ -380,7 +414,7 @@ mod tests {
         assert_eq!(
             DialectName::ALL.map(has),
             [
-                false, true, true, false, true, true, true, true, true, true, true, true, true
+                false, true, true, false, true, true, true, true, true, true, true, true, true, false, true
             ]
         );
         assert!(Dialect::of(DialectName::IRONPLC_ED2).has(ElementaryType::Time));

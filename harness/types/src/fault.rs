@@ -1,22 +1,76 @@
 //! The faults that stop an execution.
 
-use crate::words::words;
+use std::collections::BTreeSet;
 use std::fmt;
 use std::str::FromStr;
+use std::sync::{Mutex, PoisonError};
 
-words! {
-    /// The reason why an execution stopped before its end.
-    ///
-    /// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
-    Fault {
-        /// An integer division, or a modulo, by zero.
-        DivisionByZero = "division-by-zero",
-        /// An array subscript outside its declared bounds.
-        SubscriptRange = "subscript-range",
-        /// A value outside the limits of the subrange that was to hold it.
-        Subrange = "subrange",
-        /// The program did not end within the permitted number of steps.
-        StepLimit = "step-limit",
+/// The reason why an execution stopped before its end.
+///
+/// Basis: Stickler's wire protocol; the standard leaves run-time errors to the implementer.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Fault {
+    /// An integer division, or a modulo, by zero.
+    DivisionByZero,
+    /// An array subscript outside its declared bounds.
+    SubscriptRange,
+    /// A value outside the limits of the subrange that was to hold it.
+    Subrange,
+    /// The program did not end within the permitted number of steps.
+    StepLimit,
+    /// Another reason, in the compiler's own words; no case expects it.
+    Own(&'static str),
+}
+
+/// The maximum number of characters of a compiler's own words.
+const MAX_OWN_LEN: usize = 100;
+
+/// The maximum number of compilers' own words that a process keeps.
+const MAX_OWN: usize = 1000;
+
+/// The compilers' own words so far, which live as long as the process, because a fault is copied into every outcome.
+static OWN: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+
+impl Fault {
+    /// The faults that cases expect.
+    pub const ALL: &'static [Fault] = &[
+        Fault::DivisionByZero,
+        Fault::SubscriptRange,
+        Fault::Subrange,
+        Fault::StepLimit,
+    ];
+
+    /// Returns the word of the fault.
+    #[must_use]
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Fault::DivisionByZero => "division-by-zero",
+            Fault::SubscriptRange => "subscript-range",
+            Fault::Subrange => "subrange",
+            Fault::StepLimit => "step-limit",
+            Fault::Own(words) => words,
+        }
+    }
+
+    /// Returns the fault that an engine reports by these words: one of [`Fault::ALL`], or else one of its own, of which the first line
+    /// is kept.
+    #[must_use]
+    pub fn reported(words: &str) -> Fault {
+        let line = words.trim().lines().next().unwrap_or_default().trim_end();
+        if let Ok(known) = line.parse() {
+            return known;
+        }
+        let line: String = line.chars().take(MAX_OWN_LEN).collect();
+        let mut own = OWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = own.get(line.as_str()) {
+            return Fault::Own(known);
+        }
+        if line.is_empty() || own.len() >= MAX_OWN {
+            return Fault::Own("a fault of its own");
+        }
+        let kept: &'static str = Box::leak(line.into_boxed_str());
+        own.insert(kept);
+        Fault::Own(kept)
     }
 }
 
@@ -26,7 +80,7 @@ impl fmt::Display for Fault {
     }
 }
 
-/// The error of a word that names no [`Fault`].
+/// The error of a word that names none of [`Fault::ALL`].
 #[derive(Clone, PartialEq, Eq, Debug, thiserror::Error)]
 #[error(
     "unknown fault `{0}`; the faults are `division-by-zero`, `subscript-range`, `subrange` and `step-limit`"
@@ -36,9 +90,12 @@ pub struct UnknownFault(pub String);
 impl FromStr for Fault {
     type Err = UnknownFault;
 
-    /// Parses exactly the words that [`Fault::as_str`] returns.
+    /// Parses exactly the words of [`Fault::ALL`].
     fn from_str(text: &str) -> Result<Fault, UnknownFault> {
-        Fault::from_word(text).ok_or_else(|| UnknownFault(text.to_owned()))
+        let mut known = Fault::ALL.iter().copied();
+        known
+            .find(|known| known.as_str() == text)
+            .ok_or_else(|| UnknownFault(text.to_owned()))
     }
 }
 
@@ -52,10 +109,20 @@ mod tests {
         assert!(message.contains("`overflow`"), "{message}");
         for fault in Fault::ALL {
             assert_eq!(fault.to_string().parse(), Ok(*fault));
+            assert_eq!(Fault::reported(fault.as_str()), *fault);
             assert!(
                 message.contains(&format!("`{fault}`")),
                 "{message} does not name {fault}"
             );
         }
+    }
+
+    #[test]
+    fn a_compiler_may_use_words_of_its_own() {
+        let overflow = Fault::reported(" integer overflow \nat line 5");
+        assert_eq!(overflow.as_str(), "integer overflow");
+        assert_eq!(overflow, Fault::reported("integer overflow"));
+        assert_ne!(overflow, Fault::reported("overflow"));
+        assert_eq!(Fault::reported("\n"), Fault::reported(""));
     }
 }

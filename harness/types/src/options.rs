@@ -63,7 +63,7 @@ impl Choice for PartialAccess {
 }
 
 impl PartialAccess {
-    const fn is_enabled(self) -> bool {
+    pub(crate) const fn is_enabled(self) -> bool {
         matches!(self, PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords)
     }
 }

@@ -12,7 +12,7 @@ use crate::plainness;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
 use crate::question::Deviation;
-use crate::reduction::{moved, without_marks};
+use crate::reduction::moved;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::suspect::{self, unimplemented};
 use crate::title::condition;
@@ -149,11 +149,6 @@ fn answer(question: &str, inputs: &[String]) -> String {
             let mistyped = || vec![diagnostic(Some("P4035"), "", Some(5), Some(6))];
             yes(sign(&text, mistyped()) == sign(&other(), mistyped()))
         }
-        "without_marks" => {
-            let (program, lines) = without_marks(&text);
-            let lines: Vec<String> = lines.iter().map(u32::to_string).collect();
-            format!("{program}{}", lines.join(" "))
-        }
         "keeps_claim" => yes(claims(&text, &inputs[1], &inputs[2])),
         "hides" => {
             let of = |expected: Fact, code: &str| {
@@ -256,7 +251,7 @@ fn each_piece_of_work_has_features_of_the_list() {
 }
 
 #[test]
-fn the_lines_of_facts_are_those_of_the_program_without_marks() {
+fn the_lines_of_facts_are_those_of_the_program_without_blank_lines() {
     let fault = |line| Fact::Fault {
         fault: Fault::Subrange,
         line: Some(line),

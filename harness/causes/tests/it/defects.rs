@@ -19,7 +19,7 @@ use std::path::Path;
 use std::sync::Arc;
 use stickler_causes::SearchLimits;
 use stickler_run::{Cause, Fact};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite};
+use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite, Wanted};
 use stickler_types::{DialectName, Observation, Value};
 
 #[derive(Deserialize)]
@@ -117,7 +117,7 @@ impl PlantedDefect {
         });
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
         let mut suite = match self.poses_as {
-            Some(_) => Suite::load_files(&folder, &[], |_, _| false),
+            Some(_) => Suite::load_files(&folder, Wanted::default(), |_, _| false),
             None => Suite::default(),
         };
         suite.cases = cases.collect();

@@ -18,10 +18,7 @@ pub struct ReproduceArguments {
     /// The compiler: one with an adapter, or one that stickler.toml describes; it need not be here
     #[arg(long, value_name = "ENGINE")]
     pub engine: String,
-    /// Leave the header and the marks in the program of a case, and its lines where they are in the suite
-    #[arg(long)]
-    pub with_marks: bool,
-    /// The dialect of a file
+    /// The dialect of a file, or the one in which a case is shown
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Option<DialectName>,
     /// Show this variable of a file, such as `speed:INT`; may be repeated, may be a path [default: whether it is accepted]

@@ -41,6 +41,9 @@ pub struct RunArguments {
     /// Give every program to a compiler alone, also where that takes much longer
     #[arg(long)]
     pub unpacked: bool,
+    /// Give each program N seconds to be compiled, and N to run [default: what each engine's adapter or description says]
+    #[arg(long, value_name = "N", value_parser = whole::<u64>(1, 100_000), allow_negative_numbers = true)]
+    pub timeout: Option<u64>,
     /// Show N failing cases whole [default: 40 of an engine whose causes are not known, none otherwise]
     #[arg(long, value_name = "N", value_parser = whole::<usize>(0, 500), allow_negative_numbers = true)]
     pub failures: Option<usize>,

@@ -68,7 +68,8 @@ fn read(report: &Path) -> anyhow::Result<(Vec<DialectName>, Runs)> {
             dialects = defined.filter_map(|defined| defined.name.parse().ok()).collect();
         }
         Event::Case(case) => runs.iter_mut().for_each(|run| run.take(&case)),
-        Event::Cause(_) | Event::Footer(_) => {}
+        Event::Cause(cause) => runs.iter_mut().for_each(|run| run.take_cause(cause.clone())),
+        Event::Footer(_) => {}
     })
     .with_context(|| format!("cannot read {shown}"))?;
     if let Completeness::Truncated { .. } = completeness {
@@ -164,7 +165,7 @@ const fn sign(kind: ChangeKind) -> char {
     match kind {
         ChangeKind::Added => '+',
         ChangeKind::Removed => '-',
-        ChangeKind::Narrowed | ChangeKind::Undated => '~',
+        ChangeKind::Narrowed | ChangeKind::Widened | ChangeKind::Undated => '~',
     }
 }
 
@@ -172,6 +173,7 @@ const fn sign(kind: ChangeKind) -> char {
 fn summary(blessing: &Blessing) -> String {
     let kinds = [
         (ChangeKind::Added, "added"),
+        (ChangeKind::Widened, "widened"),
         (ChangeKind::Removed, "removed"),
         (ChangeKind::Narrowed, "narrowed"),
         (ChangeKind::Undated, "without a day now"),

@@ -33,7 +33,7 @@ fn validate(words: &[String], out: &mut dyn Write) -> anyhow::Result<Exit> {
     let (folder, line) = match words {
         [name] if engines::names(&configuration).contains(&name.as_str()) => {
             match configuration.engine(name).map(|entry| &entry.kind) {
-                Some(EngineKind::Command { line }) => (configuration.folder(), line.clone()),
+                Some(EngineKind::Command { line, .. }) => (configuration.folder(), line.clone()),
                 // An engine that is no process of its own is served by this program.
                 _ => (None, served(name, &configuration)?),
             }

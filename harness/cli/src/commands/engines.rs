@@ -23,7 +23,11 @@ pub fn execute(arguments: &EnginesArguments, out: &mut dyn Write) -> anyhow::Res
         [] => engines::names(&configuration),
         named => named.iter().map(String::as_str).collect(),
     };
-    let listed = seek_all(&names, &configuration)?;
+    let mut listed = seek_all(&names, &configuration)?;
+    // Whoever names nothing wants to see what is here.
+    if arguments.engine.is_empty() {
+        listed.sort_by_key(|engine| !engine.here);
+    }
     for (number, engine) in listed.iter().enumerate() {
         match arguments.json {
             true => write_json(engine, out)?,

@@ -25,14 +25,15 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
-        filter: arguments.filter.clone(),
+        filter: arguments.filter.clone().into_iter().collect(),
+        exclude: Vec::new(),
         dialect: vec![arguments.dialect],
     };
     let plan = run_plan::plan(&selection, None);
-    let Loaded { suite, defined, .. } = folder.load_for(&plan)?;
+    let Loaded { suite, defined, .. } = folder.load_for(&plan, &[])?;
     let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(&suite));
+        return Ok(case_folder::nothing_selected(&plan, &suite));
     }
     let plan = ExportPlan {
         defined: defined

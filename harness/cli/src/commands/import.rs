@@ -53,7 +53,7 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
         &texts,
         &CaseJudge {
             plan: &plan,
-            sources: &suite.sources,
+            suite: &suite,
             engine: &engine,
             lacks: None,
             baseline: baseline.as_ref(),

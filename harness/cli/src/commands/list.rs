@@ -1,6 +1,7 @@
-//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, or the features of
-//! the language.
+//! `stickler list`: lists the cases, the claims that they check, the sources of the claims, the places of values, the features of
+//! the language, or how many cases there are.
 
+mod count;
 mod features;
 mod places;
 mod sources;
@@ -25,18 +26,20 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
     let selection = &arguments.selection;
     let plan = run_plan::plan(selection, None);
     let folder = CaseFolder::locate(selection.cases.as_deref())?;
-    let Loaded { suite, left_out, .. } = folder.load_for(&plan)?;
+    let Loaded { suite, left_out, .. } = folder.load_for(&plan, &[])?;
     let cases = match arguments.left_out {
         true => left_out.iter().collect(),
         false => select(&plan, &suite.cases),
     };
     if cases.is_empty() {
-        return Ok(case_folder::nothing_selected(&suite));
+        return Ok(case_folder::nothing_selected(&plan, &suite));
     }
     if arguments.sources {
         sources::write(out, &suite.sources, &cases, arguments.json)?;
     } else if arguments.places {
         places::write(out, &cases, arguments.json)?;
+    } else if arguments.count {
+        count::write(out, &cases, arguments.json)?;
     } else if arguments.features {
         features::write(out, &suite.features, &cases, arguments.json)?;
     } else if arguments.basis {

@@ -45,12 +45,14 @@ const TYPES: [ElementaryType; 20] = [
 pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     let selection = SelectionArguments {
         cases: arguments.cases.clone(),
-        filter: None,
+        filter: Vec::new(),
+        exclude: Vec::new(),
         dialect: arguments.dialect.clone(),
     };
     let folder = CaseFolder::locate(arguments.cases.as_deref())?;
     // No document speaks of the pairs that a dialect of stickler.toml does not inherit.
-    let Loaded { suite, .. } = folder.load_implicit_for(&run_plan::plan(&selection, None))?;
+    let plan = run_plan::plan(&selection, None);
+    let Loaded { suite, .. } = folder.load_implicit_for(&plan)?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let recordings: Vec<Recording> = match arguments.recorded || arguments.engine.is_empty() {
@@ -59,7 +61,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     let mut exit = case_folder::exit_of(&suite);
     if !suite.cases.iter().any(|case| implicit_word(case).is_some()) {
-        return Ok(case_folder::nothing_selected(&suite));
+        return Ok(case_folder::nothing_selected(&plan, &suite));
     }
     let asked = if arguments.dialect.is_empty() {
         &DialectName::ALL[..]

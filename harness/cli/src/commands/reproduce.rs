@@ -75,6 +75,8 @@ pub fn execute(arguments: &ReproduceArguments, out: &mut dyn Write) -> anyhow::R
 enum KnownCompiler<'c> {
     Adapter(Compiler),
     Described(&'c Description),
+    /// One that speaks the wire protocol; holds the command of its key `reproduce`.
+    Spoken(&'c str),
 }
 
 impl KnownCompiler<'_> {
@@ -88,7 +90,10 @@ impl KnownCompiler<'_> {
             (Some(EngineKind::Compiler { compiler, .. }), _) => Ok(KnownCompiler::Adapter(*compiler)),
             (None, Some(compiler)) => Ok(KnownCompiler::Adapter(compiler)),
             (Some(EngineKind::Described(description)), _) => Ok(KnownCompiler::Described(description)),
-            (Some(EngineKind::Command { .. }), _) => Err(NoReproduction::NoTools(name.to_owned()).into()),
+            (Some(EngineKind::Command { reproduce, .. }), _) => match reproduce {
+                Some(command) => Ok(KnownCompiler::Spoken(command)),
+                None => Err(NoReproduction::NoTools(name.to_owned()).into()),
+            },
             (None, None) if name == engines::REFERENCE || name.starts_with(engines::COMMAND) => {
                 Err(NoReproduction::NoTools(name.to_owned()).into())
             }
@@ -100,6 +105,7 @@ impl KnownCompiler<'_> {
         match self {
             KnownCompiler::Adapter(compiler) => compiler.reproduce(request, ability),
             KnownCompiler::Described(description) => description.reproduce(request, ability),
+            KnownCompiler::Spoken(command) => Ok(Reproduction::by_command(command, request)),
         }
     }
 }

@@ -15,12 +15,13 @@ use anyhow::bail;
 use std::collections::BTreeMap;
 use std::env;
 use std::io::Write;
+use std::time::Duration;
 use stickler_causes::Search;
 use stickler_conversions::overview::Statements;
-use stickler_engines::Engine;
+use stickler_engines::{Engine, limit_programs};
 use stickler_report::terminal::{self, Detail, Surroundings};
 use stickler_report::{Overview, ReportError, Reports, annotations};
-use stickler_run::{AnswerStore, Baseline, Event, Plan, RunSummary, select};
+use stickler_run::{AnswerStore, Baseline, Event, Filter, Plan, RunSummary, select};
 use stickler_suite::Case;
 use stickler_types::DialectName;
 use stickler_workers::Cancellation;
@@ -34,6 +35,9 @@ use watch::CaseWatch;
 pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<Exit> {
     // An engine may take its time to start; the run itself ends in an orderly way.
     interrupt::at_once()?;
+    if let Some(seconds) = arguments.timeout {
+        limit_programs(Duration::from_secs(seconds));
+    }
     let engines = engines::by_names(&arguments.engine)?;
     let asked_for = asked_for(&engines);
     let lacks = engines::declared_lacks(&engines)?;
@@ -84,21 +88,21 @@ fn run(
     stores: &[Option<&dyn AnswerStore>],
     out: &mut dyn Write,
 ) -> anyhow::Result<Exit> {
-    let Loaded { suite, defined, .. } = folder.load_for(plan)?;
+    let Loaded { suite, defined, .. } = folder.load_for(plan, &spoken(engines))?;
     let plan = &Plan {
         defined,
         ..plan.clone()
     };
     let selected = select(plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(&suite));
+        return Ok(case_folder::nothing_selected(plan, &suite));
     }
-    understood(&selected, engines)?;
+    understood(plan, &selected, engines)?;
     let report_folder =
         (!arguments.no_report).then(|| run_plan::report_folder(arguments.report.as_deref(), &folder.root));
     let cancel = interrupt::cancellation_ending_engines()?;
     let stated = match &report_folder {
-        Some(_) => statements(&selected, folder),
+        Some(_) => statements(&selected, &suite, folder),
         None => Statements::default(),
     };
     let mut sink = EventSink {
@@ -150,9 +154,19 @@ fn annotates(arguments: &RunArguments) -> bool {
     arguments.annotate.unwrap_or_else(in_job)
 }
 
+/// Returns the dialects that any of the engines speaks.
+fn spoken(engines: &[&dyn Engine]) -> Vec<DialectName> {
+    let every = DialectName::ALL.into_iter().chain(DialectName::defined());
+    let is_spoken = |dialect: &DialectName| {
+        let mut engines = engines.iter();
+        engines.any(|engine| engine.identity().asked_in(*dialect).is_some())
+    };
+    every.filter(is_spoken).collect()
+}
+
 /// # Errors
 /// Engines that speak the dialect of no case: then there is no run that could be reported.
-fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
+fn understood(plan: &Plan, cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
     let mut dialects: Vec<DialectName> = cases.iter().map(|case| case.dialect).collect();
     dialects.sort_unstable();
     dialects.dedup();
@@ -163,7 +177,14 @@ fn understood(cases: &[&Case], engines: &[&dyn Engine]) -> anyhow::Result<()> {
             Err(error) => failed = failed.or(Some(error)),
         }
     }
-    failed.map_or(Ok(()), Err)
+    let filters = case_folder::options("--filter", plan.filters.iter().map(Filter::as_str));
+    match failed {
+        Some(error) if !filters.is_empty() => {
+            Err(error.context(format!("{filters} fits no case of its dialects")))
+        }
+        Some(error) => Err(error),
+        None => Ok(()),
+    }
 }
 
 /// Returns, by the name of each engine, the argument of `--engine` that names it again, quoted for a shell.
@@ -212,6 +233,9 @@ fn judged_alike(arguments: &RunArguments) -> String {
     if let Some(grade) = arguments.strict {
         options.push_str(" --strict ");
         options.push_str(grade.as_str());
+    }
+    if let Some(seconds) = arguments.timeout {
+        options.push_str(&format!(" --timeout {seconds}"));
     }
     if arguments.strict_rules {
         options.push_str(" --strict-rules");

@@ -6,8 +6,8 @@ use crate::exit::Exit;
 use crate::named_case::NamedCase;
 use crate::output::{BOLD, DIM};
 use std::io::{self, Write};
-use stickler_run::{Fact, Plan, expected_facts};
-use stickler_suite::{Case, Sources};
+use stickler_run::{Binding, Claim, Fact, Plan, binding, expected_facts};
+use stickler_suite::{Case, Suite};
 use stickler_types::wrap;
 
 /// Shows the case in each dialect that it has. Dialects that agree on everything share one page.
@@ -20,7 +20,7 @@ pub fn execute(arguments: &ShowArguments, out: &mut dyn Write) -> anyhow::Result
         if number > 0 {
             writeln!(out, "\n{DIM}{}{DIM:#}\n", "-".repeat(80))?;
         }
-        write_group(group, &named.suite.sources, out)?;
+        write_group(group, &named.suite, out)?;
         write_end(group, &named.plan, out)?;
     }
     Ok(case_folder::exit_of(&named.suite))
@@ -48,7 +48,7 @@ fn same(one: &Case, other: &Case) -> bool {
     }
 }
 
-fn write_group(group: &[&Case], sources: &Sources, out: &mut dyn Write) -> io::Result<()> {
+fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Result<()> {
     let Some(case) = group.first() else { return Ok(()) };
     let dialects: Vec<&str> = group.iter().map(|case| case.dialect.as_str()).collect();
     writeln!(out, "{BOLD}{}{BOLD:#}\n{}\n", case.id, case.title)?;
@@ -56,13 +56,16 @@ fn write_group(group: &[&Case], sources: &Sources, out: &mut dyn Write) -> io::R
         writeln!(out, "{}\n", wrap(summary))?;
     }
     writeln!(out, "{DIM}basis{DIM:#}     {}", case.basis)?;
-    if let Some((source, section)) = sources.of(&case.basis) {
+    if let Some((source, section)) = suite.sources.of(&case.basis) {
         writeln!(
             out,
             "{DIM}source{DIM:#}    {}, {}",
             source.kind.as_str(),
             source.address_of(section)
         )?;
+    }
+    if !case.is_open() {
+        writeln!(out, "{DIM}binds{DIM:#}     {}", bound(case, suite))?;
     }
     writeln!(out, "{DIM}dialects{DIM:#}  {}", dialects.join(", "))?;
     writeln!(out, "{DIM}at{DIM:#}        {}:{}", case.file, case.line)?;
@@ -76,12 +79,32 @@ fn write_group(group: &[&Case], sources: &Sources, out: &mut dyn Write) -> io::R
         writeln!(out, "{DIM}scans{DIM:#}     {}", case.scans)?;
     }
     writeln!(out, "\n{BOLD}Program{BOLD:#}\n")?;
-    for (number, line) in case.source.lines().enumerate() {
+    // The lines of the header and of marks in front are blank.
+    let is_blank = |(_, line): &(usize, &str)| line.trim().is_empty();
+    for (number, line) in case.source.lines().enumerate().skip_while(is_blank) {
         let gap = if line.is_empty() { "" } else { "  " };
         writeln!(out, "{DIM}{:>4}{DIM:#}{gap}{line}", number + 1)?;
     }
     writeln!(out, "\n{BOLD}Expected{BOLD:#}\n")?;
     write_expectation(case, out)
+}
+
+/// Returns whom the expectation of a case binds, and why.
+fn bound(case: &Case, suite: &Suite) -> String {
+    let dialect = case.dialect;
+    match binding(Claim::of(case), None, suite) {
+        Binding::Own => format!("compilers of {dialect}: the source speaks for this system"),
+        Binding::Standard => format!("compilers of {dialect}: it declares all features of the program"),
+        Binding::Undeclared(feature) => {
+            format!(
+                "no compiler of {dialect}, which does not declare the feature `{feature}`: a miss differs"
+            )
+        }
+        Binding::Rule => "no compiler without --strict-rules: a miss differs".to_owned(),
+        Binding::OtherSystem => {
+            format!("no compiler of {dialect}: the source speaks for another system, and a miss differs")
+        }
+    }
 }
 
 /// Writes the command that runs the cases.

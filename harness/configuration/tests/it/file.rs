@@ -52,7 +52,7 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
 fn a_command_line_is_an_engine() {
     let configuration = read("[engines.mine]\ncommand = \"python3 adapter.py\"\n").unwrap();
     let kind = configuration.engine("mine").map(|entry| &entry.kind);
-    assert!(matches!(kind, Some(EngineKind::Command { line }) if line == "python3 adapter.py"));
+    assert!(matches!(kind, Some(EngineKind::Command { line, .. }) if line == "python3 adapter.py"));
 }
 
 #[test]

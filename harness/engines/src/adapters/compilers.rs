@@ -29,7 +29,7 @@ pub(super) struct CompilerData {
     pub(super) tools: Vec<Dependency>,
     commands: BTreeMap<String, String>,
     #[serde(default)]
-    faults: BTreeMap<String, Parsed<Fault>>,
+    faults: BTreeMap<String, String>,
     #[serde(default)]
     pub(super) codes: CompilerCodes,
 }
@@ -59,7 +59,7 @@ impl CompilerData {
             .faults
             .iter()
             .find(|(known, _)| words.contains(known.as_str()));
-        told.map(|(_, fault)| fault.0)
+        told.map(|(_, fault)| Fault::reported(fault))
     }
 
     /// Finds the tools on this machine, and asks the compiler for its version, of which `version` keeps what tells versions apart.

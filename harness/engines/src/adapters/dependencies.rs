@@ -22,6 +22,9 @@ pub struct Dependency {
     pub script: String,
     #[serde(default)]
     kind: DependencyKind,
+    /// Whether a script may do without the dependency, whose variable is empty then.
+    #[serde(default)]
+    optional: bool,
     /// Where a folder may be, from the folder of the compiler.
     #[serde(default)]
     beside: Vec<String>,
@@ -47,6 +50,15 @@ impl Dependency {
     /// [reproductions](crate::Reproduction), which do not know Stickler.
     pub(super) fn shell_variable(&self) -> &str {
         self.variable.strip_prefix("STICKLER_").unwrap_or(&self.variable)
+    }
+
+    /// Returns a command of a script, in which an empty variable of an optional dependency leaves no word.
+    pub(super) fn in_script(&self, command: String) -> String {
+        let word = format!("\"${}\"", self.shell_variable());
+        match self.optional {
+            true => command.replace(&word, &format!("${{{}:+{word}}}", self.shell_variable())),
+            false => command,
+        }
     }
 
     /// Tells whether a person can name the path of the dependency.
@@ -310,6 +322,7 @@ mod tests {
             name: name.to_owned(),
             script: name.to_owned(),
             kind: DependencyKind::Program,
+            optional: false,
             beside: Vec::new(),
         }))
     }

@@ -298,13 +298,11 @@ fn execute(workplace: &Workplace<'_>, recipe: &Recipe, scans: u32) -> Result<Exe
     let ended = workplace.step(recipe, Purpose::Execute(Some(scans)), &[])?;
     match ended.code()? {
         0 => Ok(ExecutionEnd::Finished(ended.stdout)),
-        1 => match Compiler::Ironplc.data().fault(&ended.stderr) {
-            Some(fault) => Ok(ExecutionEnd::Faulted(fault, ended.stdout)),
-            None => Err(failed(format!(
-                "it stopped for a reason that no fault is named after: {}",
-                ended.stderr.trim()
-            ))),
-        },
+        1 => {
+            let known = Compiler::Ironplc.data().fault(&ended.stderr);
+            let fault = known.unwrap_or_else(|| Fault::reported(&super::locate::first_error(&ended)));
+            Ok(ExecutionEnd::Faulted(fault, ended.stdout))
+        }
         _ => Err(ended.crashed()),
     }
 }

@@ -87,7 +87,9 @@ impl Recipe {
             Filling::Variable(variable.copied().unwrap_or_default(), Path::new(""))
         };
         let (program, arguments) = command.for_shell(&fill);
-        let mut recipe = self.shell(&used, format!("{program} {arguments}"));
+        let shown = format!("{program} {arguments}");
+        let shown = tools.iter().fold(shown, |shown, tool| tool.in_script(shown));
+        let mut recipe = self.shell(&used, shown);
         recipe.steps.push((purpose, command));
         recipe
     }

@@ -4,6 +4,7 @@ use super::ProcessLimits;
 use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::message;
+use super::time_limit::milliseconds;
 use crate::protocol::{HelloReply, HelloRequest, PROTOCOL, Reply, Request};
 use crate::{Ability, EngineError, Grade, Identity, Outcome};
 use serde_json::Value as Json;
@@ -37,7 +38,7 @@ fn unanswered(failure: Failure, connection: Connection, limits: &ProcessLimits) 
     match failure {
         Failure::Ended => format!("it did not answer `hello`: {}", connection.end()),
         Failure::TimedOut => {
-            let limit = u64::try_from(limits.hello.as_millis()).unwrap_or(u64::MAX);
+            let limit = milliseconds(limits.hello);
             let within = format!("it did not answer `hello` within {}", Outcome::limit(limit));
             with_words(within, &connection.kill())
         }

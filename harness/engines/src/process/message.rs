@@ -83,7 +83,7 @@ pub(super) fn outcome(line: &[u8], id: u64, verb: Verb, observe: &[Observation])
             warnings: warnings(reply.diagnostics, word)?,
         }),
         (Reply::Faulted(reply), Verb::Run) => Ok(Outcome::Faulted {
-            fault: reply.fault.parse::<Fault>().map_err(|error| error.to_string())?,
+            fault: Fault::reported(&reply.fault),
             line: reply.line,
             values: values(reply.values, observe)?,
             warnings: warnings(reply.diagnostics, word)?,

@@ -5,8 +5,10 @@ use super::command_line::CommandLine;
 use super::connection::{Connection, Failure};
 use super::greeting::{too_much, with_words};
 use super::message::{self, Verb};
+use super::time_limit::{milliseconds, time_limit};
 use crate::protocol::Request;
 use crate::{Identity, Observation, Outcome, RunRequest, Session};
+use std::time::Duration;
 use stickler_types::DialectName;
 
 /// A session of an engine in a process, which lives as long as it answers.
@@ -59,7 +61,8 @@ impl<'e> ProcessSession<'e> {
                 }
             },
         };
-        match connection.exchange(message::line(request), self.limits.reply) {
+        let limit = time_limit(self.limits.reply);
+        match connection.exchange(message::line(request), limit) {
             Ok(line) => match message::outcome(&line, self.id, verb, observe) {
                 Ok(outcome) => {
                     self.connection = Some(connection);
@@ -68,17 +71,17 @@ impl<'e> ProcessSession<'e> {
                 // Output that is still to come would be taken for the answer to a later request.
                 Err(message) => Outcome::Error { message },
             },
-            Err(failure) => self.failed(failure, connection),
+            Err(failure) => self.failed(failure, connection, limit),
         }
     }
 
-    fn failed(&self, failure: Failure, connection: Connection) -> Outcome {
+    fn failed(&self, failure: Failure, connection: Connection, limit: Duration) -> Outcome {
         match failure {
             Failure::Ended => Outcome::Crashed {
                 reason: connection.end(),
             },
             Failure::TimedOut => Outcome::TimedOut {
-                after_ms: u64::try_from(self.limits.reply.as_millis()).unwrap_or(u64::MAX),
+                after_ms: milliseconds(limit),
             },
             Failure::Memory(limit) => Outcome::Crashed {
                 reason: with_words(too_much(limit), &connection.kill()),

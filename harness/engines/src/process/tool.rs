@@ -4,6 +4,7 @@ mod output;
 
 use super::child::last_lines;
 use super::group::ProcessGroup;
+use super::time_limit::{milliseconds, time_limit};
 use super::usage::Watch;
 use crate::Outcome;
 use output::{Streams, Waited};
@@ -118,7 +119,18 @@ pub(crate) fn run_with<A: AsRef<OsStr>>(
     limits: &ToolLimits,
     prepare: impl FnOnce(&mut Command),
 ) -> Result<Ended, Outcome> {
-    let deadline = Instant::now() + limits.time;
+    let time = time_limit(limits.time);
+    let limits = &ToolLimits {
+        time,
+        // Whoever allows more time allows a program to compute for as long, on two processors.
+        cpu: if time > limits.time {
+            limits.cpu.max(time * 2)
+        } else {
+            limits.cpu
+        },
+        ..*limits
+    };
+    let deadline = Instant::now() + time;
     let (mut group, pipes) = ProcessGroup::start(program.as_os_str(), |start| {
         start
             .args(arguments)
@@ -189,7 +201,7 @@ fn with_last_words(outcome: Outcome, output: &Streams) -> Outcome {
 
 fn timed_out(limits: &ToolLimits) -> Outcome {
     Outcome::TimedOut {
-        after_ms: u64::try_from(limits.time.as_millis()).unwrap_or(u64::MAX),
+        after_ms: milliseconds(limits.time),
     }
 }
 

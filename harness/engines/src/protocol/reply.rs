@@ -87,7 +87,8 @@ pub struct RejectedReply {
 pub struct FaultedReply {
     /// The request's id.
     pub id: u64,
-    /// The kind of the fault.
+    /// The kind of the fault: `division-by-zero`, `subscript-range`, `subrange` or `step-limit`, which cases expect, or the compiler's
+    /// own words for any other.
     #[cfg_attr(test, schemars(extend("enum" = ["division-by-zero", "subscript-range", "subrange", "step-limit"])))]
     pub fault: String,
     /// The line, from 1.

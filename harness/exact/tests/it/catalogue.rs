@@ -50,6 +50,8 @@ fn each_dialect_has_as_many_functions_as_can_be_counted() {
             third + 7,
             third + 7,
             third + 7,
+            second + 5,
+            third + 7,
         ]
     );
     assert_eq!([second + 5, third + 7], [506, 731]);

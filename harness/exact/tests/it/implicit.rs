@@ -73,7 +73,7 @@ fn dialects(names: &toml::Value) -> Vec<DialectName> {
     let names = names.as_array().expect("dialects are a list");
     let of = |name: &str| match name {
         "ironplc" => DialectName::ALL[..3].to_vec(),
-        "all" => DialectName::ALL[..7].to_vec(),
+        "all" => DialectName::ALL.to_vec(),
         "cross-family-widening" => vec![
             DialectName::IRONPLC_RUSTY,
             variant(DialectName::IRONPLC_ED3, true),
@@ -119,7 +119,7 @@ fn every_cell_of_the_widening_tables_says_the_same() {
 #[test]
 fn every_pair_of_types_that_a_dialect_has_is_in_a_table() {
     let cells = cells();
-    for dialect in dialects(&toml::Value::Array(vec!["all".into()])) {
+    for dialect in DialectName::ALL.into_iter().take(7) {
         // matiec has twenty types, and WSTRING is none of them. IronPLC documents four types of the third edition, and none for its
         // Rusty dialect.
         let has = |ty: ElementaryType| match dialect {

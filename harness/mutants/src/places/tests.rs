@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::LazyLock;
 use stickler_engines::{EngineSession, Observation, Outcome, RunRequest};
-use stickler_suite::{FileKind, Suite};
+use stickler_suite::{FileKind, Suite, Wanted};
 use stickler_types::Dialect;
 use stickler_types::DialectName;
 
@@ -24,7 +24,7 @@ static SAMPLE: LazyLock<Suite> = LazyLock::new(|| {
         "bit-access/placed-disabled",
         "conversion/placed-reals",
     ];
-    Suite::load_files(&folder, &[], |id, kind| {
+    Suite::load_files(&folder, Wanted::default(), |id, kind| {
         kind == FileKind::Table && FILES.contains(&id)
     })
 });

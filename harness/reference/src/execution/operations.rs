@@ -123,6 +123,15 @@ impl Machine<'_> {
             self.operands.push(narrow(length, ElementaryType::Int));
             return Ok(());
         }
+        if let StandardFunction::InOrder(operator) = function {
+            let first = self.texts.len().checked_sub(usize::from(count));
+            let first = first.ok_or(Halt::Missing("text operand"))?;
+            let mut pairs = self.texts[first..].windows(2);
+            let is_in_order = pairs.all(|pair| comparison::holds(operator, Some(pair[0].cmp(&pair[1]))));
+            self.texts.truncate(first);
+            self.operands.push(is_in_order.into());
+            return Ok(());
+        }
         let selector = match function {
             StandardFunction::Sel | StandardFunction::Mux => Some(self.pop()?),
             _ => None,

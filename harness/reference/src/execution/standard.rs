@@ -4,7 +4,7 @@
 //! count or a selector may lie outside its range, [`StandardFunction`] says what happens.
 
 use super::arithmetic::absolute;
-use super::comparison::extreme;
+use super::comparison::{compare, extreme};
 use super::stop::Halt;
 use crate::instruction::{FaultKind, StandardFunction};
 use crate::raw::narrow;
@@ -19,7 +19,7 @@ pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
         StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => 2,
         StandardFunction::Sel | StandardFunction::Limit => 3,
         StandardFunction::Mux => usize::from(count) + 1,
-        StandardFunction::Min | StandardFunction::Max => usize::from(count),
+        StandardFunction::Min | StandardFunction::Max | StandardFunction::InOrder(_) => usize::from(count),
         StandardFunction::Len | StandardFunction::Concat => 0,
     }
 }
@@ -43,6 +43,12 @@ pub(super) fn of_plain(
         }
         (StandardFunction::Min, values) => furthest(of, Ordering::Less, values),
         (StandardFunction::Max, values) => furthest(of, Ordering::Greater, values),
+        (StandardFunction::InOrder(operator), values) => {
+            let is_in_order = values
+                .windows(2)
+                .all(|pair| compare(operator, of, pair[0], pair[1]));
+            Ok(is_in_order.into())
+        }
         (StandardFunction::Limit, &[minimum, value, maximum]) => {
             let raised = extreme(of, Ordering::Greater, value, minimum);
             Ok(extreme(of, Ordering::Less, raised, maximum))

@@ -3,10 +3,10 @@
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::model::TopLevelName;
-use super::standard::standard_function;
+use super::standard_signatures::{StandardSignature, standard_function};
 use super::types::{TypeId, TypeKind};
 use crate::conversion::{Concatenation, ConversionFunction, concatenation, function};
-use crate::instruction::{Instruction, StandardFunction};
+use crate::instruction::Instruction;
 use stickler_syntax::diagnostic::SpannedDiagnostic;
 use stickler_syntax::tree::{Argument, CaseFolded, ExpressionId, ExpressionKind, Name, PouKind};
 use stickler_types::{Code, ElementaryType};
@@ -19,7 +19,7 @@ pub(super) enum Callee {
     /// A function of the text.
     Function(u32),
     /// A standard function.
-    Standard(StandardFunction),
+    Standard(&'static StandardSignature),
     /// A type conversion function.
     Conversion(ConversionFunction),
     /// A type conversion function of two arguments.
@@ -139,7 +139,7 @@ impl<'m> Lowering<'m> {
                 LoweredValue::ERROR
             }
             Callee::Function(pou) => self.call_function(span, pou, arguments, true),
-            Callee::Standard(standard) => self.call_standard(span, standard, arguments, wanted),
+            Callee::Standard(standard) => self.call_standard(id, standard, arguments, wanted),
             Callee::Conversion(conversion) => self.call_conversion(span, &conversion, arguments, wanted),
             Callee::Concatenation(concatenation) => self.call_concatenation(span, concatenation, arguments),
             Callee::Nothing(code, reason) => self.refuse_callee(code, callee, reason, arguments),

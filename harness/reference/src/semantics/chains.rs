@@ -16,13 +16,14 @@ use stickler_syntax::tree::{BinaryOperator, ExpressionId, ExpressionKind};
 use stickler_types::dialect::OperandTypes;
 use stickler_types::{Code, ElementaryType, MomentUnits};
 
-/// An operator on the spine.
-struct Link {
-    node: ExpressionId,
-    operator: BinaryOperator,
-    left: ExpressionId,
-    right: ExpressionId,
-    operation: Option<TypedOperation>,
+/// An operator on the spine, or between two arguments of a function.
+pub(super) struct Link {
+    /// The expression whose value the operator gives, or the call.
+    pub(super) node: ExpressionId,
+    pub(super) operator: BinaryOperator,
+    pub(super) left: ExpressionId,
+    pub(super) right: ExpressionId,
+    pub(super) operation: Option<TypedOperation>,
 }
 
 impl Lowering<'_> {
@@ -37,7 +38,16 @@ impl Lowering<'_> {
             right,
         } = self.expression(at).kind
         {
-            let operation = self.operation(at, operator, (left, right), wanted);
+            let operands = (self.infer(left), self.infer(right));
+            let operation = match self.operation(operator, operands, wanted) {
+                OperatorSignature::Defined(operation) => Some(operation),
+                OperatorSignature::Undefined => {
+                    let message = self.undefined(operator.symbol(), operands);
+                    self.report(Code::OperatorOperandTypeMismatch, self.span(at), message);
+                    None
+                }
+                OperatorSignature::Untyped(_) | OperatorSignature::Silent => None,
+            };
             wanted = operation.map(|operation| operation.left);
             links.push(Link {
                 node: at,
@@ -56,31 +66,28 @@ impl Lowering<'_> {
         value
     }
 
-    /// Returns the operation of an operator; `None`, and a diagnostic, where it is not defined.
-    fn operation(
-        &mut self,
-        node: ExpressionId,
+    /// Finds the operation of an operator, for untyped operands in the type that is wanted; never [`OperatorSignature::Untyped`].
+    pub(super) fn operation(
+        &self,
         operator: BinaryOperator,
-        (left, right): (ExpressionId, ExpressionId),
+        (left, right): (Inferred, Inferred),
         wanted: Option<TypeId>,
-    ) -> Option<TypedOperation> {
-        let (left, right) = (self.infer(left), self.infer(right));
+    ) -> OperatorSignature {
         let rules = self.rules();
-        let operation = match rules.signature(operator, left, right) {
-            OperatorSignature::Defined(operation) => Some(operation),
+        match rules.signature(operator, left, right) {
             OperatorSignature::Untyped(inferred) => {
                 let wanted = wanted.filter(|ty| !self.computes_whole(inferred, *ty));
-                settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty))
+                let operation = settle(inferred, wanted).and_then(|ty| rules.at(operator, right, ty));
+                operation.map_or(OperatorSignature::Undefined, OperatorSignature::Defined)
             }
-            OperatorSignature::Undefined => None,
-            OperatorSignature::Silent => return None,
-        };
-        if operation.is_none() {
-            let (left, right) = (self.describe(left), self.describe(right));
-            let message = format!("`{}` is not defined for {left} and {right}", operator.symbol());
-            self.report(Code::OperatorOperandTypeMismatch, self.span(node), message);
+            signature => signature,
         }
-        operation
+    }
+
+    /// Returns the message about an operator or function that is not defined for its operands.
+    pub(super) fn undefined(&self, name: &str, (left, right): (Inferred, Inferred)) -> String {
+        let (left, right) = (self.describe(left), self.describe(right));
+        format!("`{name}` is not defined for {left} and {right}")
     }
 
     /// Returns whether an operation on untyped integers is one on integers, though a real is wanted of it.
@@ -91,7 +98,7 @@ impl Lowering<'_> {
     }
 
     /// Lowers the right operand and the operator, the left operand being on the stack.
-    fn link(&mut self, link: &Link, left: LoweredValue, start: u32) -> LoweredValue {
+    pub(super) fn link(&mut self, link: &Link, left: LoweredValue, start: u32) -> LoweredValue {
         let Some(operation) = link.operation else {
             self.value(link.right, None);
             return LoweredValue::ERROR;

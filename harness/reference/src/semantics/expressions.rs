@@ -284,7 +284,7 @@ impl<'m> Lowering<'m> {
         !known
     }
 
-    fn unary(
+    pub(super) fn unary(
         &mut self,
         id: ExpressionId,
         operator: UnaryOperator,

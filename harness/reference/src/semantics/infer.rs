@@ -146,7 +146,7 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    fn infer_unary(&mut self, operator: UnaryOperator, operand: ExpressionId) -> Inferred {
+    pub(super) fn infer_unary(&mut self, operator: UnaryOperator, operand: ExpressionId) -> Inferred {
         if operator == UnaryOperator::Negate
             && let ExpressionKind::Literal(literal) = &self.expression(operand).kind
             && literal.prefix().is_none()

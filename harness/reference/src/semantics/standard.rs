@@ -1,4 +1,4 @@
-//! The standard functions that are no conversions: their parameters and results.
+//! Calls of the standard functions that are no conversions.
 //!
 //! Basis: iec-61131-3: the tables of the numeric, bit shift, selection and string functions.
 
@@ -7,56 +7,17 @@ use super::contexts::ValueContext;
 use super::inferred::Inferred;
 use super::lowering::{LoweredValue, Lowering};
 use super::misfit::misfit;
-use super::parameters::ParameterList;
 use super::promotion::PromotedOperands;
+use super::standard_signatures::{StandardInput, StandardOperation, StandardSignature};
 use super::types::{TypeId, TypeKind};
 use crate::instruction::{Instruction, LogicOperator, StandardFunction};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionId};
 use stickler_types::dialect::ShiftCounts;
-use stickler_types::{Code, ElementaryType};
+use stickler_types::{Code, ElementaryType, GenericType};
 
-/// Their names.
-pub(super) const NAMES: [(&str, StandardFunction); 12] = [
-    ("ABS", StandardFunction::Abs),
-    ("SEL", StandardFunction::Sel),
-    ("MUX", StandardFunction::Mux),
-    ("MIN", StandardFunction::Min),
-    ("MAX", StandardFunction::Max),
-    ("LIMIT", StandardFunction::Limit),
-    ("SHL", StandardFunction::Shl),
-    ("SHR", StandardFunction::Shr),
-    ("ROL", StandardFunction::Rol),
-    ("ROR", StandardFunction::Ror),
-    ("LEN", StandardFunction::Len),
-    ("CONCAT", StandardFunction::Concat),
-];
-
-/// Finds the standard function of a name.
-pub(super) fn standard_function(name: &str) -> Option<StandardFunction> {
-    if !(3..=6).contains(&name.len()) {
-        return None;
-    }
-    NAMES
-        .iter()
-        .find(|(known, _)| known.eq_ignore_ascii_case(name))
-        .map(|&(_, function)| function)
-}
-
-fn parameters(function: StandardFunction) -> ParameterList {
-    let (fixed, more, least): (&'static [&'static str], _, _) = match function {
-        StandardFunction::Abs | StandardFunction::Len => (&["IN"], None, 1),
-        StandardFunction::Sel => (&["G", "IN0", "IN1"], None, 3),
-        StandardFunction::Mux => (&["K"], Some(("IN", 0)), 2),
-        StandardFunction::Min | StandardFunction::Max => (&[], Some(("IN", 1)), 2),
-        StandardFunction::Concat => (&[], Some(("IN", 1)), 2),
-        StandardFunction::Limit => (&["MN", "IN", "MX"], None, 3),
-        StandardFunction::Shl | StandardFunction::Shr | StandardFunction::Rol | StandardFunction::Ror => {
-            (&["IN", "N"], None, 2)
-        }
-    };
-    ParameterList { fixed, more, least }
-}
+/// A function of the machine with the generic type of its values.
+type TypedFunction = (StandardFunction, GenericType);
 
 /// Returns the type that arguments are held to: the one that [`TypeRules::common_of_all`] finds. Where that does not go with all, it is
 /// rather the one that is wanted of the result, if one of them has it and no more of them would be wrong.
@@ -70,26 +31,29 @@ fn held_to(rules: TypeRules<'_>, arguments: &[Inferred], common: TypeId, wanted:
         .unwrap_or(common)
 }
 
-impl Lowering<'_> {
+impl<'m> Lowering<'m> {
     /// Infers the type of a call of a standard function by itself.
     pub(super) fn infer_standard(
         &mut self,
-        function: StandardFunction,
+        signature: &'static StandardSignature,
         arguments: &[Argument<'_>],
     ) -> Inferred {
-        let Ok(values) = parameters(function).ordered(arguments, Span::default()) else {
+        let Ok(values) = signature.parameters.ordered(arguments, Span::default()) else {
             return Inferred::Error;
         };
-        match function {
-            StandardFunction::Len => Inferred::from(ElementaryType::Int),
-            _ if function.moves_bits() => self.infer_common(function, &values[..1]),
-            StandardFunction::Sel | StandardFunction::Mux => self.infer_common(function, &values[1..]),
-            _ => self.infer_common(function, &values),
+        match signature.operation {
+            StandardOperation::Function(StandardFunction::Len, _) => Inferred::from(ElementaryType::Int),
+            StandardOperation::Function(function, of) => {
+                self.infer_common((function, of), &signature.common(&values))
+            }
+            StandardOperation::Operator(operator) => self.infer_operator(operator, &values),
+            StandardOperation::Prefix(operator) => self.infer_unary(operator, values[0]),
+            StandardOperation::Move => self.infer(values[0]),
         }
     }
 
     /// Infers the type that several arguments have in common, if the function takes it.
-    fn infer_common(&mut self, function: StandardFunction, values: &[ExpressionId]) -> Inferred {
+    fn infer_common(&mut self, function: TypedFunction, values: &[ExpressionId]) -> Inferred {
         let inferred: Vec<_> = values.iter().map(|&value| self.infer(value)).collect();
         let rules = self.rules();
         if let Some(promoted) = self.promoted_call(function, &inferred) {
@@ -103,8 +67,8 @@ impl Lowering<'_> {
     }
 
     /// Returns the types in which a function computes integers and bit strings, where it does so as operators on promoted operands do.
-    fn promoted_call(&self, function: StandardFunction, arguments: &[Inferred]) -> Option<PromotedOperands> {
-        let computes = match function {
+    fn promoted_call(&self, function: TypedFunction, arguments: &[Inferred]) -> Option<PromotedOperands> {
+        let computes = match function.0 {
             StandardFunction::Abs | StandardFunction::Shl | StandardFunction::Shr => true,
             // One of several values of a type is of that type.
             StandardFunction::Min | StandardFunction::Max => {
@@ -118,25 +82,16 @@ impl Lowering<'_> {
     }
 
     /// Returns whether a standard function is defined for a type.
-    fn takes(&self, function: StandardFunction, ty: TypeId) -> bool {
+    fn takes(&self, (function, of): TypedFunction, ty: TypeId) -> bool {
         let Some(elementary) = ty.elementary() else {
-            let enumerated = matches!(self.model.types.kind(ty), TypeKind::Enumeration(_));
-            return enumerated && matches!(function, StandardFunction::Sel | StandardFunction::Mux);
+            return of == GenericType::Any && matches!(self.model.types.kind(ty), TypeKind::Enumeration(_));
         };
-        match function {
-            StandardFunction::Abs => elementary.is_integer() || elementary.is_real(),
-            _ if function.moves_bits() => {
-                elementary.is_bit_string()
-                    || elementary == ElementaryType::Bool
-                    || elementary.is_integer() && self.model.source.dialect.functions_promote
-            }
-            StandardFunction::Len | StandardFunction::Concat => elementary.is_text(),
-            _ => true,
-        }
+        let shifts_integer = function.moves_bits() && elementary.is_integer();
+        of.contains(elementary) || shifts_integer && self.model.source.dialect.functions_promote
     }
 
     /// Returns whether a standard function is defined for what an argument is.
-    fn takes_inferred(&self, function: StandardFunction, inferred: Inferred) -> bool {
+    fn takes_inferred(&self, function: TypedFunction, inferred: Inferred) -> bool {
         match inferred {
             Inferred::Known(ty) => self.takes(function, ty),
             Inferred::Text { wide, .. } => self.takes(function, TypeId::of(super::literals::text_type(wide))),
@@ -147,45 +102,73 @@ impl Lowering<'_> {
     /// Calls a standard function.
     pub(super) fn call_standard(
         &mut self,
-        call: Span,
-        function: StandardFunction,
-        arguments: &[Argument<'_>],
+        call: ExpressionId,
+        signature: &'static StandardSignature,
+        arguments: &'m [Argument<'m>],
         wanted: Option<TypeId>,
     ) -> LoweredValue {
-        let values = match parameters(function).ordered(arguments, call) {
+        let values = match signature.parameters.ordered(arguments, self.span(call)) {
             Ok(values) => values,
             Err(reason) => return self.refuse(reason, arguments),
         };
-        let (common, selector): (&[_], _) = match function {
-            StandardFunction::Sel | StandardFunction::Mux => (&values[1..], Some(values[0])),
-            _ if function.moves_bits() => (&values[..1], None),
-            _ => (&values, None),
-        };
-        match (function, selector) {
-            (StandardFunction::Sel, Some(selector)) => {
-                self.coerce(selector, TypeId::BOOL, ValueContext::Argument);
+        match signature.operation {
+            StandardOperation::Function(function, of) => {
+                self.call_of_machine(call, signature, (function, of), &values, wanted)
             }
-            (_, Some(selector)) => {
-                self.integer_argument(selector);
-                self.bound_selector(common.len());
-            }
-            _ => {}
+            StandardOperation::Operator(operator) => self.call_operator(call, operator, &values, wanted),
+            StandardOperation::Prefix(operator) => self.unary(call, operator, values[0], wanted),
+            StandardOperation::Move => self.value(values[0], wanted),
         }
-        let ty = self.common_arguments(function, common, wanted);
-        if common.len() < values.len() && selector.is_none() {
-            self.integer_argument(values[1]);
+    }
+
+    /// Calls a standard function that the machine knows.
+    fn call_of_machine(
+        &mut self,
+        call: ExpressionId,
+        signature: &'static StandardSignature,
+        (function, of): TypedFunction,
+        values: &[ExpressionId],
+        wanted: Option<TypeId>,
+    ) -> LoweredValue {
+        let common = signature.common(values);
+        let mut ty = None;
+        for (position, &value) in values.iter().enumerate() {
+            match signature.input(position) {
+                StandardInput::Exactly(input) => {
+                    self.coerce(value, TypeId::of(input), ValueContext::Argument);
+                }
+                StandardInput::Integer => self.integer_argument(value),
+                StandardInput::Common if value == common[0] => {
+                    if function == StandardFunction::Mux {
+                        self.bound_selector(common.len());
+                    }
+                    ty = self.common_arguments((function, of), &common, wanted);
+                }
+                StandardInput::Common => {}
+            }
         }
         let Some(ty) = ty else { return LoweredValue::ERROR };
         let of = ty.elementary().unwrap_or(ElementaryType::Lint);
         if matches!(function, StandardFunction::Shl | StandardFunction::Shr) {
             self.mask_shift_count(of);
         }
-        let count = u16::try_from(common.len()).unwrap_or(u16::MAX);
-        self.emit_at(call, Instruction::Standard { function, of, count });
+        self.emit_standard(call, function, of, common.len());
         match function {
             StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
             _ => LoweredValue::computed(ty),
         }
+    }
+
+    /// Adds the instruction of a standard function over `count` values of a type.
+    pub(super) fn emit_standard(
+        &mut self,
+        call: ExpressionId,
+        function: StandardFunction,
+        of: ElementaryType,
+        count: usize,
+    ) {
+        let count = u16::try_from(count).unwrap_or(u16::MAX);
+        self.emit_at(self.span(call), Instruction::Standard { function, of, count });
     }
 
     /// Replaces the selector of MUX, which is on the stack, by that of the last input where it is negative or too large, if the dialect does so.
@@ -213,7 +196,7 @@ impl Lowering<'_> {
     /// Puts arguments of one type on the stack, and gives that type; `None` where something is wrong.
     fn common_arguments(
         &mut self,
-        function: StandardFunction,
+        function: TypedFunction,
         values: &[ExpressionId],
         wanted: Option<TypeId>,
     ) -> Option<TypeId> {
@@ -230,7 +213,7 @@ impl Lowering<'_> {
             Inferred::Known(ty) => Some(held_to(rules, &inferred, ty, wanted)),
             Inferred::Text { wide, .. } => Some(TypeId::of(super::literals::text_type(wide))),
             Inferred::Enumerated => wanted,
-            Inferred::Integer(_) | Inferred::Real => self.settle_for(function, common, wanted),
+            Inferred::Integer(_) | Inferred::Real => self.settle_for(function.0, common, wanted),
             Inferred::Nothing | Inferred::Error | Inferred::Pending => None,
         };
         if let Some(promoted) = self.promoted_call(function, &inferred) {
@@ -252,10 +235,15 @@ impl Lowering<'_> {
             sound &= self.coerce(value, target, ValueContext::CommonArgument).ty != TypeId::ERROR;
         }
         if common == Inferred::Error {
-            let message = "the arguments have no type in common".to_owned();
-            self.report(Code::FunctionCallArgTypeMismatch, self.span(values[0]), message);
+            self.report_nothing_in_common(values[0]);
         }
         sound.then_some(target)
+    }
+
+    /// Reports arguments, the first of which is given, that have no type in common.
+    pub(super) fn report_nothing_in_common(&mut self, first: ExpressionId) {
+        let message = "the arguments have no type in common".to_owned();
+        self.report(Code::FunctionCallArgTypeMismatch, self.span(first), message);
     }
 
     /// Puts arguments on the stack in the type in which a function computes them, and gives that type.
@@ -299,19 +287,19 @@ impl Lowering<'_> {
     /// result. Where none is wanted nothing is suggested, for what the call would then give might not fit where it stands.
     ///
     /// Basis: harness/engines/README.md (a suggestion makes the program acceptable).
-    fn refuse_argument(&mut self, function: StandardFunction, id: ExpressionId, wanted: Option<TypeId>) {
+    fn refuse_argument(&mut self, function: TypedFunction, id: ExpressionId, wanted: Option<TypeId>) {
         let value = self.value(id, None);
         let inferred = self.infer(id);
         if value.ty == TypeId::ERROR && inferred != Inferred::Nothing {
             return;
         }
-        let usual = match function {
-            StandardFunction::Len | StandardFunction::Concat => ElementaryType::String,
-            StandardFunction::Abs => ElementaryType::Lreal,
+        let usual = match function.1 {
+            GenericType::String => ElementaryType::String,
+            GenericType::Num => ElementaryType::Lreal,
             _ => ElementaryType::Lword,
         };
         let usual = TypeId::of(usual);
-        let wanted = match function {
+        let wanted = match function.0 {
             StandardFunction::Len => Some(usual),
             _ => wanted.filter(|&ty| self.takes(function, ty)),
         };

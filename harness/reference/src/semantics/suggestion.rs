@@ -6,6 +6,7 @@ use super::lowering::Lowering;
 use super::misfit::{describe, misfit, misfit_of_any};
 use super::model::Model;
 use super::similarity::{Candidate, MAX_CHANGES, distance};
+use super::standard_signatures::STANDARD_FUNCTIONS;
 use super::types::TypeId;
 use crate::conversion::{self, conversion_function_name};
 use std::sync::LazyLock;
@@ -127,7 +128,7 @@ fn similar_function(model: &Model<'_>, name: &str, guesses: &mut u32) -> String 
 
 /// Every standard function and type conversion function, the shortest names first.
 pub(super) static STANDARD: LazyLock<Vec<Candidate<'static>>> = LazyLock::new(|| {
-    let standard = super::standard::NAMES.iter().map(|(name, _)| *name);
+    let standard = STANDARD_FUNCTIONS.iter().map(|function| function.name);
     let conversions = conversion::catalogue_names().iter().map(String::as_str);
     let mut all: Vec<_> = standard.chain(conversions).map(Candidate::new).collect();
     all.sort_by_key(|candidate| candidate.name.len());

@@ -170,7 +170,7 @@ fn write_texts(out: &mut dyn Write, change: &Change, detail: &ComparedTexts) -> 
         let expected = visible(expected).replace('\n', "\n                ");
         writeln!(out, "     {DIM}expected{DIM:#}   {expected}{DIM}{changed}{DIM:#}")?;
     }
-    write_difference(out, ("old", then), ("new", &detail.new))
+    write_difference(out, ("new", &detail.new), ("old", then))
 }
 
 /// Writes a group in one line, and the results of its first case in a second one.

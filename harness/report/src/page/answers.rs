@@ -5,8 +5,8 @@ use serde::Serialize;
 use std::collections::{BTreeMap, HashMap};
 use stickler_conversions::overview::{ComparedAnswer, QuestionNumber, RecordedAnswers, Statements};
 use stickler_conversions::recording::extreme;
-use stickler_run::CaseEvent;
-use stickler_types::{RecordingOrigin, TypePair, WordTable};
+use stickler_run::{CaseEvent, Fact};
+use stickler_types::{Question, RecordingOrigin, TypePair, WordTable};
 
 /// The answers of a run, by engine and dialect.
 #[derive(Default)]
@@ -30,6 +30,9 @@ struct AnswerColumn {
 /// An answer. Several cases may ask the same; the greatest answer counts, so that what deviates is seen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum EngineAnswer {
+    /// The engine rejects the program of a pair of types that must be accepted, as [`EngineAnswer::Other`]. Where it accepts another program
+    /// of the pair, something else is the cause, such as a literal.
+    Rejected(u32, Option<usize>),
     /// The engine answers as the source of the case says.
     Met,
     /// No source says what the answer must be; holds the word of the recorded answer.
@@ -76,13 +79,26 @@ impl EngineAnswer {
     }
 }
 
+/// Returns whether an engine rejects a program that must be accepted.
+fn is_rejected_wrongly(case: &CaseEvent) -> bool {
+    let rejects = |facts: &[Fact]| facts.iter().any(|fact| fact.diagnostic().is_some());
+    rejects(&case.got) && !rejects(&case.expected) && !case.expected.contains(&Fact::Rejected)
+}
+
 impl PageAnswers {
     /// Adds the answer of a case to a question. `number` is that of the case among those that did not pass.
     pub(crate) fn take(&mut self, case: &CaseEvent, question: QuestionNumber, number: Option<usize>) {
         let Some(answer) = answer_of(case) else {
             return;
         };
-        let answer = EngineAnswer::of(&answer, number, &mut self.words);
+        let mut answer = EngineAnswer::of(&answer, number, &mut self.words);
+        let is_pair = matches!(case.question, Some(Question::Implicit(_)));
+        if let EngineAnswer::Other(word, number) = answer
+            && is_pair
+            && is_rejected_wrongly(case)
+        {
+            answer = EngineAnswer::Rejected(word, number);
+        }
         let key = (self.words.number(&case.engine), self.words.number(&case.dialect));
         let next = self.columns.len();
         let column = *self.numbers.entry(key).or_insert(next);
@@ -167,7 +183,7 @@ impl AnswerColumn {
                     data.recorded.0.push(distance(1, question));
                     data.recorded.1.push(word);
                 }
-                EngineAnswer::Other(word, case) => {
+                EngineAnswer::Other(word, case) | EngineAnswer::Rejected(word, case) => {
                     data.other.0.push(distance(2, question));
                     data.other.1.push(word);
                     data.other.2.push(case);
@@ -183,7 +199,32 @@ mod tests {
     use super::PageAnswers;
     use crate::sample;
     use serde_json::json;
-    use stickler_run::Verdict;
+    use stickler_run::{CaseEvent, Fact, Verdict};
+
+    #[test]
+    fn a_pair_of_types_that_converts_somewhere_is_not_rejected() {
+        let implicit = "implicit(TIME,TIME)".parse().expect("a question");
+        let rejected = CaseEvent {
+            expected: vec![Fact::Accepted],
+            got: vec![sample::error(3, "P0002")],
+            question: Some(implicit),
+            ..sample::case("a::p(-1)", Verdict::Fail)
+        };
+        let other = |cases: &[&CaseEvent]| {
+            let mut answers = PageAnswers::default();
+            cases.iter().for_each(|case| answers.take(case, 7, Some(3)));
+            let data = serde_json::to_value(answers.into_data()).expect("JSON");
+            data["columns"][0]["other"][0].clone()
+        };
+        let met = sample::case("a::p(1)", Verdict::Pass);
+        assert_eq!(other(&[&rejected]), json!([7]));
+        assert_eq!(other(&[&rejected, &met]), json!([]));
+        assert_eq!(other(&[&met, &rejected]), json!([]));
+        assert_eq!(
+            other(&[&met, &sample::case("a::p(2)", Verdict::Fail)]),
+            json!([7])
+        );
+    }
 
     #[test]
     fn what_deviates_is_seen_whichever_case_comes_first() {

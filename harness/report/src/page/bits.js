@@ -32,7 +32,7 @@ function showBits(main, query) {
 
 /** Returns the strip of a form: a row for each dialect, a column for each index, from the least one. */
 function strip(data, type, title, bits, shown) {
-  const names = data.statements.dialects.map((name, index) => ({ name, index })).filter(({ name, index }) => shown.some((one) => one.stated[index] !== null
+  const names = ownFirst(data.statements.dialects.map((name, index) => ({ name, index })), ({ name }) => [name]).filter(({ name, index }) => shown.some((one) => one.stated[index] !== null
     || data.columns.some((column) => column.dialect === name && answerOf(column, one.number) !== undefined)));
   const isOutside = (one) => !(type in WIDTHS) || (one.index + 1) * bits > WIDTHS[type];
   return el("section", { "aria-label": title }, el("h3", {}, el("code", {}, title)),

@@ -4,7 +4,7 @@
 const PAGE_LENGTH = 100;
 
 /** The names of the filters, as they stand in an address. */
-const FILTERS = ["engine", "dialect", "area", "verdict", "kind", "code", "claim", "probe", "q"];
+const FILTERS = ["engine", "dialect", "area", "verdict", "kind", "code", "claim", "probe", "cause", "q"];
 
 /** Shows the filters and the cases that they leave. */
 function showCases(main, query) {
@@ -17,7 +17,7 @@ function showCases(main, query) {
     list.replaceChildren(...listed(chosen));
   };
   const search = el("input", { type: "search", value: chosen.q, placeholder: "id or title", input: (event) => update({ q: event.target.value }) });
-  const choose = (key, words) => choice(key, words, chosen[key], (word) => update({ [key]: word }));
+  const choose = (key, words, shown) => choice(key, words, chosen[key], (word) => update({ [key]: word }), shown);
   const distinct = (of) => [...new Set(data.groups.map(of))].filter((word) => word !== "").sort();
   add(main, el("h2", {}, "Cases that did not pass"),
     el("form.filters", { role: "search", submit: (event) => event.preventDefault() },
@@ -25,7 +25,8 @@ function showCases(main, query) {
       choose("engine", engineNames()), choose("dialect", distinct((group) => group.dialect)), choose("area", distinct((group) => group.area)),
       choose("verdict", data.verdicts.filter((verdict) => verdict !== "pass")), choose("kind", distinct((group) => kindOf(group.basis))),
       choose("code", codesOf(data)), choose("claim", distinct((group) => group.basis)),
-      chosen.probe === "" ? null : choose("probe", [chosen.probe])),
+      chosen.probe === "" ? null : choose("probe", [chosen.probe]),
+      run().causes.length === 0 ? null : choose("cause", [...causesByName().keys()], (name) => causesByName().get(name)?.title || name)),
     list);
   if (data.cases_left_out > 0) {
     add(main, el("p.notice", {}, `${counted(data.cases_left_out, "case that did not pass is", "cases that did not pass are")} not listed here; results.json beside this page has all.`));
@@ -34,6 +35,11 @@ function showCases(main, query) {
     add(main, el("p.notice", {}, `The page has no room for ${counted(data.texts_left_out, "program or message", "programs and messages")}; results.json beside it has all.`));
   }
   list.append(...listed(chosen));
+}
+
+/** Returns the causes by the names that addresses have for them. */
+function causesByName() {
+  return new Map(causeLists().flatMap((list) => list.causes).map(({ cause, name }) => [name, cause]));
 }
 
 /** Returns the codes of diagnostics that occur in what was expected or came. */
@@ -53,6 +59,8 @@ function codesOf(data) {
 function filtered(chosen) {
   const data = failedCases();
   const words = chosen.q.toLowerCase().split(/\s+/).filter((word) => word !== "");
+  const cause = causesByName().get(chosen.cause);
+  const explained = new Set((cause?.cases || []).map((some) => [some.probe, some.dialect, some.basis, some.verdict].join(" ")));
   const fits = data.groups.map((group) =>
     (chosen.engine === "" || group.engine === chosen.engine) && (chosen.dialect === "" || group.dialect === chosen.dialect)
     && (chosen.area === "" || group.area === chosen.area) && (chosen.kind === "" || kindOf(group.basis) === chosen.kind)
@@ -68,6 +76,10 @@ function filtered(chosen) {
   for (let number = 0; number < group.length; number++) {
     if (!fits[group[number]]) continue;
     if (chosen.verdict !== "" && data.verdicts[verdict[number]] !== chosen.verdict) continue;
+    if (chosen.cause !== "") {
+      const of = data.groups[group[number]];
+      if (of.engine !== cause?.engine || !explained.has([of.id, of.dialect, of.basis, data.verdicts[verdict[number]]].join(" "))) continue;
+    }
     if (chosen.code !== "" && !hasCode(expected[number]) && !hasCode(got[number])) continue;
     if (words.length > 0 && !matches(number, words)) continue;
     numbers.push(number);
@@ -110,7 +122,7 @@ function listed(chosen) {
 /** Returns the box of a case. */
 function caseBox(number, open) {
   const of = caseAt(number);
-  const summary = [verdictTag(of.verdict), " ", el("span.code", {}, `${of.id}@${of.dialect}`),
+  const summary = [verdictTag(of.verdict), " ", el("span.code", {}, `${readable(of.id)}@${of.dialect}`),
     engineNames().length > 1 ? ` on ${of.engine}` : "", " ", el("span.dim", {}, of.title)];
   return opening(summary, () => caseView(of), open);
 }
@@ -146,7 +158,7 @@ function showCase(main, query) {
     if (of.engine === engine && of.dialect === dialect && id.startsWith(of.id) && of.id + data.words[rest[number]] === id) break;
     number++;
   }
-  add(main, el("h2", {}, el("span.code", {}, `${id}@${dialect}`)));
+  add(main, el("h2", {}, el("span.code", {}, `${readable(id)}@${dialect}`)));
   if (number < group.length) {
     add(main, caseBox(number, true));
   } else {

@@ -1,11 +1,34 @@
 // Causes: what one mend in a compiler would put right, each with the smallest program that shows it.
 
+/** The lists of causes: the title of each, the folder of its pages in `discrepancies`, and which causes it has. */
+const CAUSE_LISTS = [
+  { title: "Contradicts a source that binds the engine", folder: "", has: (cause) => !cause.differs && cause.reduction !== "partly" },
+  { title: "Not made small, as the search ended before: most may show a cause of the list above", folder: "unreduced",
+    has: (cause) => !cause.differs && cause.reduction === "partly" },
+  { title: "Differs from rules of Stickler, or from sources that speak for other engines", folder: "differs", has: (cause) => cause.differs },
+];
+
+/**
+ * Returns the causes list by list, those that explain most cases first. Each has the name by which addresses know it: its engine, the folder of
+ * its page in `discrepancies`, and its number there.
+ * @returns {Array<{title: string, causes: Array<{cause: Object, name: string}>}>}
+ */
+function causeLists() {
+  return CAUSE_LISTS.map(({ title, folder, has }) => {
+    const numbers = new Map();
+    const causes = run().causes.filter(has).map((cause) => {
+      numbers.set(cause.engine, (numbers.get(cause.engine) || 0) + 1);
+      return { cause, name: [cause.engine, folder, numbers.get(cause.engine)].filter((part) => part !== "").join("/") };
+    });
+    return { title, causes: causes.sort((one, other) => other.cause.number - one.cause.number) };
+  });
+}
+
 /** Shows the causes, those that explain most cases first, and apart those that contradict no source that binds the engine. */
 function showCauses(main, query) {
   const engine = query.get("engine") || "";
-  const open = query.get("number");
-  const causes = run().causes.map((cause, index) => ({ cause, number: index + 1 }))
-    .filter(({ cause }) => engine === "" || cause.engine === engine);
+  const open = query.get("cause");
+  const lists = causeLists().map(({ title, causes }) => ({ title, causes: causes.filter(({ cause }) => engine === "" || cause.engine === engine) }));
   add(main, el("h2", {}, "Causes"), el("p.dim", {},
     "A cause is what one mend in the compiler would probably put right. Each has the smallest program that was found for it."));
   if (engineNames().length > 1) {
@@ -13,17 +36,8 @@ function showCauses(main, query) {
       location.hash = addressOf("causes", { engine: chosen });
     })));
   }
-  const isSmall = (cause) => cause.reduction !== "partly";
-  const lists = [
-    ["Contradicts a source that binds the engine", causes.filter(({ cause }) => !cause.differs && isSmall(cause))],
-    ["Not made small, as the search ended before: most may show a cause of the list above", causes.filter(({ cause }) => !cause.differs && !isSmall(cause))],
-    ["Differs from rules of Stickler, or from sources that speak for other engines", causes.filter(({ cause }) => cause.differs)],
-  ];
-  for (const [title, list] of lists) {
-    if (list.length === 0) continue;
-    list.sort((one, other) => other.cause.number - one.cause.number);
-    add(main, el("h3", {}, `${title}: ${grouped(list.length)}`),
-      list.map(({ cause, number }) => causeBox(cause, number, open === String(number))));
+  for (const { title, causes } of lists.filter((list) => list.causes.length > 0)) {
+    add(main, el("h3", {}, `${title}: ${grouped(causes.length)}`), causes.map(({ cause, name }) => causeBox(cause, name, open === name)));
   }
   const lacks = run().lacks.filter((lack) => engine === "" || lack.engine === engine);
   if (lacks.length > 0) {
@@ -36,7 +50,7 @@ function showCauses(main, query) {
     add(main, el("p.notice", {}, `${counted(leftOut, "cause", "causes")} with fewer cases left out, for which the page has no room; the folder discrepancies beside it has a page for each.`));
   }
   if (open !== null) main.querySelector("details[open]")?.scrollIntoView({ block: "start" });
-  if (causes.length === 0) {
+  if (lists.every((list) => list.causes.length === 0)) {
     const failing = run().footer.totals.pass !== run().header.cases;
     add(main, el("p", {}, failing ? "No cause was searched for or found; " : "Nothing to explain: every case is as expected. ",
       failing ? link("#cases", "the cases that did not pass") : null));
@@ -44,14 +58,15 @@ function showCauses(main, query) {
 }
 
 /** Returns the box of a cause. */
-function causeBox(cause, number, open) {
-  const title = [el("span.tag.fail", {}, grouped(cause.number)), " ", engineNames().length > 1 ? `${cause.engine}: ` : "", quoted(cause.title)];
+function causeBox(cause, name, open) {
+  const title = [el("span.tag.fail", {}, cause.cases_shown), " ", engineNames().length > 1 ? `${cause.engine}: ` : "", quoted(cause.title)];
   if (cause.differs) title[0].className = "tag differs";
   return opening(title, () => {
-    const address = addressOf("causes", { number });
+    const address = addressOf("causes", { cause: name });
     return [
       el("div.actions", {}, copyButton("program", cause.shown.program), commandsOf(cause.shown) === "" ? null : copyButton("commands", commandsOf(cause.shown)),
-        copyButton("text of a report", cause.report), link(address, "address of this cause")),
+        copyButton("text of a report", cause.report), link(address, "address of this cause"),
+        link(addressOf("cases", { cause: name }), "its cases")),
       witnessView(cause.engine, cause.shown),
       cause.flaky ? el("p.notice", {}, `By chance: this came in ${cause.flaky[0]} of ${cause.flaky[1]} runs of the same program.`) : null,
       cause.reduction === "partly" ? el("p.dim", {}, "The program is not as small as it can be: the search for causes ended before.") : null,
@@ -71,7 +86,8 @@ function quoted(title) {
 function commandsOf(shown) {
   const files = shown.files.slice(1).map(([name, text]) => `cat > ${name} <<'END'\n${text.replace(/\n?$/, "\n")}END`);
   const tools = shown.tools.map(([variable, value]) => `${variable}="\${${variable}:-${value}}"`);
-  return shown.commands.length === 0 ? "" : [...tools, ...files, ...shown.commands].join("\n");
+  // Each command is run only where the one before it succeeded.
+  return shown.commands.length === 0 ? "" : [...tools, ...files, shown.commands.join(" &&\n")].join("\n");
 }
 
 /** Returns a program, what must come of it and what came. */
@@ -95,7 +111,7 @@ function explained(cause) {
     link(addressOf("cases", { engine: cause.engine, dialect: some.dialect, probe: some.probe }), el("span.code", {}, some.probe)),
     some.dialect, basisLink(some.basis)]);
   const rest = cause.cases.length - rows.length;
-  return el("div", {}, table(`${counted(cause.number, "case fails", "cases fail")} for it`,
+  return el("div", {}, table(`${counted(cause.number, "case fails or differs", "cases fail or differ")} for it`,
     [el("th.number", {}, "cases"), "verdict", "probe", "dialect", "claim"], rows),
     rest > 0 ? el("p.dim", {}, `and ${counted(rest, "probe", "probes")} more`) : null);
 }

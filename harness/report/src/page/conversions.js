@@ -44,6 +44,14 @@ function answererNames() {
   return [...new Set([...engineNames(), ...recorded])];
 }
 
+/** Returns a list in which what is about the dialects of the compilers that ran stands first; all do that in a run of the reference alone. */
+function ownFirst(list, dialectsOf) {
+  const compilers = run().header.engines.filter((engine) => engine.name !== "reference");
+  const own = new Set(compilers.flatMap((engine) => engine.dialects));
+  const isOther = (one) => Number(!dialectsOf(one).some((dialect) => own.has(dialect)));
+  return compilers.length === 0 ? list : [...list].sort((one, other) => isOther(one) - isOther(other));
+}
+
 /** Returns when and where answers were recorded; empty for those of this run. */
 function recordedWhen(recording) {
   return recording === null ? "" : `recorded ${recording.date}`;

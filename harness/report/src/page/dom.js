@@ -114,9 +114,15 @@ function announce(message) {
   announced = setTimeout(() => { status.textContent = ""; }, 2500);
 }
 
-/** Returns a choice among words, the first of which stands for all. */
-function choice(label, words, chosen, change) {
-  const option = (word) => el("option", { value: word, selected: word === chosen }, word === "" ? "all" : word);
+/** Returns the id of a case with the characters that ids cannot have, of which `~3C` is one. */
+function readable(id) {
+  return id.replace(/(?<!~)~([2-7][0-9A-F])/g, (_, code) => String.fromCharCode(parseInt(code, 16)));
+}
+
+/** Returns a choice among words, the first of which stands for all; `shown` gives the text of a word, where that is another. */
+function choice(label, words, chosen, change, shown) {
+  const text = (word) => (shown === undefined ? word : shown(word));
+  const option = (word) => el("option", { value: word, selected: word === chosen }, word === "" ? "all" : text(word));
   const known = words.includes(chosen) || chosen === "" ? words : [chosen, ...words];
   return el("label", {}, label,
     el("select", { change: (event) => change(event.target.value) }, ["", ...known].map(option)));

@@ -124,13 +124,14 @@ function implicitTable(data, from, to) {
   const isAsked = (dialect, index) => pair.stated[index] !== null || answererNames().some((engine) => answerIn(engine, dialect) !== undefined);
   const recorded = data.columns.filter((column) => column.recording !== null);
   const unasked = data.statements.dialects.filter((dialect, index) => !isAsked(dialect, index));
-  const rows = data.statements.dialects.flatMap((dialect, index) => {
+  const dialects = ownFirst(data.statements.dialects.map((dialect, index) => ({ dialect, index })), (one) => [one.dialect]);
+  const rows = dialects.flatMap(({ dialect, index }) => {
     if (!isAsked(dialect, index)) return [];
     const stated = pair.stated[index];
     const word = stated === null ? null : stated[0];
     const basis = stated === null ? "" : data.statements.words[stated[1]];
     return [[el("code", {}, dialect),
-      stated === null ? el("span.dim", {}, "no case asks") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
+      stated === null ? el("span.dim", {}, "no document says") : el("span", {}, el(`span.tag.${IMPLICIT[word].tag}`, {}, `${IMPLICIT[word].mark} ${IMPLICIT[word].text}`), " ", basisLink(basis)),
       ...engineNames().map((engine) => {
         const answer = answerIn(engine, dialect);
         return answer === undefined ? el("span.dim", {}, "–") : implicitTag(answer, word);
@@ -226,7 +227,7 @@ function columnsOf(one, rows) {
       }) });
     }
   }
-  return columns.filter((column) => column.isStated || column.cells.some((cell) => cell.state !== "none"));
+  return ownFirst(columns.filter((column) => column.isStated || column.cells.some((cell) => cell.state !== "none")), (column) => column.dialects);
 }
 
 /** Returns who states the values of a dialect: documents, or a recording by its product and version where there is nothing else. */

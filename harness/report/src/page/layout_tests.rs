@@ -19,7 +19,7 @@ fn nothing_is_wider_than_a_narrow_window() {
         "#matrix",
         "#bits",
         "#claims?source=ironplc-type-conversions",
-        "#causes?number=1",
+        "#causes?cause=reference/1",
         "#cases?q=evil",
         "#observations",
     ] {

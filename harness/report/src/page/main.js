@@ -20,6 +20,7 @@ function showHead() {
   const total = header.engines.map((engine) => engine.name).join(", ");
   document.title = `Stickler: ${total}`;
   const seconds = (footer.duration_ms / 1000).toFixed(1);
+  const searched = footer.causes_ms ? `, and ${(footer.causes_ms / 1000).toFixed(1)} s for the causes` : "";
   const parts = [
     header.shard ? `part ${header.shard} of a run` : "",
     (header.filters || []).length > 0 ? `only cases that fit ${header.filters.join(", ")}` : "",
@@ -28,7 +29,7 @@ function showHead() {
   document.getElementById("top").replaceChildren(
     el("h1", {}, `Structured Text conversions: ${total}`),
     el("p.dim", {}, `Stickler ${header.stickler}, cases ${header.suite}; ${header.started}; `,
-      `${counted(header.cases, "case", "cases")} in ${seconds} s`, parts.length > 0 ? `; ${parts.join("; ")}` : ""),
+      `${counted(header.cases, "case", "cases")} in ${seconds} s${searched}`, parts.length > 0 ? `; ${parts.join("; ")}` : ""),
     el("ul.engines", {}, footer.engines.map(engineCard)),
     (header.broken_files || []).length > 0
       ? el("p.notice", {}, `${counted(header.broken_files.length, "mistake", "mistakes")} in case files: some cases are missing. `, link("#claims", "Which ones"))

@@ -13,9 +13,9 @@ function showMatrices(main, query) {
     el("p.dim", {}, "A row is the type of the value, a column the type of the target: ✓ yes, ! yes with a warning, ✕ no, = the same type, ? no document decides. ",
       "Behind ≠ stands what engines and recorded compilers do otherwise; behind ? and where no case of this run asks, what they do; – is no answer. A cell leads to its values and cases."));
   const types = typesInOrder(new Set([...data.pairs.keys()].flatMap((key) => key.split(" "))));
-  data.statements.dialects.forEach((name, index) => {
+  for (const { name, index } of ownFirst(data.statements.dialects.map((name, index) => ({ name, index })), ({ name }) => [name])) {
     if (dialect === "" || dialect === name) add(main, matrixOf(data, types, name, index));
-  });
+  }
 }
 
 /** Returns the grid of a dialect. */
@@ -56,7 +56,7 @@ function statedCell(data, columns, stated, question, about, address) {
   if (stated === null && departing.length === 0) return el("td", {});
   const contradicts = departing.some(([, answer]) => answer.contradicts);
   const words = departing.map(([column, answer]) => `${column.engine}: ${answer.text}`);
-  const said = stated === null ? { text: "no case asks", mark: "", tag: "unstated" } : IMPLICIT[word];
+  const said = stated === null ? { text: departing.length > 0 ? "no document says" : "no case asks", mark: "", tag: "unstated" } : IMPLICIT[word];
   const label = `${about}: ${[said.text, ...words].join("; ")}${stated === null ? "" : ` (${data.statements.words[stated[1]]})`}`;
   return el(`td.${said.tag}${contradicts ? ".contradicts" : ""}`, {}, el("a", { href: address, title: label, "aria-label": label },
     said.mark, departing.map(([column, answer]) => el(answer.contradicts ? "b" : "span", {},

@@ -1,19 +1,19 @@
-// Observations: what engines do where no document says what they must do.
+// Observations: what engines do where no document says what they must do; of several, where they part.
 
 /** The number of lists of observations that are shown at once. */
 const MAX_OBSERVATIONS = 300;
 
-/** Shows where engines do different things. */
+/** Shows where engines do different things, or what a single one does. */
 function showObservations(main, query) {
   const { observations, disagreements, disagreements_left_out: leftOut } = run();
   const q = (query.get("q") || "").toLowerCase();
   add(main, el("h2", {}, "Observations"), el("p", {},
     `${counted(observations, "observation was", "observations were")} recorded where no document says what must be. `,
     "They are compared, and never failed."));
-  if (engineNames().length < 2) {
-    add(main, el("p.dim", {}, "With several engines in one run, what they do stands here side by side: ",
+  const alone = engineNames().length < 2;
+  if (alone) {
+    add(main, el("p.dim", {}, "With several engines in one run, where they part stands here: ",
       el("code", {}, "stickler run --engine reference --engine ironplc")));
-    return;
   }
   const list = el("div", {});
   const show = (text) => {
@@ -22,11 +22,11 @@ function showObservations(main, query) {
       const all = `${id} ${name} ${values.map(([value, by]) => `${value} ${by.join(" ")}`).join(" ")}`.toLowerCase();
       return words.every((word) => all.includes(word));
     });
-    list.replaceChildren(table(`${counted(found.length, "list of cases", "lists of cases")} on which engines part`,
+    list.replaceChildren(table(`${counted(found.length, "list of cases", "lists of cases")} ${alone ? "with one value each" : "on which engines part"}`,
       ["case", "observed", "values", el("th.number", {}, "cases")],
       found.slice(0, MAX_OBSERVATIONS).map(({ id, name, values, cases }) => [
-        el("span.code", {}, id), el("code", {}, name),
-        el("div", {}, values.map(([value, by]) => el("div", {}, el("code", {}, value), " by ", by.join(" and ")))),
+        el("span.code", {}, readable(id)), el("code", {}, name),
+        el("div", {}, values.map(([value, by]) => el("div", {}, el("code", {}, value), alone ? "" : [" by ", by.join(" and ")]))),
         numberCell(cases)])),
     found.length > MAX_OBSERVATIONS ? el("p.dim", {}, `and ${grouped(found.length - MAX_OBSERVATIONS)} more; search for less`) : "");
   };

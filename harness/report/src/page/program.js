@@ -1,8 +1,10 @@
 // Programs, and what was expected beside what came.
 
-/** Returns a program with its lines numbered and its comments and marks coloured. */
+/** Returns a program with its lines numbered and its comments coloured, from its first line that is not blank. */
 function programView(text) {
-  const lines = text.replace(/\n$/, "").split("\n");
+  const all = text.replace(/\n$/, "").split("\n");
+  const blank = Math.max(0, all.findIndex((line) => line.trim() !== ""));
+  const lines = all.slice(blank);
   let comment = false;
   const line = (content) => {
     const span = el("span", {});
@@ -14,12 +16,14 @@ function programView(text) {
     }
     return span;
   };
-  return el("pre.program", { tabindex: "0", "aria-label": "program" }, lines.map(line));
+  const view = el("pre.program", { tabindex: "0", "aria-label": "program" }, lines.map(line));
+  view.style.counterReset = `line ${blank}`;
+  return view;
 }
 
 /**
  * Compares two texts line by line.
- * @returns {Array<[string, string]>} lines with "-" (only expected), "+" (only got) or " " before them
+ * @returns {Array<[string, string]>} lines with "+" (only expected), "-" (only got) or " " before them
  */
 function difference(expected, got) {
   const [left, right] = [expected, got].map((text) => (text === "" ? [] : text.split("\n")));
@@ -37,8 +41,8 @@ function difference(expected, got) {
       lines.push([" ", left[i]]);
       i++;
       j++;
-    } else if (j >= right.length || (i < left.length && common[i + 1][j] >= common[i][j + 1])) lines.push(["-", left[i++]]);
-    else lines.push(["+", right[j++]]);
+    } else if (j >= right.length || (i < left.length && common[i + 1][j] >= common[i][j + 1])) lines.push(["+", left[i++]]);
+    else lines.push(["-", right[j++]]);
   }
   return lines;
 }
@@ -49,7 +53,7 @@ function differenceView(expected, got) {
     return el("p.notice", {}, "The page has no room for what was expected and what came; results.json beside it has both.");
   }
   const word = { "-": "less", "+": "more", " ": "same" };
-  const say = { "-": "expected", "+": "got", " ": "both" };
+  const say = { "+": "expected", "-": "got", " ": "both" };
   return el("pre", { tabindex: "0", "aria-label": "expected (-) and got (+)" },
     difference(expected, got).map(([sign, line]) => el(`div.${word[sign]}`, { title: say[sign] }, `${sign} ${line}`)));
 }

@@ -31,6 +31,7 @@ pub(super) struct RunData<'o> {
     causes_left_out: usize,
     /// The number of values and acceptances that were recorded where no document states what they must be.
     observations: u64,
+    /// Where engines part; of a single engine, what it does.
     disagreements: Vec<Disagreement<'o>>,
     disagreements_left_out: usize,
 }
@@ -64,6 +65,8 @@ struct CauseData<'o> {
     /// Whether no case of it contradicts a source that binds the engine.
     differs: bool,
     number: u64,
+    /// The number of its cases that are not as expected, before that of all where they are not all.
+    cases_shown: String,
     cases: &'o [ExplainedCases],
     types: &'o [String],
     reduction: Reduced,
@@ -97,7 +100,10 @@ struct ReproducerData<'o> {
 pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
     let (header, footer) = (overview.header.as_ref()?, overview.footer.as_ref()?);
     let causes = causes(overview);
-    let mut disagreements = overview.observed.disagreements(&overview.engines());
+    let mut disagreements = match overview.engines()[..] {
+        [engine] => overview.observed.of_one(engine),
+        ref engines => overview.observed.disagreements(engines),
+    };
     let disagreements_left_out = disagreements.len().saturating_sub(MAX_DISAGREEMENTS);
     disagreements.truncate(MAX_DISAGREEMENTS);
     Some(RunData {
@@ -154,6 +160,7 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         title: &cause.title,
         differs: cause.differs(),
         number: cause.number(),
+        cases_shown: cause.cases_shown(),
         cases: &cause.cases,
         types: &cause.types,
         reduction: cause.reduction,

@@ -26,10 +26,13 @@ pub(crate) struct ResultsDocument<'d> {
     pub(super) started: String,
     /// The duration of the run, in milliseconds.
     pub(super) duration_ms: u64,
+    /// The duration of the search for causes, in milliseconds; `null` where there was none.
+    pub(super) causes_ms: Option<u64>,
     /// The engines that took part.
     #[schemars(length(min = 1))]
     pub(super) engines: Vec<EngineResult<'d>>,
-    /// The filters by which cases were selected, as they were typed; empty where all cases were.
+    /// The filters by which cases were selected, as they were typed, and those that left cases out, behind `not`; empty where all cases
+    /// were selected.
     pub(super) filters: Vec<String>,
     /// The dialects whose cases were selected; empty where all were.
     pub(super) dialects: Vec<String>,

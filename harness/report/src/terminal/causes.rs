@@ -27,7 +27,7 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<us
     }
     let several = overview.engines().len() > 1;
     let causes = small.iter().chain(&unreduced);
-    let widths = causes.map(|cause| grouped(cause.unexpected()).len());
+    let widths = causes.map(|cause| cause.cases_shown().len());
     let width = widths.max().unwrap_or_default().max("Cases".len());
     let room = columns.map_or(usize::MAX, |columns| {
         columns.saturating_sub(width + 2).max(MIN_TITLE)
@@ -43,11 +43,7 @@ pub(super) fn write(out: &mut dyn Write, overview: &Overview, columns: Option<us
             .saturating_sub(on.chars().count())
             .clamp(MIN_TITLE, MAX_TITLE);
         let title = shortened(&visible(&cause.title), of_title);
-        writeln!(
-            out,
-            "{BAD}{:>width$}{BAD:#}  {title}{on}",
-            grouped(cause.unexpected())
-        )?;
+        writeln!(out, "{BAD}{:>width$}{BAD:#}  {title}{on}", cause.cases_shown())?;
         writeln!(
             out,
             "{:>width$}  {DIM}{}{DIM:#}",

@@ -4,7 +4,7 @@ use super::{BAD, Detail, GOOD, Surroundings};
 use crate::discrepancies::NAME;
 use crate::events;
 use crate::overview::Overview;
-use crate::text::{duration, judged, lacking, outdated, outdated_entries, verdicts, visible, wrapped};
+use crate::text::{judged, lacking, outdated, outdated_entries, took, verdicts, visible, wrapped};
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -87,7 +87,7 @@ fn result(overview: &Overview, is_broken: bool) -> (Style, String) {
     let Some(footer) = &overview.footer else {
         return (BAD, format!("Cut short after {cases}."));
     };
-    let time = duration(footer.duration_ms);
+    let time = took(footer);
     if sum.all() > 0 && sum.of(Verdict::Unsupported) + sum.of(Verdict::Waiting) == sum.all() {
         let nothing = format!(
             "{cases} in {time}: nothing was tested, since all are unsupported or wait for a feature."

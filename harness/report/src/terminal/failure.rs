@@ -63,7 +63,7 @@ pub(crate) fn write_difference(
     if expected.lines().count() > 1 || got.lines().count() > 1 || lines.is_empty() {
         writeln!(
             out,
-            "     {DIM}diff    {DIM:#} {GOOD}- {before}{GOOD:#} {BAD}+ {after}{BAD:#}"
+            "     {DIM}diff    {DIM:#} {GOOD}+ {before}{GOOD:#} {BAD}- {after}{BAD:#}"
         )?;
         for line in &lines {
             write!(out, "              ")?;

@@ -4,7 +4,7 @@ use super::fold::CaseKey;
 use super::owned::Owned;
 use super::{Baseline, Entry};
 use crate::event::{BaselineHeader, BaselineNote, OutdatedEntry};
-use crate::{Judgement, Verdict};
+use crate::{Filter, Judgement, Verdict};
 use jiff::civil::Date;
 use semver::Version;
 use std::collections::HashMap;
@@ -41,11 +41,12 @@ impl<'a> MatchedBaseline<'a> {
         });
         let outdated = baseline.entries.iter().zip(&states).enumerate();
         let outdated = outdated.filter_map(|(index, (entry, state))| {
-            let fits = owned.fits[index] || !suite.errors.is_empty() || entry.is_beside(suite);
+            let is_certain = suite.errors.is_empty() && !entry.is_beside(suite);
+            let unfit = owned.unfit[index].as_ref().filter(|_| is_certain);
             Some(OutdatedEntry {
                 at: baseline.place(entry),
-                case: entry.case.as_str().to_owned(),
-                why: state.outdated(entry, fits)?,
+                case: unfit.map_or_else(|| entry.shown(), |unfit| unfit.as_str().to_owned()),
+                why: state.outdated(unfit)?,
             })
         });
         MatchedBaseline {
@@ -135,12 +136,15 @@ impl EntryState {
     }
 
     /// Returns the reason why the entry is out of date, if it is.
-    fn outdated(&self, entry: &Entry, fits: bool) -> Option<String> {
-        match self {
-            _ if !fits => Some(match entry.case.is_pattern() {
+    /// `unfit` is an id or a pattern of it that fits no case.
+    fn outdated(&self, unfit: Option<&Filter>) -> Option<String> {
+        if let Some(unfit) = unfit {
+            return Some(match unfit.is_pattern() {
                 true => "fits no case that the engine could be asked".to_owned(),
                 false => "is no case that the engine could be asked; a pattern has a `*`".to_owned(),
-            }),
+            });
+        }
+        match self {
             EntryState::UnknownVersion(version) => Some(format!(
                 "names versions, and `{version}`, which the engine says of itself, is none"
             )),

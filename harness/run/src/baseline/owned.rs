@@ -2,14 +2,15 @@
 
 use super::Entry;
 use super::fold::CaseKey;
+use crate::Filter;
 use std::collections::HashMap;
 
 /// The assignment of cases to the entries of a baseline.
 pub(super) struct Owned<'a> {
     /// The index of the entry of each case, by id and dialect.
     pub(super) owners: HashMap<CaseKey<'a>, usize>,
-    /// Whether each entry is about any case at all, even where more exact entries own all of these cases.
-    pub(super) fits: Vec<bool>,
+    /// The first id or pattern of each entry that fits no case at all; what fits cases that more exact entries own fits.
+    pub(super) unfit: Vec<Option<Filter>>,
 }
 
 impl<'a> Owned<'a> {
@@ -23,37 +24,46 @@ impl<'a> Owned<'a> {
         sorted.sort_unstable();
         let mut owned = Owned {
             owners: HashMap::new(),
-            fits: vec![false; entries.len()],
+            unfit: vec![None; entries.len()],
         };
         for pattern in [false, true] {
             for (index, entry) in entries.iter().enumerate() {
-                if entry.case.is_pattern() == pattern {
-                    owned.take(index, entry, &sorted, holds(index));
+                for filter in entry.cases.iter().filter(|filter| filter.is_pattern() == pattern) {
+                    if !owned.take(index, filter, &sorted, holds(index)) {
+                        owned.unfit[index].get_or_insert_with(|| filter.clone());
+                    }
                 }
             }
         }
         owned
     }
 
-    fn take(&mut self, index: usize, entry: &Entry, sorted: &[CaseKey<'a>], holds: bool) {
-        let beginning = beginning(entry);
+    /// Assigns the cases of an id or a pattern to an entry. Returns whether there are any.
+    fn take(&mut self, index: usize, filter: &Filter, sorted: &[CaseKey<'a>], holds: bool) -> bool {
+        let beginning = beginning(filter);
         let from = sorted.partition_point(|(id, _)| *id < beginning);
         let alike = sorted[from..]
             .iter()
             .take_while(|(id, _)| id.starts_with(beginning));
+        let mut fits = false;
         for &(id, dialect) in alike {
-            if entry.covers(id, dialect.as_str()) {
-                self.fits[index] = true;
+            let is_meant = match filter.is_pattern() {
+                true => filter.fits(id, dialect.as_str()),
+                false => filter.names(id, dialect.as_str()),
+            };
+            if is_meant {
+                fits = true;
                 if holds {
                     self.owners.entry((id, dialect)).or_insert(index);
                 }
             }
         }
+        fits
     }
 }
 
-/// Returns the beginning that the ids of all cases of an entry share. An id contains neither `*` nor `@`.
-fn beginning(entry: &Entry) -> &str {
-    let text = entry.case.as_str();
+/// Returns the beginning that the ids of all cases of an id or a pattern share. An id contains neither `*` nor `@`.
+fn beginning(filter: &Filter) -> &str {
+    let text = filter.as_str();
     text.split(['*', '@']).next().unwrap_or(text)
 }

@@ -44,7 +44,7 @@ struct BaselineFile {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct EntryTable {
-    case: Spanned<String>,
+    case: Spanned<Value>,
     verdict: Spanned<Value>,
     reason: Spanned<String>,
     link: Option<Spanned<String>>,
@@ -84,7 +84,7 @@ fn read(text: &str, stem: &str) -> Result<(String, Vec<Entry>), BaselineMistake>
 
 fn entry(table: EntryTable, line: u32) -> Result<Entry, BaselineMistake> {
     Ok(Entry {
-        case: Filter::new(not_blank(table.case, "case")?),
+        cases: cases(&table.case)?,
         verdicts: verdicts(&table.verdict)?,
         reason: not_blank(table.reason, "reason")?,
         link: table.link.map(|link| not_blank(link, "link")).transpose()?,
@@ -92,6 +92,26 @@ fn entry(table: EntryTable, line: u32) -> Result<Entry, BaselineMistake> {
         until: table.until.as_ref().map(until).transpose()?,
         line,
     })
+}
+
+/// Parses an id or a pattern, or a list of them.
+fn cases(value: &Spanned<Value>) -> Result<Vec<Filter>, BaselineMistake> {
+    let list = match value.get_ref() {
+        Value::Array(list) => &list[..],
+        one => std::slice::from_ref(one),
+    };
+    let case = |one: &Value| match one.as_str().map(str::trim) {
+        Some("") => Err((value.span().start, "`case` is empty".to_owned())),
+        Some(_) => Ok(Filter::new(one.as_str().unwrap_or_default())),
+        None => Err((
+            value.span().start,
+            format!("`{one}` is neither an id nor a pattern"),
+        )),
+    };
+    match list {
+        [] => Err((value.span().start, "`case` is empty".to_owned())),
+        list => list.iter().map(case).collect(),
+    }
 }
 
 /// Returns the text of a key that must not be blank.

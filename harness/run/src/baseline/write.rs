@@ -4,7 +4,7 @@ use super::Baseline;
 use super::fold::Folded;
 use crate::Verdict;
 use std::path::Path;
-use toml_edit::{ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
+use toml_edit::{Array, ArrayOfTables, DocumentMut, Item, RawString, Table, Value, value};
 
 /// The comment at the head of a new file.
 const HEAD: &str = "\
@@ -18,12 +18,13 @@ pub(super) enum Fate {
     Kept,
     Undated,
     Narrowed(Vec<Folded>, String),
+    Widened(Vec<Folded>, String),
     Removed(String),
 }
 
 /// An entry that is added to a baseline.
 pub(super) struct Added {
-    pub(super) folded: Folded,
+    pub(super) folded: Vec<Folded>,
     pub(super) verdict: Verdict,
     pub(super) reason: String,
 }
@@ -51,7 +52,7 @@ pub(super) fn rewritten(
     let kept = old
         .into_iter()
         .zip(fates)
-        .flat_map(|(table, fate)| kept(table, fate));
+        .filter_map(|(table, fate)| kept(table, fate));
     let mut tables: Vec<Table> = kept.chain(added.iter().map(new)).collect();
     match tables.first_mut() {
         Some(first) => {
@@ -106,39 +107,41 @@ fn in_order(tables: Vec<Table>) -> ArrayOfTables {
     ordered
 }
 
-/// Returns the tables that replace an entry.
-fn kept(mut table: Table, fate: &Fate) -> Vec<Table> {
+/// Returns what an entry becomes; `None` where it is gone.
+fn kept(mut table: Table, fate: &Fate) -> Option<Table> {
     match fate {
-        Fate::Kept => vec![table],
-        Fate::Removed(_) => Vec::new(),
-        Fate::Undated => {
-            table.remove("until");
-            vec![table]
-        }
-        Fate::Narrowed(parts, _) => {
-            let part = |(index, part): (usize, &Folded)| {
-                let mut table = table.clone();
-                if let Some(Item::Value(case)) = table.get_mut("case") {
-                    let decor = case.decor().clone();
-                    *case = Value::from(part.case.as_str());
-                    *case.decor_mut() = decor;
-                }
-                if index > 0 {
-                    // The comment above the entry stays with the first of its parts.
-                    table.decor_mut().set_prefix("\n");
-                }
-                table
-            };
-            parts.iter().enumerate().map(part).collect()
+        Fate::Kept => {}
+        Fate::Removed(_) => return None,
+        Fate::Undated => drop(table.remove("until")),
+        Fate::Narrowed(parts, _) | Fate::Widened(parts, _) => {
+            if let Some(Item::Value(case)) = table.get_mut("case") {
+                let decor = case.decor().clone();
+                *case = cases(parts);
+                *case.decor_mut() = decor;
+            }
         }
     }
+    Some(table)
 }
 
 fn new(added: &Added) -> Table {
     let mut table = Table::new();
     table.decor_mut().set_prefix("\n");
-    table.insert("case", value(added.folded.case.as_str()));
+    table.insert("case", value(cases(&added.folded)));
     table.insert("verdict", value(added.verdict.as_str()));
     table.insert("reason", value(added.reason.as_str()));
     table
+}
+
+/// Returns the ids and patterns of an entry: one alone, or a list with a line for each.
+fn cases(parts: &[Folded]) -> Value {
+    if let [part] = parts {
+        return Value::from(part.case.as_str());
+    }
+    let mut list: Array = parts.iter().map(|part| part.case.as_str()).collect();
+    list.iter_mut()
+        .for_each(|part| part.decor_mut().set_prefix("\n    "));
+    list.set_trailing("\n");
+    list.set_trailing_comma(true);
+    Value::Array(list)
 }

@@ -4,6 +4,7 @@ use crate::{Fact, Verdict};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use stickler_engines::Reproduction;
+use stickler_types::grouped;
 
 /// The maximum number of entries in the types of a cause.
 const MAX_TYPES: usize = 24;
@@ -169,6 +170,17 @@ impl Cause {
     pub fn unexpected(&self) -> u64 {
         let unexpected = self.cases.iter().filter(|some| !some.verdict.is_as_expected());
         unexpected.map(|some| some.cases).sum()
+    }
+
+    /// Returns the number of cases that fail for this cause, and before it how many of these are not as expected where not all are: `58`,
+    /// `56 of 58`.
+    #[must_use]
+    pub fn cases_shown(&self) -> String {
+        match (self.unexpected(), self.number()) {
+            (0, all) => grouped(all),
+            (unexpected, all) if unexpected == all => grouped(all),
+            (unexpected, all) => format!("{} of {}", grouped(unexpected), grouped(all)),
+        }
     }
 
     /// Returns whether no case of the cause contradicts a source that binds the engine.

@@ -2,9 +2,10 @@
 //!
 //! A rejection tells that the engine found the mistake only where the engine takes such a program.
 
+use super::is_type;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_suite::{Acceptance, Case, FeatureKey};
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::DialectName;
 
 /// The features that programs use, each with the cases that use just these.
 pub(super) type CasesByFeatures<'s> = BTreeMap<BTreeSet<FeatureKey>, Vec<&'s Case>>;
@@ -67,8 +68,4 @@ fn by_constructs<'k, 's>(cases: &'k CasesByFeatures<'s>) -> impl Iterator<Item =
             .collect();
         cases.iter().map(move |&case| (constructs.clone(), case))
     })
-}
-
-fn is_type(key: &str) -> bool {
-    ElementaryType::from_name(&key.to_ascii_uppercase()).is_some()
 }

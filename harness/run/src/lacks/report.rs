@@ -1,7 +1,7 @@
 //! The causes that tell which features an engine lacks, and which cases wait for each.
 
 use super::{LackedFeature, Lacks};
-use crate::{CaseEvent, Cause, ExplainedCases, Fact, Reduced, Reproducer};
+use crate::{CaseEvent, Cause, ExplainedCases, Fact, Reduced, Reproducer, Verdict};
 use std::collections::BTreeMap;
 use stickler_engines::{Ability, Engine, reproduce_and_run};
 use stickler_suite::Case;
@@ -20,18 +20,27 @@ struct Waiting {
     /// The id of the first one.
     first: String,
     cases: Vec<ExplainedCases>,
+    /// The document that promises the feature by the first case of a dialect that uses no other, by dialect.
+    promised: BTreeMap<String, String>,
 }
 
 impl WaitingCases {
     /// Adds a case to each of the features that it waits for.
     pub(crate) fn take(&mut self, event: &CaseEvent) {
         for fact in &event.got {
-            let Fact::Lacks { feature, .. } = fact else {
+            let Fact::Lacks {
+                feature, promised_by, ..
+            } = fact
+            else {
                 continue;
             };
             let waiting = self.0.entry(feature.clone()).or_default();
             if waiting.cases.is_empty() {
                 waiting.first.clone_from(&event.id);
+            }
+            if let Some(basis) = promised_by {
+                let of_dialect = waiting.promised.entry(event.dialect.clone());
+                of_dialect.or_insert_with(|| basis.clone());
             }
             let explained = ExplainedCases {
                 probe: event.probe().to_owned(),
@@ -45,15 +54,16 @@ impl WaitingCases {
     }
 
     /// Returns a cause for each feature that the engine lacks, those for which most cases wait first.
-    pub(crate) fn causes(mut self, lacks: &Lacks<'_>, engine: &dyn Engine) -> Vec<Cause> {
+    pub(crate) fn causes(&self, lacks: &Lacks<'_>, engine: &dyn Engine) -> Vec<Cause> {
         let mut causes: Vec<Cause> = Vec::new();
         for (&dialect, features) in &lacks.features {
             for lacked in features {
                 let key = &lacked.feature.key;
+                let lacked = &self.promised(lacked, dialect);
                 let cause = match causes.iter_mut().find(|cause| cause.construct == *key) {
                     Some(cause) => cause,
                     None => {
-                        let waiting = self.0.remove(key).unwrap_or_default();
+                        let waiting = self.0.get(key);
                         causes.push(cause(lacked, dialect, waiting, engine));
                         continue;
                     }
@@ -70,18 +80,41 @@ impl WaitingCases {
         causes.sort_by_key(|cause| std::cmp::Reverse(cause.number()));
         causes
     }
+
+    /// Returns a feature as one that fails where only the document of a case promises it. What an engine is declared to lack, or cannot be
+    /// asked, fails nothing.
+    fn promised<'s>(&self, lacked: &LackedFeature<'s>, dialect: DialectName) -> LackedFeature<'s> {
+        let waiting = self.0.get(&lacked.feature.key);
+        let basis = waiting.and_then(|waiting| waiting.promised.get(dialect.as_str()));
+        let is_told =
+            lacked.verdict == Verdict::Unsupported && !matches!(lacked.got[..], [Fact::Unsupported { .. }]);
+        match basis.filter(|_| is_told) {
+            Some(basis) => LackedFeature {
+                verdict: Verdict::Fail,
+                basis: basis.clone().into(),
+                ..lacked.clone()
+            },
+            None => lacked.clone(),
+        }
+    }
 }
 
-fn cause(lacked: &LackedFeature<'_>, dialect: DialectName, waiting: Waiting, engine: &dyn Engine) -> Cause {
+fn cause(
+    lacked: &LackedFeature<'_>,
+    dialect: DialectName,
+    waiting: Option<&Waiting>,
+    engine: &dyn Engine,
+) -> Cause {
+    let first = waiting.map_or("", |waiting| &waiting.first);
     Cause {
         engine: engine.identity().name.clone(),
         symptom: Cause::LACKS.to_owned(),
         construct: lacked.feature.key.clone(),
         title: lacked.feature.title.clone(),
-        shown: reproducer(lacked, dialect, &waiting.first, engine),
+        shown: reproducer(lacked, dialect, first, engine),
         reduction: Reduced::Smallest,
         lacked_in: BTreeMap::from([(dialect.as_str().to_owned(), lacked.verdict)]),
-        cases: waiting.cases,
+        cases: waiting.map_or(Vec::new(), |waiting| waiting.cases.clone()),
         ..Cause::default()
     }
 }
@@ -100,7 +133,7 @@ fn reproducer(
     Reproducer {
         case: case.to_owned(),
         dialect: dialect.as_str().to_owned(),
-        basis: lacked.basis.to_owned(),
+        basis: lacked.basis.clone().into_owned(),
         about: lacked.feature.title.clone(),
         program: lacked.feature.program.clone(),
         expected: vec![Fact::Accepted],

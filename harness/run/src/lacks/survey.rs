@@ -3,9 +3,11 @@
 use super::counterparts::{CasesByFeatures, Counterpart, counterparts};
 use super::{LackedFeature, Lacks, Refusal};
 use crate::answer_store::{self, AnswerStore};
+use crate::binding::declared_by;
 use crate::judge::judge;
 use crate::pack::{packs, settle};
 use crate::{Answers, Fact, Judgement, Plan, RunError, Verdict, promise};
+use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::{Engine, EngineSession, Identity, Outcome, Reference};
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Suite};
@@ -172,7 +174,8 @@ impl<'s> Survey<'_, 's> {
         engine: &Identity,
     ) -> LackedFeature<'s> {
         let Judgement { verdict, got, .. } = judge(case, answers, self.plan.strict(engine));
-        let basis = promise(feature, case.dialect, engine, &self.suite.sources);
+        let basis = promise(feature, (&feature.program, case.dialect), engine, self.suite).map(Cow::from);
+        let basis = basis.or_else(|| declared_by(feature, case.dialect, self.suite).map(Cow::from));
         let is_stated = Refusal::of(&answers.run) == Some(Refusal::Stated);
         // Where an adapter cannot ask, that says nothing of the compiler.
         let is_missed = basis.is_some() && !matches!(answers.run, Outcome::Unsupported { .. });

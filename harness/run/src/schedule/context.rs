@@ -10,7 +10,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineError, EngineSession};
-use stickler_suite::{Case, Sources};
+use stickler_suite::{Case, Suite};
 use stickler_workers::Cancellation;
 
 /// The number of packs of each engine in a batch; more than one, since cases of several kinds alternate.
@@ -19,7 +19,7 @@ const PACKS_PER_BATCH: usize = 2;
 /// The data that all workers of a run share.
 pub(super) struct RunContext<'r> {
     pub(super) plan: &'r Plan,
-    pub(super) sources: &'r Sources,
+    pub(super) suite: &'r Suite,
     pub(super) jobs: &'r [Job<'r>],
     pub(super) engines: &'r [&'r dyn Engine],
     /// The store of each engine; engines behind the end of the slice have none.
@@ -133,7 +133,7 @@ impl<'r> RunContext<'r> {
     pub(super) fn event(&self, job: &Job<'_>, answers: &Answers, time: Duration) -> CaseEvent {
         let judge = CaseJudge {
             plan: self.plan,
-            sources: self.sources,
+            suite: self.suite,
             engine: self.engines[job.engine].identity(),
             lacks: self.lacks.get(job.engine),
             baseline: self.baselines[job.engine].as_ref(),

@@ -7,7 +7,8 @@ use stickler_run::{Baseline, BaselineNote, CaseEvent, EngineRun, Plan, Verdict, 
 use stickler_suite::{Case, Suite};
 use stickler_types::{Dialect, DialectName};
 
-fn define(name: &str, base: DialectName) -> DialectName {
+/// Returns a dialect of `stickler.toml` that overrides nothing.
+pub(crate) fn extending(name: &str, base: DialectName) -> DialectName {
     DialectName::define(Dialect::custom(name, base, "here")).unwrap()
 }
 
@@ -27,7 +28,7 @@ fn outdated(case: &str, suite: &Suite) -> u64 {
 
 #[test]
 fn of_a_dialect_that_was_defined_and_takes_no_part_nothing_is_called_stale() {
-    let dialect = define("holds-beside", DialectName::MATIEC);
+    let dialect = extending("holds-beside", DialectName::MATIEC);
     let mut cases = vec![case("a/good")];
     assert_eq!(outdated("a/gone@holds-beside", &suite(cases.clone())), 0);
     cases.push(Case {
@@ -80,7 +81,7 @@ fn blessed(text: &str, run: &EngineRun, cases: &[(&str, DialectName)]) -> (Vec<S
     );
     let entries = read(&blessing.text).entries.into_iter();
     let entries =
-        entries.map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.case.as_str()));
+        entries.map(|entry| format!("{} {}", Verdict::any_of(&entry.verdicts), entry.cases[0].as_str()));
     (entries.collect(), blessing.strangers)
 }
 
@@ -99,7 +100,7 @@ fn what_a_baseline_turned_is_turned_back_before_it_is_blessed() {
 #[test]
 fn a_dialect_that_was_defined_has_entries_where_it_takes_part_and_keeps_them_elsewhere() {
     let base = DialectName::IRONPLC_ED3;
-    let defined = define("blessed", base);
+    let defined = extending("blessed", base);
     // Of what it states itself, only it has the case.
     let with = [("a/one", base), ("a/one", defined), ("a/own(1)", defined)];
     let run = ran(&[

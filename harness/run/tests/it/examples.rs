@@ -1,13 +1,15 @@
 //! The tests that are tables and files in `tests/examples`.
 
+use crate::defined;
 use crate::fixtures::{Book, Puppet, engine_header, event, sources, suite};
 use crate::words::{expecting, outcome, shown};
 use std::time::Duration;
 use stickler_engines::{Engine, EngineSession, Identity, Outcome};
 use stickler_mdtest::{Example, check_examples};
 use stickler_run::{
-    Answers, Baseline, CaseEvent, CaseJudge, EngineRun, Event, Fact, Filter, Grade, Judgement, Plan,
-    Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run, select,
+    Answers, Baseline, CaseEvent, CaseJudge, Cause, EngineRun, Event, ExplainedCases, Fact, Filter, Grade,
+    Judgement, Plan, Rendering, Symptom, Verdict, ask_stored, bless, judge, question, rendered_bodies, run,
+    select,
 };
 use stickler_suite::{Case, FileKind};
 use stickler_types::{Code, DialectName};
@@ -249,7 +251,10 @@ fn golden_bindings() {
         };
         let case = Case {
             basis: example.text("basis").into(),
-            dialect: DialectName::IRONPLC_ED3,
+            dialect: match example.get("dialect") {
+                Some("mine") => defined::extending("of-described", DialectName::IRONPLC_ED3),
+                named => named.unwrap_or("ironplc-ed3").parse().unwrap(),
+            },
             ..expecting(example.get("expects").unwrap_or("q = INT#1"))
         };
         let mut suite = suite(vec![case.clone()]);
@@ -257,7 +262,7 @@ fn golden_bindings() {
         let matched = plan.matched_baseline(&suite, &engine);
         let judge = CaseJudge {
             plan: &plan,
-            sources: &sources,
+            suite: &suite,
             engine: &engine,
             lacks: None,
             baseline: matched.as_ref(),
@@ -383,7 +388,7 @@ const IDS: [&str; 6] = [
 ];
 
 /// Blesses the baseline of an example by a run in which every case passes but those whose keys begin as a line of `run` says, `a/t::p( fail`;
-/// with `only`, no other case is run. Shows the changes and the new text.
+/// with `only`, no other case is run. A line of `causes` is a probe and the title of the cause of its failing cases. Shows the changes and the new text.
 fn blessed(example: &Example) -> String {
     let dialects = [
         DialectName::IRONPLC_ED2,
@@ -413,6 +418,10 @@ fn blessed(example: &Example) -> String {
     }
     for (id, verdict) in lines.iter().filter(|(start, _)| start.starts_with("a/old")) {
         run.take(&event(id, DialectName::IRONPLC_ED2, *verdict));
+    }
+    for line in example.text("causes").lines() {
+        let (probe, title) = line.split_once(": ").unwrap();
+        run.take_cause(cause(probe, title, &dialects));
     }
     let file = example.get("file").unwrap_or("b/iron.toml");
     let text = example
@@ -445,6 +454,22 @@ fn blessed(example: &Example) -> String {
         &blessing.text
     };
     format!("{changes}{strangers}{text}")
+}
+
+fn cause(probe: &str, title: &str, dialects: &[DialectName]) -> Cause {
+    let explained = |dialect: &DialectName| ExplainedCases {
+        probe: probe.to_owned(),
+        dialect: dialect.to_string(),
+        verdict: Verdict::Fail,
+        cases: 1,
+        ..ExplainedCases::default()
+    };
+    Cause {
+        engine: "iron".to_owned(),
+        title: title.to_owned(),
+        cases: dialects.iter().map(explained).collect(),
+        ..Cause::default()
+    }
 }
 
 fn verdict_of<'l>((start, verdict): (&'l str, &str)) -> (&'l str, Verdict) {

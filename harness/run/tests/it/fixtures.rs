@@ -10,7 +10,7 @@ use stickler_run::{
     AnswerStore, Answers, CaseEvent, EngineHeader, Event, Footer, Plan, Rendering, RunSummary, Verdict,
     run_with,
 };
-use stickler_suite::{Case, Sources, Suite};
+use stickler_suite::{Case, Sources, Suite, Wanted};
 use stickler_types::DialectName;
 use stickler_workers::{Cancellation, Shard};
 
@@ -76,7 +76,7 @@ pub fn number(source: &str) -> usize {
 /// Returns the sources of Stickler's own suite.
 pub fn sources() -> Sources {
     let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../conformance-cases");
-    Suite::load_files(&cases, &[], |_, _| false).sources
+    Suite::load_files(&cases, Wanted::default(), |_, _| false).sources
 }
 
 /// Returns the plan of so many workers.

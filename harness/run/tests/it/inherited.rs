@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use stickler_engines::Reference;
 use stickler_run::{Event, Fact, Filter, Plan, Verdict, drop_changed_cases, run};
-use stickler_suite::Suite;
+use stickler_suite::{Suite, Wanted};
 use stickler_types::{Dialect, DialectName};
 use stickler_workers::Cancellation;
 
@@ -21,7 +21,14 @@ fn what_changes_and_nobody_states_is_left_out_and_all_else_is_as_expected() {
             .any(|begin| id.starts_with(begin))
             || id.ends_with("real-to-integer")
     };
-    let mut suite = Suite::load_files(&root, &[dialect], is_wanted);
+    let mut suite = Suite::load_files(
+        &root,
+        Wanted {
+            defined: &[dialect],
+            ..Wanted::default()
+        },
+        is_wanted,
+    );
     let plan = Plan {
         filters: [
             "language/comments*",

@@ -11,6 +11,8 @@ pub(crate) struct Wording<'a> {
     pub(crate) to: &'a str,
     pub(crate) value: &'a str,
     pub(crate) typed: &'a str,
+    /// The value that the target takes, as an untyped literal.
+    pub(crate) arriving: &'a str,
     /// The expression that stands for `{source}`, itself with `{source}`.
     pub(crate) expression: &'a str,
     /// The variable that stands for `{target}`, itself with `{target}`.
@@ -99,6 +101,7 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
         ("to", wording.to),
         ("value", wording.value),
         ("typed", wording.typed),
+        ("arriving", wording.arriving),
     ];
     let source = tidied(&fill(&text, &words));
     Composed { source, observe }

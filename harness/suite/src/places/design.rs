@@ -26,6 +26,8 @@ pub(crate) struct Arrangement {
 pub(crate) struct Design {
     /// Whether the programs claim a rejection.
     is_rejected: bool,
+    /// Whether an expression computes what a target takes, which is then of the target's type.
+    is_computed: bool,
     sources: Vec<usize>,
     targets: Vec<usize>,
     arrangements: Vec<Arrangement>,
@@ -34,17 +36,19 @@ pub(crate) struct Design {
 }
 
 impl Design {
-    /// Makes the design of a probe that names these places.
+    /// Makes the design of a probe that names these places; says whether its programs claim a rejection, and whether an expression computes
+    /// what a target takes.
     pub(crate) fn new(
         places: &Places,
         sources: Vec<usize>,
         targets: Vec<usize>,
         surroundings: &[usize],
         dialects: &[DialectName],
-        is_rejected: bool,
+        (is_rejected, is_computed): (bool, bool),
     ) -> Design {
         let mut design = Design {
             is_rejected,
+            is_computed,
             ..Design::default()
         };
         for (at, &source) in sources.iter().enumerate() {
@@ -97,18 +101,24 @@ impl Design {
         dialect: DialectName,
         types: (&str, &str),
     ) -> Vec<usize> {
-        let standing = |indices: &[usize], all: &[ProgramPlace], literal: Option<bool>| -> Vec<usize> {
-            let stands = |&index: &usize| {
-                let place = &all[index];
-                place.stands(dialect, types, self.is_rejected)
-                    && literal.is_none_or(|literal| place.key.literal == literal)
+        let standing =
+            |indices: &[usize], all: &[ProgramPlace], types, literal: Option<bool>| -> Vec<usize> {
+                let stands = |&index: &usize| {
+                    let place = &all[index];
+                    place.stands(dialect, types, self.is_rejected)
+                        && literal.is_none_or(|literal| place.key.literal == literal)
+                };
+                indices.iter().copied().filter(stands).collect()
             };
-            indices.iter().copied().filter(stands).collect()
+        let met = if self.is_computed {
+            (types.1, types.1)
+        } else {
+            types
         };
-        let sources = standing(&self.sources, &places.sources, None);
-        let literals = standing(&self.sources, &places.sources, Some(true));
-        let initial = standing(&self.targets, &places.targets, Some(true));
-        let others = standing(&self.targets, &places.targets, Some(false));
+        let sources = standing(&self.sources, &places.sources, types, None);
+        let literals = standing(&self.sources, &places.sources, types, Some(true));
+        let initial = standing(&self.targets, &places.targets, met, Some(true));
+        let others = standing(&self.targets, &places.targets, met, Some(false));
         let (behind, direct): (Vec<usize>, Vec<usize>) = others
             .into_iter()
             .partition(|&target| places.targets[target].is_behind_a_parameter);

@@ -18,11 +18,12 @@ use crate::{Dialects, Source, Sources, files, ident};
 const PLACES: &str = "places.toml";
 
 /// The words in braces that the texts of a place may use.
-const WORDS: [&str; 9] = [
+const WORDS: [&str; 10] = [
     "from",
     "to",
     "value",
     "typed",
+    "arriving",
     "source",
     "target",
     "observe",
@@ -37,8 +38,6 @@ struct PlacesFile {
     configuration: String,
     #[serde(default)]
     plain: Vec<[Spanned<String>; 3]>,
-    #[serde(default)]
-    in_turn: Vec<Spanned<String>>,
     #[serde(default)]
     unit: BTreeMap<Spanned<String>, PlaceUnit>,
     #[serde(default)]
@@ -89,7 +88,6 @@ fn of_text(text: &str, dialects: &Dialects, sources: Option<&Sources>) -> (Place
         units: units.into_iter().map(|(_, unit)| unit).collect(),
         configuration: file.configuration,
         plain: Vec::new(),
-        in_turn: reader.in_turn(&file.in_turn),
     };
     places.plain = reader.plain(&places, &file.plain);
     (places, reader.mistakes)
@@ -173,21 +171,6 @@ impl PlacesReader<'_> {
             }
         }
         plain
-    }
-
-    /// Returns the dialects of documented systems that take programs in turn.
-    fn in_turn(&mut self, names: &[Spanned<String>]) -> Vec<Vec<DialectName>> {
-        let mut groups = Vec::new();
-        for name in names {
-            match self.dialects.resolve(name.get_ref()) {
-                Ok(mut dialects) => {
-                    dialects.retain(|dialect| dialect.definition().is_none());
-                    groups.push(dialects);
-                }
-                Err(message) => self.wrong(name.span().start, "in-turn", message),
-            }
-        }
-        groups
     }
 
     /// Checks that a place has the texts that its role needs, and that the words in braces are known.

@@ -59,10 +59,6 @@ impl<'a> Arranged<'a> {
                 chosen.entry(index).or_default().push(dialect);
             }
         }
-        for (&index, dialects) in &mut chosen {
-            let placement = places.placement(&self.design.arrangements()[index]);
-            places.retain_in_turn(number, &placement, dialects);
-        }
         chosen
     }
 
@@ -152,7 +148,7 @@ fn design(reader: &mut KeyReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<De
     ];
     let [sources, mut targets, surroundings] = named.map(|(role, names)| {
         let Some(names) = names else {
-            return places.all(role);
+            return places.unnamed(role);
         };
         let mut indices = Vec::new();
         for name in names {
@@ -169,8 +165,8 @@ fn design(reader: &mut KeyReader<'_, '_>, key: &Spanned<PlacesKey>) -> Option<De
         places.retain_statements(&mut targets);
     }
     let dialects = reader.context.dialects.all();
-    let is_rejected = key.get_ref().error.is_some();
-    let design = Design::new(places, sources, targets, &surroundings, &dialects, is_rejected);
+    let kind = (key.get_ref().error.is_some(), key.get_ref().expression.is_some());
+    let design = Design::new(places, sources, targets, &surroundings, &dialects, kind);
     if design.arrangements().is_empty() && reader.mistakes.is_empty() {
         let message = "no source and no target of these can stand together in a surrounding";
         reader.wrong(key, KEY, message);
@@ -184,11 +180,16 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
         true => ["{row}", "{column}"],
         false => ["{from}", "{to}"],
     };
+    let value = key.value.as_deref().unwrap_or("{value}");
     Wording {
         from: key.from.as_deref().unwrap_or(from),
         to: key.to.as_deref().unwrap_or(to),
-        value: key.value.as_deref().unwrap_or("{value}"),
+        value,
         typed: key.typed.as_deref().unwrap_or("{typed}"),
+        arriving: match is_matrix || key.error.is_some() {
+            true => value,
+            false => "{arriving}",
+        },
         expression: key.expression.as_deref().unwrap_or("{source}"),
         variable: key.variable.as_deref().unwrap_or("{target}"),
         declarations: key.declarations.as_deref().unwrap_or_default(),

@@ -19,6 +19,9 @@ use crate::table::keys::TableRow;
 use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 
+/// The placeholder that follows the columns: the value that must arrive, as an untyped literal.
+pub(crate) const ARRIVING: &str = "arriving";
+
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
 struct Special {
@@ -40,6 +43,20 @@ enum Expect {
     Unsaid,
     /// The row stands for no case.
     None,
+}
+
+impl Expect {
+    /// Returns the value that must arrive as an untyped literal; an empty text where none must.
+    fn untyped(&self) -> String {
+        let typed = match self {
+            Expect::Value(value) => value.to_string(),
+            _ => String::new(),
+        };
+        typed
+            .split_once('#')
+            .map_or("", |(_, literal)| literal)
+            .to_owned()
+    }
 }
 
 /// Expands the rows of a file.
@@ -148,16 +165,13 @@ impl RowExpander<'_, '_> {
         let CaseMaker { table, .. } = self.maker;
         let context = table.context;
         let cells: Vec<Box<str>> = row.get_ref().iter().map(|cell| context.spelling(cell)).collect();
-        if cells.len() != table.names.len() {
-            let message = format!(
-                "the row has {} cells for {} columns",
-                cells.len(),
-                table.names.len()
-            );
+        let columns = table.names.len() - 1;
+        if cells.len() != columns {
+            let message = format!("the row has {} cells for {columns} columns", cells.len());
             self.maker.wrong(Mistake::new(line, message).key("rows"));
             return Ok(());
         }
-        let texts: Vec<&str> = cells.iter().map(|cell| &**cell).collect();
+        let mut texts: Vec<&str> = cells.iter().map(|cell| &**cell).chain([""]).collect();
         let probe = &programs.probe;
         if !probe.only.holds(&texts) {
             return Ok(());
@@ -177,8 +191,15 @@ impl RowExpander<'_, '_> {
                 return Ok(());
             }
         };
+        let arriving = expect.untyped();
+        texts[columns] = &arriving;
         for (index, dialects) in programs.chosen(context.places, number, dialects, &texts) {
             if let Some(probe) = programs.at(index, context, self.maker.harvest) {
+                if arriving.is_empty() && probe.program.used[columns] {
+                    let message = format!("the probe `{}` needs a value that must arrive", probe.name);
+                    self.maker.wrong(Mistake::new(line, message).key("expect"));
+                    return Ok(());
+                }
                 self.cases(probe, &texts, line, &expect, &dialects);
             }
         }
@@ -211,10 +232,7 @@ impl RowExpander<'_, '_> {
         else {
             return Ok(dialects.to_vec());
         };
-        let mut own = Vec::new();
-        for name in names.split_whitespace() {
-            own.extend(self.maker.table.context.dialects.resolve(name)?);
-        }
+        let own = self.maker.table.context.dialects.resolve(names)?;
         Ok(dialects
             .iter()
             .copied()
@@ -310,7 +328,7 @@ impl RowExpander<'_, '_> {
             None => probe.program.used[column] && ![title, basis, dialects].contains(&Some(column)),
         };
         let mut separator = '(';
-        for column in (0..texts.len()).filter(|&column| shown(column)) {
+        for column in (0..texts.len() - 1).filter(|&column| shown(column)) {
             id.push(separator);
             ident::push_cell(&mut id, texts[column]);
             separator = ',';

@@ -32,7 +32,9 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
         (Some(_), None, None) => cell::PLACEHOLDERS.map(Into::into).into(),
         (None, Some(columns), Some(_)) => columns
             .iter()
-            .map(|column| column.get_ref().as_str().into())
+            .map(|column| column.get_ref().as_str())
+            .chain([expand_rows::ARRIVING])
+            .map(Into::into)
             .collect(),
         _ => {
             let message = "a table has either `matrix`, or `columns` and `rows`";
@@ -40,8 +42,9 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
             return;
         }
     };
-    if names.len() > MAX_COLUMNS {
-        let message = format!("{} columns; a table has at most {MAX_COLUMNS}", names.len());
+    let columns = file.columns.as_ref().map_or(0, Vec::len);
+    if columns > MAX_COLUMNS {
+        let message = format!("{columns} columns; a table has at most {MAX_COLUMNS}");
         harvest.mistakes.push(Mistake::new(1, message).key("columns"));
         return;
     }
@@ -83,6 +86,8 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::RefCell;
+
     use crate::assembly::TypeNames;
     use crate::dialects::Dialects;
     use crate::place::Lines;
@@ -96,6 +101,8 @@ mod tests {
             text,
             lines: Lines::new(text),
             dialects: &Dialects::default(),
+            features: &crate::Features::default(),
+            named: RefCell::default(),
             sources: None,
             places: &crate::places::Places::default(),
             type_names: &TypeNames::default(),

@@ -3,7 +3,7 @@
 use crate::folders::{files, folder};
 use crate::listing::listing;
 use stickler_mdtest::{Example, check_examples};
-use stickler_suite::{Case, Suite};
+use stickler_suite::{Case, Suite, Wanted};
 use stickler_types::{Dialect, DialectName, ElementaryType, MatrixWord};
 
 /// Returns the dialect of the block `stated`, which extends `ironplc-ed3`: lines such as `INT.BOOL = yes` and
@@ -32,7 +32,13 @@ fn golden_defined_dialects() {
         let dialect = define(example, &format!("defined-{number}"));
         let folder = folder(&files(example));
         let root = folder.path().join("cases");
-        let suite = Suite::load_with(&root, &[dialect]);
+        let suite = Suite::load_with(
+            &root,
+            Wanted {
+                defined: &[dialect],
+                ..Wanted::default()
+            },
+        );
         assert_eq!(suite.errors, []);
         let (own, others): (Vec<Case>, Vec<Case>) =
             suite.cases.into_iter().partition(|case| case.dialect == dialect);

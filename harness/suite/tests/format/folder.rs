@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use crate::folders::{folder, load, write};
-use stickler_suite::{FileKind, Suite, lint, load_file};
+use stickler_suite::{FileKind, Suite, Wanted, lint, load_file};
+use stickler_types::DialectName;
 
 const PROGRAM: &str =
     "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [\"matiec\"]\n*)\nx; (*! ok *)\n";
@@ -14,7 +15,7 @@ fn only_the_files_that_are_wanted_are_read() {
                  [[probe]]\nname = 'p'\nsource = 'x := {a}; (*! ok *)'\n";
     let folder = folder(&[("a/bad.st", "x"), ("a/good.st", PROGRAM), ("a/good.toml", table)]);
     let wanted = |wanted: FileKind| {
-        let suite = Suite::load_files(&folder.path().join("cases"), &[], |id, kind| {
+        let suite = Suite::load_files(&folder.path().join("cases"), Wanted::default(), |id, kind| {
             id == "a/good" && kind == wanted
         });
         assert!(suite.errors.is_empty(), "{:?}", suite.errors);
@@ -26,6 +27,94 @@ fn only_the_files_that_are_wanted_are_read() {
     };
     assert_eq!(wanted(FileKind::Program), ["a/good"]);
     assert_eq!(wanted(FileKind::Table), ["a/good::p(1)"]);
+}
+
+/// A table of twenty-four rows that each dialect is asked, one of which is another in the third edition.
+fn of_two_editions() -> String {
+    let rows: Vec<String> = (0..24).map(|row| format!("['{row}']")).collect();
+    format!(
+        "title = 't'\nbasis = 'iec-61131-3: 6'\ndialects = ['ironplc-ed2', 'ironplc-ed3']\ncolumns = ['a']\nrows = [{}]\n\
+         [[probe]]\nname = 'p'\nsource = \"\"\"x := {{a}};\n(*! ok if a <> 7 *) (*! error P4035 if a = 7 in ironplc-ed3 *)\n\"\"\"\n",
+        rows.join(", ")
+    )
+}
+
+#[test]
+fn an_edition_repeats_a_sample_of_the_other_and_what_differs() {
+    let table = of_two_editions();
+    let folder = folder(&[("a/t.toml", &table)]);
+    let load = |wanted: Wanted<'_>| {
+        let suite = Suite::load_with(&folder.path().join("cases"), wanted);
+        assert!(suite.errors.is_empty(), "{:?}", suite.errors);
+        let of = |dialect| {
+            let cases = suite.cases.iter().filter(|case| case.dialect == dialect);
+            cases.map(|case| case.id.to_string()).collect::<Vec<_>>()
+        };
+        [of(DialectName::IRONPLC_ED2), of(DialectName::IRONPLC_ED3)]
+    };
+    let [second, third] = load(Wanted::default());
+    assert!(
+        second.len() < 8 && second.contains(&"a/t::p(7)".to_owned()),
+        "{second:?}"
+    );
+    assert_eq!(third.len(), 24);
+    let alone = Wanted {
+        asked: &[DialectName::IRONPLC_ED2],
+        ..Wanted::default()
+    };
+    assert_eq!(load(alone).map(|ids| ids.len()), [24, 0]);
+    let with_repeats = Wanted {
+        with_repeats: true,
+        ..Wanted::default()
+    };
+    assert_eq!(load(with_repeats).map(|ids| ids.len()), [24, 24]);
+}
+
+#[test]
+fn who_lacks_a_feature_is_asked_only_where_the_file_names_it() {
+    let features = "[ltime]\ntitle = 't'\nprogram = ''\n[lint]\ntitle = 't'\nprogram = ''\n";
+    let program = |dialects: &str, ty: &str| {
+        format!(
+            "(*!\ntitle = \"t\"\nbasis = \"iec-61131-3: 6\"\ndialects = [{dialects}]\n*)\nPROGRAM main VAR x : {ty}; END_VAR\n\
+             x := x; (*! ok *)\nEND_PROGRAM\n"
+        )
+    };
+    let files = [
+        ("features.toml", features.to_owned()),
+        ("a/both.st", program("\"all\"", "LINT")),
+        ("a/but.st", program("\"all but ironplc plcnext\"", "LINT")),
+        ("a/lacking.st", program("\"all\"", "LTIME")),
+        ("a/named.st", program("\"all\", \"matiec\"", "LTIME")),
+    ];
+    let files: Vec<(&str, &str)> = files.iter().map(|(path, text)| (*path, text.as_str())).collect();
+    let folder = folder(&files);
+    let root = folder.path().join("cases");
+    // Without groups of its own, `all` is every documented system.
+    write(
+        &root,
+        "dialects.toml",
+        "[groups]\nironplc = ['ironplc-ed2', 'ironplc-ed3', 'ironplc-rusty']\n",
+    );
+    let suite = Suite::load(&root);
+    assert!(suite.errors.is_empty(), "{:?}", suite.errors);
+    let asks = |id: &str, dialect: DialectName| {
+        suite
+            .cases
+            .iter()
+            .any(|case| *case.id == *id && case.dialect == dialect)
+    };
+    let asked = ["a/both", "a/but", "a/lacking", "a/named"].map(|id| {
+        [DialectName::MATIEC, DialectName::PLCNEXT, DialectName::IEC_ED3].map(|dialect| asks(id, dialect))
+    });
+    assert_eq!(
+        asked,
+        [
+            [true, true, true],
+            [true, false, true],
+            [false, true, true],
+            [true, true, true]
+        ]
+    );
 }
 
 #[test]

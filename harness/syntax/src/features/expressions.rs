@@ -125,6 +125,10 @@ impl<'t, 's> FeatureFinder<'t, 's> {
             _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
             _ if upper.starts_with("TO_") && parts_are_types() => "conversion-overloaded",
             _ if upper.starts_with("CONCAT_") && parts_are_types() => "concat-date-time",
+            // The name alone is the key of the operator.
+            _ if ["ADD", "AND", "MOD", "NOT", "OR", "XOR"].contains(&upper.as_str()) => {
+                return self.note(format!("{}-function", upper.to_ascii_lowercase()), call.span);
+            }
             _ => return self.note(upper.to_ascii_lowercase(), call.span),
         };
         self.note(key, call.span);
@@ -137,6 +141,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let is_long = ty.is_some_and(ElementaryType::is_third_edition);
         let text = literal.text();
         let is_signed = text.starts_with(['-', '+']);
+        let is_octal = literal.kind == LiteralKind::BasedInteger
+            && text.trim_start_matches(['-', '+']).starts_with("8#");
+        self.note_if(is_octal, "octal-literal", span);
         let key = match literal.kind {
             LiteralKind::Integer if ty == Some(ElementaryType::Bool) => Some("typed-literal-boolean-digit"),
             LiteralKind::Integer => None,

@@ -108,13 +108,25 @@ impl<'s> Parser<'s, '_> {
             TokenKind::Name => self.path(),
             TokenKind::Minus => self.prefixed(UnaryOperator::Negate),
             TokenKind::Plus => self.prefixed(UnaryOperator::Plus),
+            TokenKind::Not if self.names_an_input() => self.path(),
             TokenKind::Not => self.prefixed(UnaryOperator::Not),
+            TokenKind::And | TokenKind::Or | TokenKind::Xor | TokenKind::Mod
+                if self.nth(1) == TokenKind::LeftParen =>
+            {
+                self.path()
+            }
             TokenKind::LeftParen => self.parenthesized(),
             TokenKind::Enumerated => Ok(self.enumerated_value()),
             TokenKind::Direct => self.path(),
             kind if kind.is_literal() => Ok(self.literal()),
             _ => Err(self.missing("an expression")),
         }
+    }
+
+    /// Returns whether an opening parenthesis and the name of an input stand behind the token, so that it is a function: `NOT(IN := a)`.
+    fn names_an_input(&self) -> bool {
+        let ahead = [1, 2, 3].map(|count| self.nth(count));
+        ahead == [TokenKind::LeftParen, TokenKind::Name, TokenKind::Assign]
     }
 
     fn prefixed(&mut self, operator: UnaryOperator) -> ParseResult<ExpressionId> {

@@ -172,4 +172,28 @@ impl BinaryOperator {
             BinaryOperator::Power => "**",
         }
     }
+
+    /// The name of the standard function that computes the same, as in `ADD(a, b)`.
+    ///
+    /// Basis: iec-61131-3: Tables 29, 31 and 33.
+    #[must_use]
+    pub const fn function_name(self) -> &'static str {
+        match self {
+            BinaryOperator::Or => "OR",
+            BinaryOperator::Xor => "XOR",
+            BinaryOperator::And => "AND",
+            BinaryOperator::Equal => "EQ",
+            BinaryOperator::NotEqual => "NE",
+            BinaryOperator::Less => "LT",
+            BinaryOperator::Greater => "GT",
+            BinaryOperator::LessOrEqual => "LE",
+            BinaryOperator::GreaterOrEqual => "GE",
+            BinaryOperator::Add => "ADD",
+            BinaryOperator::Subtract => "SUB",
+            BinaryOperator::Multiply => "MUL",
+            BinaryOperator::Divide => "DIV",
+            BinaryOperator::Modulo => "MOD",
+            BinaryOperator::Power => "EXPT",
+        }
+    }
 }

@@ -62,9 +62,13 @@ fn golden_tables() {
         let shown = match example.wanted() {
             "is of calls" => Ok(table.is_of_calls().to_string()),
             "calls" => calls().map(|calls| calls.iter().map(Call::to_string).collect::<Vec<_>>().join(" ")),
-            "expected" => calls()
-                .and_then(|calls| table.expected(&calls[0]))
-                .map(|agreed| agreed.value),
+            "expected" => calls().and_then(|calls| table.expected(&calls[0])).map(|agreed| {
+                agreed
+                    .into_iter()
+                    .map(|one| one.value)
+                    .collect::<Vec<_>>()
+                    .join(" or ")
+            }),
             _ => calls().and_then(|calls| Ok(table.with_rows(&table.rows_of(&calls)?))),
         };
         shown.unwrap_or_else(|message| message)

@@ -4,7 +4,7 @@ use crate::root;
 use similar::TextDiff;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
-use stickler_suite::{Case, Suite};
+use stickler_suite::{Case, Suite, Wanted};
 use stickler_tabulate::call::Call;
 use stickler_tabulate::{folder, generate};
 use stickler_types::DialectName;
@@ -29,7 +29,7 @@ fn the_folder_holds_the_rows_that_the_program_writes() {
 fn a_table_is_small_enough_to_be_read() {
     for (path, table) in folder::tables(&root()).unwrap() {
         let length = table.text.len();
-        assert!(length < 300_000, "{}: {length} bytes", path.display());
+        assert!(length < 350_000, "{}: {length} bytes", path.display());
     }
 }
 
@@ -64,11 +64,7 @@ fn a_generated_call_that_a_table_leaves_out_stands_in_another() {
     let calls = tables.iter().flat_map(|table| &table.calls);
     let standing: HashSet<String> = calls.map(Call::to_string).collect();
     let mut nowhere = Vec::new();
-    // That one lists numbers that are only outside the narrower types; `real-to-integer` has enough of those inside.
-    let others = tables
-        .iter()
-        .filter(|table| table.table.name != "real-to-integer-outside");
-    for table in others {
+    for table in &tables {
         let generated = table.table.generate.iter().map(generate::calls);
         let calls = generated.flat_map(Result::unwrap).map(|call| call.to_string());
         nowhere.extend(calls.filter(|call| !standing.contains(call)));
@@ -79,7 +75,7 @@ fn a_generated_call_that_a_table_leaves_out_stands_in_another() {
 /// Returns the cases of the folder.
 fn cases() -> Vec<Case> {
     let is_of_area = |id: &str, _| id.starts_with("conversion/");
-    Suite::load_files(&root().join("conformance-cases"), &[], is_of_area).cases
+    Suite::load_files(&root().join("conformance-cases"), Wanted::default(), is_of_area).cases
 }
 
 /// A vendor's page and a recording of its compiler may both be asked, since they can differ.
@@ -89,7 +85,7 @@ fn nothing_is_asked_twice_for_one_source() {
     for case in cases() {
         let observed = case.observe.iter().map(|observed| format!("{observed:?}"));
         let (source, _) = case.basis.split_once(':').expect("a source and a section");
-        let program = case.without_marks().source;
+        let program = case.without_blank_lines().source;
         let asked = (case.dialect, source.to_owned(), program, observed.collect());
         if let Some(first) = seen.insert(asked, case.key()) {
             panic!("{} asks what {first} asks", case.key());

@@ -7,18 +7,20 @@ use super::table::{ConfigurationMistake, mistake, table, text};
 use crate::choice::Choice;
 use crate::documents::PageOnReals;
 use crate::near::advice;
-use crate::{Dialect, DialectKind, DialectName, OutOfRange, Rounding};
+use crate::{DeclaredFeatures, Dialect, DialectKind, DialectName, OutOfRange, Rounding};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the file.
-const KEYS: [&str; 13] = [
+const KEYS: [&str; 15] = [
     "title",
     "about",
     "order",
     "extends",
     "known-in-part",
+    "asked-beside",
+    "features",
     "documents",
     "page-on-reals",
     "variants",
@@ -87,6 +89,8 @@ pub fn read_documented(
             "title" => dialect.title = words(key, value)?,
             "about" => dialect.about = Some(text_of(key, value)?),
             "known-in-part" => stated(&mut dialect.is_known_in_part, key, value)?,
+            "asked-beside" => dialect.asked_beside = Some(text_of(key, value)?),
+            "features" => features(&mut dialect.features, table(key, value)?)?,
             "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,
             "page-on-reals" => {
                 dialect.documents.page_on_reals = Some(page_on_reals(table(key, value)?, &at)?)
@@ -142,7 +146,40 @@ fn start(
     // They speak of the other system alone.
     (other.title, other.about) = (String::new(), None);
     other.documents.page_on_reals = None;
+    other.asked_beside = None;
     Ok(other)
+}
+
+/// Reads what the system says of the features of the language. Whether there is a feature of a name, the suite says, which has their list.
+fn features(declared: &mut DeclaredFeatures, keys: &DeTable<'_>) -> Result<(), ConfigurationMistake> {
+    for (key, value) in keys.iter() {
+        match key.get_ref().as_ref() {
+            "edition" => declared.edition = Some(edition(value)?),
+            "has" => declared.has = texts("has", value)?,
+            "lacks" => declared.lacks = texts("lacks", value)?,
+            other => {
+                let known = ["edition", "has", "lacks"];
+                return Err(ConfigurationMistake::unknown_key(
+                    key.span(),
+                    other,
+                    "of `[features]`",
+                    &known,
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn edition(value: &Spanned<DeValue<'_>>) -> Result<u8, ConfigurationMistake> {
+    let number = value
+        .get_ref()
+        .as_integer()
+        .and_then(|number| number.as_str().parse().ok());
+    let is_edition = |number: &u8| DeclaredFeatures::EDITIONS.contains(number);
+    number.filter(is_edition).ok_or_else(|| {
+        ConfigurationMistake::at(value.span(), "`edition` is 2, 3 or 4, an edition of IEC 61131-3")
+    })
 }
 
 fn page_on_reals(keys: &DeTable<'_>, at: &Range<usize>) -> Result<PageOnReals, ConfigurationMistake> {
@@ -191,6 +228,16 @@ fn variants(
 fn line(text: &str, at: usize) -> usize {
     text.get(..at)
         .map_or(1, |before| before.matches('\n').count() + 1)
+}
+
+fn texts(key: &str, value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, ConfigurationMistake> {
+    let Some(items) = value.get_ref().as_array() else {
+        return Err(ConfigurationMistake::at(
+            value.span(),
+            format!("`{key}` must be a list of texts"),
+        ));
+    };
+    items.iter().map(|item| text_of(key, item)).collect()
 }
 
 fn text_of(key: &str, value: &Spanned<DeValue<'_>>) -> Result<String, ConfigurationMistake> {

@@ -5,6 +5,7 @@ use crate::arguments::FuzzArguments;
 use anyhow::Context;
 use std::path::PathBuf;
 use stickler_campaign::Finding;
+use stickler_causes::CauseKey;
 use stickler_report::events::{self, Reader};
 use stickler_run::{Cause, Event};
 
@@ -13,7 +14,8 @@ use stickler_run::{Cause, Event};
 pub struct KnownCauses {
     /// The folder of the run; `None` where there was none.
     folder: Option<PathBuf>,
-    causes: Vec<Cause>,
+    /// The causes, each with the key of the program that shows it.
+    causes: Vec<(Cause, CauseKey)>,
 }
 
 impl KnownCauses {
@@ -42,22 +44,30 @@ impl KnownCauses {
         self.folder.as_ref().map(|folder| folder.display().to_string())
     }
 
-    /// Returns the title of the cause that explains a finding.
+    /// Returns the title of the cause that explains a finding: the engine does the same, and the finding needs the same constructs as the
+    /// cause, or as the program that shows it.
     pub fn of(&self, finding: &Finding) -> Option<&str> {
         let found = finding.cause.as_ref()?;
         let mut causes = self.causes.iter();
-        let explains = |cause: &&Cause| {
-            cause.engine == finding.subject() && found.is_explained_by(&cause.symptom, &cause.construct)
+        let is_shown = |key: &CauseKey| {
+            found.symptom == key.symptom
+                && found.constructs.iter().eq(&key.constructs)
+                && key.labels.iter().all(|label| found.labels.contains(label))
         };
-        causes.find(explains).map(|cause| cause.title.as_str())
+        let explains = |(cause, key): &&(Cause, CauseKey)| {
+            cause.engine == finding.subject()
+                && (found.is_explained_by(&cause.symptom, &cause.construct) || is_shown(key))
+        };
+        causes.find(explains).map(|(cause, _)| cause.title.as_str())
     }
 }
 
-fn causes(folder: &std::path::Path) -> anyhow::Result<Vec<Cause>> {
+fn causes(folder: &std::path::Path) -> anyhow::Result<Vec<(Cause, CauseKey)>> {
     let mut causes = Vec::new();
     for event in Reader::open(&events::locate(folder))? {
         if let Event::Cause(cause) = event? {
-            causes.push(cause);
+            let key = CauseKey::of_shown(&cause);
+            causes.push((cause, key));
         }
     }
     Ok(causes)

@@ -39,13 +39,18 @@ impl ReproducedProgram {
         if path.extension().is_some_and(|extension| extension == "st") {
             return Ok(vec![ReproducedProgram::file(arguments, path)?]);
         }
-        if let Some(dialect) = arguments.dialect {
-            bail!(
-                "--dialect is for a file; name the dialect of a case as in `{}@{dialect}`",
-                arguments.case
-            );
+        match (arguments.dialect, arguments.case.contains('@')) {
+            (Some(dialect), false) => {
+                ReproducedProgram::of_case(&format!("{}@{dialect}", arguments.case), arguments)
+            }
+            (Some(dialect), true) if !arguments.case.ends_with(&format!("@{dialect}")) => {
+                bail!(
+                    "`{}` names another dialect than --dialect {dialect}",
+                    arguments.case
+                )
+            }
+            _ => ReproducedProgram::of_case(&arguments.case, arguments),
         }
-        ReproducedProgram::of_case(&arguments.case, arguments)
     }
 
     /// Returns a case in each of its dialects, or in the one that its name ends in.
@@ -61,11 +66,7 @@ impl ReproducedProgram {
         Ok(cases
             .map(|case| ReproducedProgram::Case {
                 address: address(&named.suite.sources, &case.basis),
-                case: Box::new(if arguments.with_marks {
-                    case.clone()
-                } else {
-                    case.without_marks()
-                }),
+                case: Box::new(case.without_blank_lines()),
             })
             .collect())
     }

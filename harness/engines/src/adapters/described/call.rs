@@ -106,7 +106,7 @@ impl DescribedCall<'_> {
             Meaning::Accepted => Ok(executed(text, None)),
             Meaning::Faulted(fault) => Ok(executed(text, Some(fault))),
             other => match description.faults.iter().find(words) {
-                Some((_, fault)) => Ok(executed(text, Some(fault.0))),
+                Some((_, fault)) => Ok(executed(text, Some(Fault::reported(fault)))),
                 None => self.meant(other, &ended).map(|()| executed(text, None)),
             },
         }

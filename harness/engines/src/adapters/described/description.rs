@@ -42,9 +42,9 @@ pub struct Description {
     pub(super) exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
     /// The meanings of the exit codes of `run`.
     pub(super) run_exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
-    /// The texts that `run` writes where a program stops at a fault, and their faults.
+    /// The texts that `run` writes where a program stops at a fault, and their faults, for which the compiler may have words of its own.
     #[serde(default)]
-    pub(super) faults: BTreeMap<String, Parsed<Fault>>,
+    pub(super) faults: BTreeMap<String, String>,
     /// The meanings of the compiler's diagnostic codes.
     #[serde(default)]
     pub(super) codes: CompilerCodes,
@@ -252,14 +252,17 @@ impl FromStr for Meaning {
             "unsupported" => Ok(Meaning::Unsupported),
             "not-implemented" => Ok(Meaning::NotImplemented),
             "crashed" => Ok(Meaning::Crashed),
-            fault => fault.parse().map(Meaning::Faulted).map_err(|_| {
-                let faults: Vec<_> = Fault::ALL.iter().map(|fault| format!("`{fault}`")).collect();
-                let faults = faults.join(", ");
-                format!(
-                    "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
-                     a fault ({faults}), not `{text}`"
-                )
-            }),
+            fault => match fault.strip_prefix("fault ") {
+                Some(words) => Ok(Meaning::Faulted(Fault::reported(words))),
+                None => fault.parse().map(Meaning::Faulted).map_err(|_| {
+                    let faults: Vec<_> = Fault::ALL.iter().map(|fault| format!("`{fault}`")).collect();
+                    let faults = faults.join(", ");
+                    format!(
+                        "an exit code means `accepted`, `rejected`, `diagnosed`, `unsupported`, `not-implemented`, `crashed` or \
+                         a fault ({faults}, or `fault WORDS` for another one), not `{text}`"
+                    )
+                }),
+            },
         }
     }
 }

@@ -8,8 +8,7 @@ use std::str::FromStr;
 /// The placeholder for the number of scans.
 pub(super) const SCANS: &str = "scans";
 
-/// The variable of a shell script for the folder of `stickler.toml`.
-pub(super) const HERE: &str = "HERE";
+pub(super) use crate::reproduction::HERE;
 
 impl FromStr for CommandTemplate {
     type Err = String;

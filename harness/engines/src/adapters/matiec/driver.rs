@@ -48,7 +48,11 @@ pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r
         [only] => own_configuration(&only.request, &only.program),
         _ => None,
     };
-    let mut head = format!("{HEADER}#include <time.h>\n\n{}\n", translated(own.as_ref()));
+    let has_locations = subjects
+        .iter()
+        .any(|subject| words_of(&subject.request).any(|word| word.is("AT")));
+    let translated = translated(own.as_ref(), has_locations);
+    let mut head = format!("{HEADER}#include <time.h>\n\n{translated}\n");
     if own.is_none() {
         head.push_str(&memory(subjects));
     }
@@ -140,14 +144,19 @@ fn expression(kind: &ObservedKind<'_>, variable: String) -> ValueExpression {
     }
 }
 
-/// Returns the declarations behind the headers, and the translated text with the parts of its own configuration.
-fn translated(own: Option<&OwnConfiguration>) -> String {
+/// Returns the declarations behind the headers, and the translated text with the parts of its own configuration. The memory of locations
+/// is declared only where a program has one, so that what the compiler writes into [`LOCATIONS`] beside them hides nothing else.
+fn translated(own: Option<&OwnConfiguration>, has_locations: bool) -> String {
     let files = match own {
         None => "#include \"POUS.h\"\n#include \"POUS.c\"\n".to_owned(),
         // The file of the resource includes those of the program organization units.
         Some(own) => format!("#include \"{}.c\"\n#include \"{}.c\"\n", own.name, own.resource),
     };
-    format!("TIME __CURRENT_TIME;\nBOOL __DEBUG;\n{MEMORY_OF_LOCATIONS}#include \"{LOCATIONS}\"\n{files}")
+    let locations = match has_locations {
+        true => format!("{MEMORY_OF_LOCATIONS}#include \"{LOCATIONS}\"\n"),
+        false => String::new(),
+    };
+    format!("TIME __CURRENT_TIME;\nBOOL __DEBUG;\n{locations}{files}")
 }
 
 /// The file with an entry for each directly represented variable, whose memory the runtime system provides.

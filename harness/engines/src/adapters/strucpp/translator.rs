@@ -1,7 +1,7 @@
 //! The compiler in a process of Node, which translates one program after another.
 
 use crate::adapters::locate::failed;
-use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits};
+use crate::process::{CommandLine, Connection, Failure, Folder, ToolLimits, milliseconds, time_limit};
 use crate::{Diagnostic, Outcome, Severity};
 use serde::Deserialize;
 use std::path::Path;
@@ -110,7 +110,7 @@ impl Translator {
     }
 
     fn ask(&self, source: &str) -> Result<Translated, Outcome> {
-        let limits = ToolLimits::default();
+        let limit = time_limit(ToolLimits::default().time);
         let idle = || self.idle.lock().unwrap_or_else(PoisonError::into_inner);
         let waiting = idle().pop();
         let mut translator = match waiting {
@@ -119,7 +119,7 @@ impl Translator {
         };
         let mut line = serde_json::json!({ "source": source }).to_string().into_bytes();
         line.push(b'\n');
-        match translator.exchange(line, limits.time) {
+        match translator.exchange(line, limit) {
             Ok(reply) => {
                 idle().push(translator);
                 serde_json::from_slice(&reply)
@@ -129,7 +129,7 @@ impl Translator {
                 reason: translator.end(),
             }),
             Err(Failure::TimedOut) => Err(Outcome::TimedOut {
-                after_ms: u64::try_from(limits.time.as_millis()).unwrap_or(u64::MAX),
+                after_ms: milliseconds(limit),
             }),
             Err(Failure::Memory(limit)) => Err(Outcome::Crashed {
                 reason: format!("it held more than {} MiB of memory", limit >> 20),

@@ -1,0 +1,41 @@
+//! The time that a program may take: that of its adapter, unless the command line says another for every program, and no longer
+//! than until the end of a search.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// The time limit of every program in milliseconds; 0 where each has that of its adapter.
+static TIMEOUT: AtomicU64 = AtomicU64::new(0);
+
+/// The time at which every question ends.
+static END: Mutex<Option<Instant>> = Mutex::new(None);
+
+/// Sets the time for which any program that an engine starts may run, and for which any answer may take, in place of what adapters
+/// and descriptions say.
+pub fn limit_programs(time: Duration) {
+    TIMEOUT.store(milliseconds(time), Ordering::Relaxed);
+}
+
+/// Ends every question to an engine at this time, the one that is being answered then, too; `None` lifts that. What ends so is
+/// [timed out](crate::Outcome::TimedOut).
+pub fn end_questions_at(end: Option<Instant>) {
+    *END.lock().unwrap_or_else(PoisonError::into_inner) = end;
+}
+
+/// Returns the time that a program may take from now on, of which its adapter says `usual`.
+pub(crate) fn time_limit(usual: Duration) -> Duration {
+    let limit = match TIMEOUT.load(Ordering::Relaxed) {
+        0 => usual,
+        milliseconds => Duration::from_millis(milliseconds),
+    };
+    let end = *END.lock().unwrap_or_else(PoisonError::into_inner);
+    end.map_or(limit, |end| {
+        limit.min(end.saturating_duration_since(Instant::now()))
+    })
+}
+
+/// Returns a time in whole milliseconds.
+pub(crate) fn milliseconds(time: Duration) -> u64 {
+    u64::try_from(time.as_millis()).unwrap_or(u64::MAX)
+}

@@ -1,0 +1,174 @@
+//! The table of the standard functions that are no conversions: what each computes, and of which inputs.
+//!
+//! Basis: iec-61131-3: Tables 28 to 34.
+
+use super::parameters::ParameterList;
+use crate::instruction::StandardFunction;
+use std::fmt::{Debug, Formatter, Result};
+use stickler_syntax::tree::{BinaryOperator, UnaryOperator};
+use stickler_types::{ElementaryType, GenericType};
+
+/// A standard function.
+pub(super) struct StandardSignature {
+    /// The name in capital letters.
+    pub(super) name: &'static str,
+    pub(super) operation: StandardOperation,
+    pub(super) parameters: ParameterList,
+    /// What the first inputs take; all others take values of the common type.
+    pub(super) inputs: &'static [StandardInput],
+}
+
+/// The computation of a standard function.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum StandardOperation {
+    /// One that the machine knows, of inputs whose common type is of a generic type.
+    Function(StandardFunction, GenericType),
+    /// That of an infix operator, between each input and the one before it; it knows its types itself.
+    Operator(BinaryOperator),
+    /// That of a prefix operator.
+    Prefix(UnaryOperator),
+    /// None: the result is the input.
+    Move,
+}
+
+/// What an input of a standard function takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum StandardInput {
+    /// A value of the type that all such inputs have in common.
+    Common,
+    /// A value of this type.
+    Exactly(ElementaryType),
+    /// An integer of any type.
+    Integer,
+}
+
+const ONE: ParameterList = ParameterList::exactly(&["IN"]);
+const TWO: ParameterList = ParameterList::exactly(&["IN1", "IN2"]);
+const SEVERAL: ParameterList = ParameterList {
+    fixed: &[],
+    more: Some(("IN", 1)),
+    least: 2,
+};
+const CHOSEN: ParameterList = ParameterList {
+    fixed: &["K"],
+    more: Some(("IN", 0)),
+    least: 2,
+};
+const VALUE_AND_COUNT: (ParameterList, &[StandardInput]) = (
+    ParameterList::exactly(&["IN", "N"]),
+    &[StandardInput::Common, StandardInput::Integer],
+);
+
+/// All standard functions that are no conversions.
+pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 29] = {
+    use BinaryOperator as Operator;
+    use GenericType::{Any, Bit, Elementary, Num, String};
+    use StandardFunction as Function;
+    const GATE: &[StandardInput] = &[StandardInput::Exactly(ElementaryType::Bool)];
+    [
+        function("ABS", Function::Abs, Num, (ONE, &[])),
+        operator(Operator::Add, SEVERAL),
+        operator(Operator::Multiply, SEVERAL),
+        operator(Operator::Subtract, TWO),
+        operator(Operator::Divide, TWO),
+        operator(Operator::Modulo, TWO),
+        operator(Operator::Power, TWO),
+        row("MOVE", StandardOperation::Move, (ONE, &[])),
+        function("SHL", Function::Shl, Bit, VALUE_AND_COUNT),
+        function("SHR", Function::Shr, Bit, VALUE_AND_COUNT),
+        function("ROL", Function::Rol, Bit, VALUE_AND_COUNT),
+        function("ROR", Function::Ror, Bit, VALUE_AND_COUNT),
+        operator(Operator::And, SEVERAL),
+        operator(Operator::Or, SEVERAL),
+        operator(Operator::Xor, SEVERAL),
+        row("NOT", StandardOperation::Prefix(UnaryOperator::Not), (ONE, &[])),
+        function(
+            "SEL",
+            Function::Sel,
+            Any,
+            (ParameterList::exactly(&["G", "IN0", "IN1"]), GATE),
+        ),
+        function("MUX", Function::Mux, Any, (CHOSEN, &[StandardInput::Integer])),
+        function("MIN", Function::Min, Elementary, (SEVERAL, &[])),
+        function("MAX", Function::Max, Elementary, (SEVERAL, &[])),
+        function(
+            "LIMIT",
+            Function::Limit,
+            Elementary,
+            (ParameterList::exactly(&["MN", "IN", "MX"]), &[]),
+        ),
+        operator(Operator::Greater, SEVERAL),
+        operator(Operator::GreaterOrEqual, SEVERAL),
+        operator(Operator::Equal, SEVERAL),
+        operator(Operator::LessOrEqual, SEVERAL),
+        operator(Operator::Less, SEVERAL),
+        operator(Operator::NotEqual, TWO),
+        function("LEN", Function::Len, String, (ONE, &[])),
+        function("CONCAT", Function::Concat, String, (SEVERAL, &[])),
+    ]
+};
+
+const fn row(
+    name: &'static str,
+    operation: StandardOperation,
+    (parameters, inputs): (ParameterList, &'static [StandardInput]),
+) -> StandardSignature {
+    StandardSignature {
+        name,
+        operation,
+        parameters,
+        inputs,
+    }
+}
+
+const fn function(
+    name: &'static str,
+    function: StandardFunction,
+    of: GenericType,
+    parameters: (ParameterList, &'static [StandardInput]),
+) -> StandardSignature {
+    row(name, StandardOperation::Function(function, of), parameters)
+}
+
+const fn operator(operator: BinaryOperator, parameters: ParameterList) -> StandardSignature {
+    row(
+        operator.function_name(),
+        StandardOperation::Operator(operator),
+        (parameters, &[]),
+    )
+}
+
+/// Finds the standard function of a name.
+pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature> {
+    let longest = "CONCAT".len();
+    if !(2..=longest).contains(&name.len()) {
+        return None;
+    }
+    STANDARD_FUNCTIONS
+        .iter()
+        .find(|function| function.name.eq_ignore_ascii_case(name))
+}
+
+impl StandardSignature {
+    /// Returns what the input at a position takes.
+    pub(super) fn input(&self, position: usize) -> StandardInput {
+        self.inputs
+            .get(position)
+            .copied()
+            .unwrap_or(StandardInput::Common)
+    }
+
+    /// Returns the arguments whose types meet, of all in their order.
+    pub(super) fn common<T: Copy>(&self, arguments: &[T]) -> Vec<T> {
+        let all = arguments.iter().enumerate();
+        all.filter(|&(position, _)| self.input(position) == StandardInput::Common)
+            .map(|(_, &argument)| argument)
+            .collect()
+    }
+}
+
+impl Debug for StandardSignature {
+    fn fmt(&self, formatter: &mut Formatter<'_>) -> Result {
+        formatter.write_str(self.name)
+    }
+}

@@ -1,0 +1,146 @@
+//! The rows of a table that names its dialects as `all`: one for each result that a source states, with the dialects that have it.
+
+use crate::call::{Agreed, Call};
+use crate::claim::OPEN;
+use crate::table::{ProbeClaim, Table};
+use stickler_suite::SourceKind;
+use stickler_types::{Dialect, DialectName, Value};
+
+/// The result of a call in a dialect, and the source that states it; `None` where none speaks of this dialect.
+struct Statement {
+    dialect: DialectName,
+    value: Value,
+    basis: Option<&'static str>,
+}
+
+impl Table {
+    /// Returns each result that a source states of a call, with its dialects: those of which a source states it, and those of which none
+    /// states anything and whose own choices give it, if all sources agree on it. There a compiler that gives another result differs. Where
+    /// the probes observe the type of the result, the other dialects follow, in which it is recorded.
+    ///
+    /// # Errors
+    /// A sentence, where a probe asserts nothing, the table has no column `dialects`, or no source states a result.
+    pub(crate) fn in_every_dialect(&self, call: &Call) -> Result<Vec<Agreed>, String> {
+        if !self.has_column("dialects") {
+            return Err("the table names its dialects as `all` and has no column `dialects`".to_owned());
+        }
+        if let Some(probe) = self
+            .probes
+            .iter()
+            .find(|probe| probe.claim != Some(ProbeClaim::Value))
+        {
+            return Err(format!(
+                "`{}` asserts no result, in dialects named as `all`",
+                probe.name
+            ));
+        }
+        let statements = self.statements(call);
+        let mut values: Vec<Value> = Vec::new();
+        for statement in statements.iter().filter(|statement| statement.basis.is_some()) {
+            if !values.contains(&statement.value) {
+                values.push(statement.value.clone());
+            }
+        }
+        let is_recorded = self.generate.is_none() && self.probes.iter().all(|probe| probe.may_be_open);
+        if values.is_empty() && !is_recorded {
+            return Err("no source states the result".to_owned());
+        }
+        let agree = values.len() == 1;
+        let is_stated =
+            |statement: &Statement| statement.basis.is_some() || agree && values.contains(&statement.value);
+        let (stated, open): (Vec<Statement>, Vec<Statement>) = statements.into_iter().partition(is_stated);
+        let agreed = values.iter().map(|value| {
+            let of_value = stated.iter().filter(|statement| statement.value == *value);
+            self.agreed(value, &of_value.collect::<Vec<_>>(), call)
+        });
+        let mut agreed = agreed.collect::<Result<Vec<Agreed>, String>>()?;
+        if is_recorded && !open.is_empty() {
+            let dialects: Vec<DialectName> = open.iter().map(|statement| statement.dialect).collect();
+            agreed.push(Agreed {
+                value: OPEN.to_owned(),
+                basis: String::new(),
+                dialects: self.named(&dialects, call),
+            });
+        }
+        Ok(agreed)
+    }
+
+    /// Returns the dialects that any probe asks.
+    fn dialects_of_probes(&self) -> impl Iterator<Item = DialectName> {
+        let asks = |dialect: &DialectName| self.probes.iter().any(|probe| probe.dialects.contains(dialect));
+        DialectName::ALL.into_iter().filter(asks)
+    }
+
+    /// Returns the statements of the dialects of the probes that have the function.
+    fn statements(&self, call: &Call) -> Vec<Statement> {
+        let statement = |dialect: DialectName| {
+            let own = call.expected(dialect)?;
+            let basis = own
+                .basis
+                .or_else(|| self.by_the_standard(call, dialect, &own.value));
+            let value = own.value;
+            Some(Statement {
+                dialect,
+                value,
+                basis,
+            })
+        };
+        self.dialects_of_probes().filter_map(statement).collect()
+    }
+
+    /// Returns the table of the third edition that states the result, for a dialect that declares this edition.
+    fn by_the_standard(&self, call: &Call, dialect: DialectName, value: &Value) -> Option<&'static str> {
+        let stated = call.expected(DialectName::IEC_ED3)?;
+        let basis = stated.basis.filter(|_| stated.value == *value)?;
+        let is_declared = Dialect::of(dialect).features.edition >= Some(3);
+        let is_standard = self.kind_of(basis) == Some(SourceKind::Standard);
+        (is_declared && is_standard).then_some(basis)
+    }
+
+    fn agreed(&self, value: &Value, statements: &[&Statement], call: &Call) -> Result<Agreed, String> {
+        let said: Vec<(DialectName, &'static str)> = statements
+            .iter()
+            .filter_map(|statement| Some((statement.dialect, statement.basis?)))
+            .collect();
+        let is_named = |&(dialect, basis): &(DialectName, &str)| {
+            self.probes
+                .iter()
+                .all(|probe| self.chosen(&probe.basis, dialect) == Some(basis))
+        };
+        let basis = match said.iter().find(|said| !is_named(said)) {
+            None => String::new(),
+            Some(_) if self.has_column("basis") => self.bases(&said)?,
+            Some((dialect, basis)) => {
+                return Err(format!("no probe names {basis}, which says so in {dialect}"));
+            }
+        };
+        let dialects: Vec<DialectName> = statements.iter().map(|statement| statement.dialect).collect();
+        Ok(Agreed {
+            value: value.to_string(),
+            basis,
+            dialects: self.named(&dialects, call),
+        })
+    }
+
+    /// Returns the names of dialects in the shorter way: nothing for all of the table that have the types of the call, all but some of
+    /// these, or those.
+    fn named(&self, dialects: &[DialectName], call: &Call) -> String {
+        let has_types = |dialect: DialectName| {
+            let mut types = call.signature.operands.iter().chain([&call.signature.result]);
+            types.all(|ty| Dialect::of(dialect).has(*ty))
+        };
+        let others = self
+            .dialects_of_probes()
+            .filter(|dialect| !dialects.contains(dialect));
+        let others: Vec<&str> = others
+            .filter(|dialect| has_types(*dialect))
+            .map(DialectName::as_str)
+            .collect();
+        let those: Vec<&str> = dialects.iter().map(|dialect| dialect.as_str()).collect();
+        match others.len() {
+            0 => String::new(),
+            number if number < those.len() => format!("all but {}", others.join(" ")),
+            _ => those.join(" "),
+        }
+    }
+}
