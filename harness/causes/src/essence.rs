@@ -175,9 +175,12 @@ fn needs(
         }
         Symptom::Hang => (symptom, line.loops(), false),
         Symptom::Crash(words) | Symptom::Unusable(words) => {
+            let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
             // What a compiler of C says of a header that was written for it depends on what follows.
             let symptom = match unusable_header(&normal.deviation.got) {
                 Some(header) => format!("unusable {header}"),
+                // What it says of one function it says of every other.
+                None if is_unusable => return (format!("unusable {words}"), line.of_use(), false),
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
             };

@@ -1,13 +1,16 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
 use crate::program::Program;
+use crate::question::wrong_values;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::work::{Role, words_of, works};
 use stickler_run::{Fact, Grade, Symptom, Verdict, differ_in_blanks_only};
-use stickler_types::Code;
+use stickler_types::{Code, Family, Value};
 
 /// The difference of a rendered text that has only other blanks, as [`Sign::at`] tells it.
 pub(crate) const OTHER_BLANKS: &str = "blanks";
+/// The difference of a wrong number that no rounding explains, as [`Sign::at`] tells it.
+const FAR: &str = "far";
 /// The number of words that are kept of a message.
 const MAX_WORDS: usize = 8;
 
@@ -16,7 +19,8 @@ const MAX_WORDS: usize = 8;
 pub(crate) struct Sign {
     pub(crate) symptom: Symptom,
     /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; the
-    /// operations of a program of which something is not implemented; how the first differing lines differ, for a rendered text.
+    /// operations of a program of which something is not implemented; how the first differing lines differ, for a rendered text; whether
+    /// a wrong number is far from the right one.
     pub(crate) at: String,
 }
 
@@ -34,6 +38,7 @@ impl Sign {
             }
             Symptom::NotImplemented(_) => work_of(program),
             Symptom::Text => difference(facts),
+            Symptom::Value if is_far(facts) => FAR.to_owned(),
             _ => String::new(),
         };
         Sign { symptom, at }
@@ -168,6 +173,35 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     let words = reported.message.split_whitespace();
     let plain = words.filter(|word| word.bytes().all(|byte| byte.is_ascii_lowercase()));
     plain.take(MAX_WORDS).collect::<Vec<_>>().join(" ")
+}
+
+/// Returns whether the first number that a program has wrong is further from the right one than an error of rounding: one conversion
+/// may round wrongly and also leave the range of its type.
+fn is_far((expected, got): (&[Fact], &[Fact])) -> bool {
+    let first = wrong_values(expected, got).next();
+    let numbers = first.and_then(|(_, (wanted, got))| Some((number(wanted)?, number(got)?)));
+    numbers.is_some_and(|(wanted, got)| {
+        let is_near = (wanted - got).abs() <= 1.0_f64.max(wanted.abs() * 1e-6) || wanted == got;
+        !is_near
+    })
+}
+
+/// Returns the number that a value is: of a duration or a date its count; `None` for a text and for no number.
+fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Plain { ty, raw } if ty.is_real() => {
+            let real = match ty.bits() {
+                32 => f64::from(f32::from_bits(*raw as u32)),
+                _ => f64::from_bits(*raw),
+            };
+            (!real.is_nan()).then_some(real)
+        }
+        Value::Plain { ty, raw } if ty.family() == Family::Signed || ty.is_duration() => {
+            Some(raw.cast_signed() as f64)
+        }
+        Value::Plain { raw, .. } => Some(*raw as f64),
+        _ => None,
+    }
 }
 
 /// Returns how the first lines differ in which a rendered text is not the expected one; of one that is rejected itself, why and

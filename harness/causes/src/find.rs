@@ -21,6 +21,9 @@ use stickler_workers::{Cancellation, WorkerPool};
 /// of threads, so that the same groups are reduced on every machine.
 const WAVE: usize = 32;
 
+/// The number of questions for each group before any group gets more: enough for a program that is nearly as small as it can be.
+const QUESTIONS_FIRST: u64 = 16;
+
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;
 
@@ -78,7 +81,7 @@ pub struct CauseProgress {
 /// Finds the causes of the failing cases of a run, those that explain most cases first.
 ///
 /// Every group of failing cases belongs to a cause, also where the limits left no question for it; such a cause is
-/// [`Reduced::Partly`]. `progress` hears of each wave of groups.
+/// [`Reduced::Partly`]. `progress` hears of each group that is finished.
 ///
 /// # Errors
 /// [`RunError::Engine`] where an engine cannot be opened, [`RunError::Workers`] where the system gives no threads.
@@ -122,25 +125,20 @@ fn find_before_end(
             cases: &cases,
             stop: &stop,
         };
-        let mut members = Vec::new();
-        let mut left = search.limits.questions;
-        for wave in groups.chunks(WAVE) {
-            let tries = search.limits.questions_a_group.min(left / wave.len() as u64);
-            let shown: Vec<(&Sign, &CaseEvent)> =
-                wave.iter().map(|(sign, group)| (sign, &group.shown)).collect();
-            let smallest = asking.smallest(&shown, tries)?;
-            left = left.saturating_sub(smallest.iter().map(ReducedGroup::questions).sum());
-            let pairs = wave.iter().zip(&smallest);
-            let identity = engine.identity();
-            members.extend(pairs.map(|((_, group), found)| {
-                let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
-                let found = (&found.smallest, &found.normal);
-                GrowingCause::new(group, found, case.copied(), (identity, search.suite))
-            }));
-            reported.done += wave.len() as u64;
+        let shown: Vec<(&Sign, &CaseEvent)> =
+            groups.iter().map(|(sign, group)| (sign, &group.shown)).collect();
+        let (smallest, left) = asking.in_rounds(&shown, &mut |done| {
+            reported.done += done;
             progress(reported);
-        }
-        let mut causes = merged(members);
+        })?;
+        let identity = engine.identity();
+        let pairs = groups.iter().zip(&smallest);
+        let members = pairs.map(|((_, group), found)| {
+            let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
+            let found = (&found.smallest, &found.normal);
+            GrowingCause::new(group, found, case.copied(), (identity, search.suite))
+        });
+        let mut causes = merged(members.collect());
         asking.second_witnesses(&mut causes, left)?;
         end_questions_at(begun.checked_add(search.limits.time));
         asking.reproduce(&mut causes)?;
@@ -174,6 +172,8 @@ fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, Str
 struct ReducedGroup {
     smallest: Smallest,
     normal: Normal,
+    /// Whether more questions may make the program smaller.
+    is_open: bool,
 }
 
 impl ReducedGroup {
@@ -182,8 +182,17 @@ impl ReducedGroup {
         if is_reducible(&sign.symptom) {
             smallest.reduction = Reduced::Partly;
         }
-        let normal = Normal::unasked(&smallest);
-        ReducedGroup { smallest, normal }
+        ReducedGroup {
+            normal: Normal::unasked(&smallest),
+            smallest,
+            is_open: false,
+        }
+    }
+
+    /// Returns how far the program is from one that was made small; less is better.
+    fn distance(&self) -> (bool, usize) {
+        let is_partly = self.smallest.reduction == Reduced::Partly;
+        (is_partly, self.smallest.program.len())
     }
 
     /// Notes that no question was left for the rest of the search.
@@ -226,8 +235,48 @@ struct Asking<'r> {
 }
 
 impl Asking<'_> {
+    /// Reduces the programs of groups: all with few questions, and then those that need more. So a limit of time leaves none unasked.
+    /// Returns them with the number of questions that are left; `progress` hears of each group that is finished.
+    fn in_rounds(
+        &self,
+        shown: &[(&Sign, &CaseEvent)],
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<(Vec<ReducedGroup>, u64), RunError> {
+        let SearchLimits {
+            questions: mut left,
+            questions_a_group: most,
+            ..
+        } = self.search.limits;
+        let unreduced = shown.iter().map(|(sign, event)| ReducedGroup {
+            is_open: true,
+            ..ReducedGroup::unreduced(event, sign)
+        });
+        let mut found: Vec<ReducedGroup> = unreduced.collect();
+        for tries in [QUESTIONS_FIRST.min(most), most] {
+            let open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
+            for wave in open.chunks(WAVE) {
+                let tries = tries.min(left / wave.len() as u64);
+                let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;
+                for (at, mut smaller) in wave.iter().zip(smallest) {
+                    left = left.saturating_sub(smaller.questions());
+                    smaller.is_open &= tries < most && !(self.stop)();
+                    progress(u64::from(!smaller.is_open));
+                    match smaller.distance() <= found[*at].distance() {
+                        true => found[*at] = smaller,
+                        false => found[*at].is_open = false,
+                    }
+                }
+            }
+        }
+        Ok((found, left))
+    }
+
     /// Reduces the programs of these cases, each with at most so many questions.
-    fn smallest(&self, shown: &[(&Sign, &CaseEvent)], tries: u64) -> Result<Vec<ReducedGroup>, RunError> {
+    fn smallest<'c>(
+        &self,
+        shown: impl ExactSizeIterator<Item = (&'c Sign, &'c CaseEvent)>,
+        tries: u64,
+    ) -> Result<Vec<ReducedGroup>, RunError> {
         let judge = CaseJudge {
             plan: self.search.plan,
             suite: self.search.suite,
@@ -251,7 +300,11 @@ impl Asking<'_> {
                     let smallest = reduce(asked, (case, event), &sign, tries, self.stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, self.stop)?;
-                    let mut found = ReducedGroup { smallest, normal };
+                    let mut found = ReducedGroup {
+                        is_open: smallest.reduction == Reduced::Partly || normal.questions >= left,
+                        smallest,
+                        normal,
+                    };
                     if (self.stop)() {
                         found.end_partly();
                     }
@@ -260,7 +313,7 @@ impl Asking<'_> {
                 _ => Ok(ReducedGroup::unreduced(event, sign).without_codes(asked)),
             }
         };
-        WorkerPool::new(self.search.plan.jobs).map(shown.iter().copied(), open, work)
+        WorkerPool::new(self.search.plan.jobs).map(shown, open, work)
     }
 
     /// Looks for a second witness of the causes that were found in one group only: a case of the group with other types.
@@ -281,13 +334,13 @@ impl Asking<'_> {
             .iter()
             .filter_map(|member| Some((member.sign.clone(), member.other.clone()?)))
             .collect();
-        let others: Vec<(&Sign, &CaseEvent)> = others.iter().map(|(sign, event)| (sign, event)).collect();
-        let smallest = self.smallest(&others, tries)?;
-        for ((member, (_, event)), smallest) in without.iter_mut().zip(others).zip(smallest) {
+        let smallest = self.smallest(others.iter().map(|(sign, event)| (sign, event)), tries)?;
+        for ((member, (_, event)), smallest) in without.iter_mut().zip(&others).zip(smallest) {
             let second = reproducer(event, &smallest.smallest);
             if member
                 .essence
                 .explains(&Essence::of(&smallest.smallest, &smallest.normal))
+                && smallest.smallest.reduction == Reduced::Smallest
                 && member.has_other_types(&second)
             {
                 member.cause.second = Some(second);
@@ -305,6 +358,11 @@ impl Asking<'_> {
         let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
         for (member, found) in causes.iter_mut().zip(found) {
             if let Some((reproduction, printed)) = found {
+                // What stops a program is told as the compiler told it, which may have been a signal.
+                if let (Symptom::Fault(fault), Some(last)) = (&member.sign.symptom, printed.lines().last()) {
+                    let stops = format!("stops with the fault {fault}");
+                    member.cause.title = member.cause.title.replace(&stops, &format!("stops: {last}"));
+                }
                 member.cause.shown.reproduction = Some(reproduction);
                 member.cause.shown.printed = printed;
             }
@@ -337,8 +395,11 @@ impl Asking<'_> {
             _ => shown_by(&case),
         };
         let request = case.request();
-        let hangs = member.sign.symptom == Symptom::Hang;
-        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() || hangs {
+        if let [Fact::TimedOut { after_ms }] = shown.got[..] {
+            let reproduction = self.engine.reproduce(&request, ability).ok()?;
+            return Some((reproduction.within(after_ms.div_ceil(1000)), String::new()));
+        }
+        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
             return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
         }
         let (reproduction, output) = reproduce_and_run(self.engine, &request, ability).ok()?;

@@ -9,7 +9,7 @@ use crate::promised::{cite, promise};
 use crate::reduction::Smallest;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
-use crate::words::{types_of, valued_types};
+use crate::words::{types_of, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeMap;
 use stickler_engines::Identity;
@@ -124,9 +124,9 @@ impl GrowingCause {
         )
     }
 
-    /// Returns whether a program has other types than the shown one, so that it is worth a place as a second witness.
+    /// Returns whether a program has other types than the shown one where it uses them, so that it is worth a place as a second witness.
     pub(crate) fn has_other_types(&self, reproducer: &Reproducer) -> bool {
-        types_of(&reproducer.program) != types_of(&self.cause.shown.program)
+        used_types(&reproducer.program) != used_types(&self.cause.shown.program)
     }
 }
 
@@ -177,6 +177,18 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         cause.other = cause.other.take().or(member.other);
     }
     causes
+}
+
+/// Returns the types that a program names outside the declarations of variables that it does not use.
+fn used_types(text: &str) -> Vec<&'static str> {
+    let all = words(text);
+    let is_used = |line: &&str| {
+        let declared = line.split_once(':').map(|(name, _)| name.trim());
+        let is_one = |name: &str| all.iter().filter(|word| word.eq_ignore_ascii_case(name)).count() == 1;
+        !declared.is_some_and(is_one)
+    };
+    let lines: Vec<&str> = text.lines().filter(is_used).collect();
+    types_of(&lines.join("\n"))
 }
 
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.

@@ -203,6 +203,14 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
     let of_statement = has_expression_as_statement(program.text, tokens);
     found.extend(repeats_nothing(program, tokens).then_some("repetition of nothing"));
     found.extend(of_statement.then_some("expression as a statement"));
+    found.extend(
+        program
+            .unit
+            .pous()
+            .next()
+            .is_none()
+            .then_some("no program organization unit"),
+    );
     // Basis of these: iec-61131-3: Annex A (`Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
     let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
     found.extend(is_empty.then_some("empty structure"));
@@ -298,8 +306,8 @@ fn repeats_nothing(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> bool {
         })
 }
 
-/// Returns whether a literal or a comparison stands where a statement must, as where `d := D#2024-01-1.5;` becomes `D#2024-01-1;`
-/// or `d = D#2024-01-1;`.
+/// Returns whether a literal, a comparison or a name stands where a statement must, as where `d := D#2024-01-1.5;` becomes
+/// `D#2024-01-1;`, `d = D#2024-01-1;` or `d`.
 fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
     use TokenKind::*;
     (1..tokens.len()).any(|at| {
@@ -312,7 +320,8 @@ fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
         let mut behind = tokens[at..].iter().map(|token| token.kind);
         let sign = behind
             .find(|kind| matches!(kind, Assign | Equal | LeftParen | Semicolon | Colon) || kind.is_keyword());
-        begins && (is_literal || is_name(&tokens[at], text) && sign == Some(Equal))
+        let is_value = sign.is_some_and(|sign| matches!(sign, Equal | Semicolon) || sign.closes());
+        begins && (is_literal || is_name(&tokens[at], text) && is_value)
     })
 }
 

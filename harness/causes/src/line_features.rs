@@ -319,6 +319,18 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         !self.is_unread && !self.calls_library() && !literals.is_empty()
     }
 
+    /// Returns the features of a program of which the compiler makes what cannot be built or dies: its operations, and of a program without
+    /// them the forms of its literals and the kinds of its declarations.
+    pub(crate) fn of_use(&self) -> Words {
+        let mut features = self.of_fault();
+        features.remove("condition");
+        if features.is_empty() {
+            features.extend(self.suspect_literals(|_| true));
+            features.extend(words_of(&self.works, Role::Declaration));
+        }
+        features
+    }
+
     /// Returns the features of a program that computes a wrong value, and whether it converts between types. `is_initial` where
     /// the value is one that a variable begins with.
     pub(crate) fn of_value(&self, is_initial: bool) -> (Words, bool) {

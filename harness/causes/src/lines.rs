@@ -28,19 +28,32 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         .filter(is_here)
         .map(|one| one.name.text)
         .collect();
+    let is_in =
+        |unit: Span| (program.line(unit)..=program.lines.line(unit.end.saturating_sub(1))).contains(&number);
     let mut types: Vec<String> = Vec::new();
     for word in words(code) {
         let is_it = |one: &&DeclaredName<'_, '_>| one.name.is(word) && one.group.is_some();
         let is_own = own.iter().any(|name| name.eq_ignore_ascii_case(word));
-        let declared = program.names.iter().find(is_it).filter(|_| !is_own);
-        if let Some(entry) = declared.and_then(|one| declared_as(program, one))
+        let is_inside = |one: &&DeclaredName<'_, '_>| one.inside.is_some_and(|unit| is_in(unit.span));
+        let of_unit = program.names.iter().filter(is_it).find(is_inside);
+        let declared = of_unit.or_else(|| program.names.iter().find(is_it));
+        let section = of_unit.and_then(|one| special_section(program, program.line(one.name.span)));
+        let section = section.map_or(String::new(), |head| format!(" in {head}"));
+        let entry = declared
+            .filter(|_| !is_own)
+            .and_then(|one| declared_as(program, one));
+        if let Some(entry) = entry.map(|entry| entry + &section)
             && types.len() < MAX_TYPES
             && !types.contains(&entry)
         {
             types.push(entry);
         }
     }
-    let section = special_section(program, number).map_or(String::new(), |head| format!(" in {head}"));
+    let section = match place_of(program, number) {
+        LinePlace::Types => Some("TYPE"),
+        _ => special_section(program, number),
+    };
+    let section = section.map_or(String::new(), |head| format!(" in {head}"));
     match types.is_empty() {
         true => format!("`{}`{section}", clipped(code)),
         false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),

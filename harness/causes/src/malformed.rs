@@ -7,8 +7,18 @@ use stickler_types::ElementaryType;
 /// Returns the forms of the literals of a line, where these are no plain numbers.
 pub(crate) fn forms_of_literals(line: &str) -> BTreeSet<String> {
     let line = line.replace(":=", " ");
-    let ends = |sign: char| sign.is_whitespace() || matches!(sign, ';' | '(' | ')' | ',' | '[' | ']');
     line.split(ends).filter_map(form_of_number).collect()
+}
+
+/// Returns the words of a text in which a digit or the sign of a prefix stands, such as literals that should not be read.
+pub(crate) fn words_with_digits(text: &str) -> BTreeSet<&str> {
+    let has_digit = |word: &&str| word.contains(|sign: char| sign.is_ascii_digit() || sign == '#');
+    text.split(ends).filter(has_digit).collect()
+}
+
+/// Returns whether a word ends before a character.
+fn ends(sign: char) -> bool {
+    sign.is_whitespace() || matches!(sign, ';' | '(' | ')' | ',' | '[' | ']')
 }
 
 /// Returns the form of a word with digits, without the prefix of a numeric type, where it is no plain number: `0e0` of `12e5`.
@@ -44,21 +54,14 @@ fn form_of_number(word: &str) -> Option<String> {
     (!is_name && !is_plain && form.contains(['0', '#'])).then_some(form)
 }
 
-/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has, how its prefix is
-/// written, and the date before the time of day; `None` for other types.
+/// Returns the form of a duration or a time of day, without what does not matter of it: which units it has and in which order, how its
+/// prefix is written, and the date before the time of day; `None` for other types.
 fn form_of_moment(ty: ElementaryType, value: &str) -> Option<String> {
     match kind(ty)? {
-        "duration" => {
-            let mut units = String::from("T#");
-            for character in value.chars() {
-                match character.is_ascii_alphabetic() {
-                    true if units.ends_with('u') => {}
-                    true => units.push('u'),
-                    false => units.push(character),
-                }
-            }
-            Some(units)
-        }
+        // A compiler reads the units by one rule, and the digits before them by another.
+        "duration" if value.contains('_') => Some("T#0_0u".to_owned()),
+        "duration" if value.bytes().filter(u8::is_ascii_alphabetic).count() > 1 => Some("T#0u0u".to_owned()),
+        "duration" => Some(format!("T#{value}")),
         "date or time" if value.contains(':') => {
             let time = value.strip_prefix("0-0-0-").unwrap_or(value);
             Some(format!("TOD#{time}"))

@@ -10,7 +10,7 @@ use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
 use crate::patterns::leaves_range;
 use crate::program::read;
-use crate::question::{Deviation, Questioner, all_variables, as_the_reference};
+use crate::question::{Deviation, Questioner, all_variables, as_the_reference, is_as_standard};
 use crate::reduction::Smallest;
 use crate::words::tokens;
 use std::collections::BTreeSet;
@@ -176,7 +176,10 @@ impl NormalSearch<'_, '_> {
         let former = &self.normal;
         // Of a program that cannot be read, an operand with a literal that the program does not have says nothing: that may not be read
         // either.
-        if is_unread(&former.deviation.got) && !literals(text).is_subset(&literals(&former.program)) {
+        let is_read = !is_unread(&former.deviation.got);
+        if !(is_read || literals(text).is_subset(&literals(&former.program)))
+            || !is_as_standard(self.case, text)
+        {
             return Ok(Interestingness::Invalid);
         }
         let Some(case) = as_the_reference(self.case, text, &self.observe(text)) else {

@@ -198,8 +198,9 @@ impl WrongNumber<'_, '_, '_> {
         let types = named_types(self.program.text).into_iter().filter_map(elementary);
         let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
         let converts = kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
-        // Below a second the number of seconds is 0, which other errors give too.
-        let counts_seconds = expected.abs() >= MILLISECONDS && (got - expected / MILLISECONDS).abs() < 1.0;
+        // Below a second the number of seconds is 0, which a conversion by its name gives for no other reason.
+        let is_second = expected.abs() >= MILLISECONDS || got == 0.0 && self.conversions().next().is_some();
+        let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
     }

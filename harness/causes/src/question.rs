@@ -9,7 +9,7 @@ use stickler_run::{
     AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored, question,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
-use stickler_types::{NamedValue, Observation, Outcome, RunRequest, Value};
+use stickler_types::{DialectName, NamedValue, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
@@ -184,6 +184,9 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         ..case.request()
     };
     let outcome = stickler_reference::run(&request, Limits::default()).ok()?;
+    if !is_as_standard(case, program) {
+        return None;
+    }
     let expectation = expectation(&case.expectation, &sign.symptom, outcome)?;
     Some(Case {
         source: program.into(),
@@ -191,6 +194,13 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         expectation: Arc::new(expectation),
         ..case.clone()
     })
+}
+
+/// Returns whether the standard accepts a program if it accepts that of the case, so that the program needs nothing that only its dialect
+/// allows.
+pub(crate) fn is_as_standard(case: &Case, program: &str) -> bool {
+    let accepts = |text: &str| stickler_reference::errors(text, DialectName::IEC_ED3).is_empty();
+    accepts(program) || !accepts(&case.source)
 }
 
 /// Returns the observations of a case for which another program has the variable.

@@ -1,10 +1,11 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::alone::alone;
-use crate::failure_sign::Sign;
+use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
+use crate::malformed::words_with_digits;
 use crate::program::read;
-use crate::question::{Deviation, Questioner, as_the_reference, with_program, wrong_values};
+use crate::question::{Deviation, Questioner, as_the_reference, is_as_standard, with_program, wrong_values};
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
@@ -77,9 +78,15 @@ pub(crate) fn reduce(
     let mut questions = 0;
     let start = unreduced.program.clone();
     let constructs = Constructs::of(&start);
+    // Another literal that should not be read is another mistake.
+    let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_reading(code));
+    let keeps_literals =
+        |program: &str| !unread || words_with_digits(program).is_subset(&words_with_digits(&start));
     let found = {
         let mut interesting = |program: &str| {
-            if error.is_some() || (program != start && !constructs.may_become(&Constructs::of(program))) {
+            let may_become =
+                |smaller: &str| constructs.may_become(&Constructs::of(smaller)) && keeps_literals(smaller);
+            if error.is_some() || (program != start && !may_become(program)) {
                 return Interestingness::Invalid;
             }
             let Some(smaller) = with_program(case, sign, program) else {
@@ -147,7 +154,7 @@ fn operand_alone(
     }
     // What a variable begins with is shown by a program that does nothing else.
     let operands = read(&unreduced.program, alone).into_iter();
-    for operand in operands.filter(|one| !one.is_initial) {
+    for operand in operands.filter(|one| !one.is_initial && is_as_standard(case, &one.program)) {
         if stop() {
             return Ok(None);
         }

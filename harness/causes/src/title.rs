@@ -2,16 +2,16 @@
 //! program that shows it.
 
 use crate::failure_sign::OTHER_BLANKS;
-use crate::lines::{clipped, described, line_with_number, unit_of};
+use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{LOOPS, has_word, tokens};
+use crate::words::{LOOPS, elementary, has_word, tokens};
 use crate::work::operations;
 use stickler_engines::OTHER_TYPE;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
-use stickler_types::{Code, Diagnostic};
+use stickler_types::{Code, Diagnostic, ElementaryType};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
 /// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
@@ -40,7 +40,7 @@ impl Titled<'_, '_> {
         let (expected, got) = (self.expected, self.got);
         let wanted = first(expected);
         let reported = self.reported(first(got));
-        let (line, somewhere) = (self.line(wanted.line), self.line(None));
+        let (line, somewhere) = (self.line_in_unit(wanted.line), self.line(None));
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
             // The line does not show the mistake, so the title names it.
@@ -52,7 +52,7 @@ impl Titled<'_, '_> {
             Symptom::Rejected(_) => {
                 let by_number = || line_with_number(&self.program, &reported.message);
                 let place = reported.line.or_else(by_number);
-                format!("{} is rejected: {message}", self.line(place))
+                format!("{} is rejected: {message}", self.line_in_unit(place))
             }
             Symptom::NotImplemented(_) => {
                 let line = unimplemented(&self.program, got);
@@ -93,7 +93,7 @@ impl Titled<'_, '_> {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
                 let mut lines = self.program.text.lines().zip(1..);
                 let found = lines.find(|(text, _)| is_loop(text)).map(|(_, number)| number);
-                format!("{}: no answer in time", self.line(found))
+                format!("{}: {}", self.line(found), clipped(&Fact::text(got)))
             }
             Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
             Symptom::Fault(fault) => format!("{somewhere} stops with the fault {fault}"),
@@ -114,14 +114,20 @@ impl Titled<'_, '_> {
         reported
     }
 
-    /// Returns the reason of a crash with its numbers, which `words` have lost.
+    /// Returns the reason of a crash with its numbers, which `words` have lost; of what a compiler of C says the message, without its place.
     fn reason(&self, words: &str) -> String {
         let mut got = self.got.iter();
         let reason = got.find_map(|fact| match fact {
             Fact::Crashed { reason } | Fact::Unusable { reason } => Some(reason.as_str()),
             _ => None,
         });
-        clipped(reason.unwrap_or(words))
+        match reason.and_then(|reason| reason.split_once(" error: ")) {
+            Some((before, message)) => {
+                let what = before.split(": ").next().unwrap_or_default();
+                format!("{what}: {}", clipped(message))
+            }
+            None => clipped(reason.unwrap_or(words)),
+        }
     }
 
     /// Returns a line in words; where it is not known or says nothing, the one that most probably matters.
@@ -131,6 +137,14 @@ impl Titled<'_, '_> {
             &self.program,
             known.unwrap_or_else(|| suspect::culprit(&self.program)),
         )
+    }
+
+    /// Returns a line in words, with the kind of the unit that it stands in where that is no PROGRAM.
+    fn line_in_unit(&self, number: Option<u32>) -> String {
+        let unit = number.filter(|number| matches!(place_of(&self.program, *number), LinePlace::Statement));
+        let unit = unit.and_then(|number| unit_of(&self.program, number));
+        let unit = unit.map_or(String::new(), |unit| format!(" in {unit}"));
+        self.line(number) + &unit
     }
 
     /// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
@@ -179,6 +193,12 @@ impl Titled<'_, '_> {
         let declared = self.program.declaration(name);
         let Fact::Value { value: other, .. } = reported else {
             return format!("the value of {name} cannot be seen: {}", described(declared));
+        };
+        // A count that no date or time of day of the type has says nothing to a reader.
+        let is_none = |ty: &str| elementary(ty).is_some_and(ElementaryType::is_date_or_time);
+        let other = match other.to_string() {
+            text if text.ends_with("ns") && is_none(other.type_name()) => format!("no {}", other.type_name()),
+            text => clipped(&text),
         };
         let computed = self.program.computation(name);
         let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));

@@ -187,6 +187,16 @@ impl CaseFolder {
         suite
     }
 
+    /// Reads all cases of all dialects, those that the plan defines among them, to say why the plan selects none. Mistakes in their files were
+    /// reported before.
+    pub fn load_whole(&self, plan: &Plan) -> Suite {
+        let wanted = Wanted {
+            defined: &defined(named_dialects(plan)),
+            ..Wanted::default()
+        };
+        Suite::load_with(&self.path, wanted)
+    }
+
     /// Returns the id of the program that a filter names, as a whole id or key.
     fn program_named_by<'f>(&self, filter: &'f Filter) -> Option<&'f str> {
         let id = filter.as_str().split('@').next()?;
@@ -333,7 +343,7 @@ pub fn exit_of(suite: &Suite) -> Exit {
     }
 }
 
-/// Reports on stderr why a plan selects no case, and returns the exit code for that.
+/// Reports on stderr why a plan selects no case of a [whole suite](CaseFolder::load_whole), and returns the exit code for that.
 pub fn nothing_selected(plan: &Plan, suite: &Suite) -> Exit {
     output::error(&anyhow::anyhow!(
         "no case is selected: {}",
@@ -380,6 +390,8 @@ fn why_nothing(plan: &Plan, suite: &Suite) -> String {
         format!("{dialects} has none of what {what}, which is of {of}")
     } else if let Some(shard) = plan.shard {
         format!("part {shard} has none of {number}")
+    } else if plan.excluded.is_empty() {
+        format!("none of {number} is what is asked for")
     } else {
         let excluded = options("--exclude", plan.excluded.iter().map(Filter::as_str));
         format!("{excluded} leaves out all of {number}")

@@ -77,6 +77,18 @@ const SCRIPT: &str = "run.sh";
 pub(crate) const HERE: &str = "HERE";
 
 impl Reproduction {
+    /// Returns the reproduction with each command ended after a number of seconds, for a program that gives no answer.
+    #[must_use]
+    pub fn within(mut self, seconds: u64) -> Reproduction {
+        for command in &mut self.commands {
+            *command = format!("timeout {seconds} {command}");
+        }
+        if let Some(last) = self.commands.last_mut() {
+            *last = format!("{last} || echo \"exit code $? (124: no answer within {seconds} s)\"");
+        }
+        self
+    }
+
     /// Returns the reproduction by a command that a person states, in which `{file}` stands for the program, `{dialect}` for the name of
     /// its dialect and `{here}` for the folder of `stickler.toml`.
     #[must_use]

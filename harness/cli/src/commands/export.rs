@@ -33,7 +33,7 @@ pub fn execute(arguments: &ExportArguments, out: &mut dyn Write) -> anyhow::Resu
     let Loaded { suite, defined, .. } = folder.load_for(&plan, &[])?;
     let selected: Vec<&Case> = select(&plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(&plan, &suite));
+        return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
     }
     let plan = ExportPlan {
         defined: defined

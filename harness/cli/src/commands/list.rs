@@ -32,7 +32,7 @@ pub fn execute(arguments: &ListArguments, out: &mut dyn Write) -> anyhow::Result
         false => select(&plan, &suite.cases),
     };
     if cases.is_empty() {
-        return Ok(case_folder::nothing_selected(&plan, &suite));
+        return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
     }
     if arguments.sources {
         sources::write(out, &suite.sources, &cases, arguments.json)?;

@@ -61,7 +61,7 @@ pub fn execute(arguments: &MatrixArguments, out: &mut dyn Write) -> anyhow::Resu
     };
     let mut exit = case_folder::exit_of(&suite);
     if !suite.cases.iter().any(|case| implicit_word(case).is_some()) {
-        return Ok(case_folder::nothing_selected(&plan, &suite));
+        return Ok(case_folder::nothing_selected(&plan, &folder.load_whole(&plan)));
     }
     let asked = if arguments.dialect.is_empty() {
         &DialectName::ALL[..]

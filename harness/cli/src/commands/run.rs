@@ -95,7 +95,12 @@ fn run(
     };
     let selected = select(plan, &suite.cases);
     if selected.is_empty() {
-        return Ok(case_folder::nothing_selected(plan, &suite));
+        let whole = folder.load_whole(plan);
+        let beside = select(plan, &whole.cases);
+        if !beside.is_empty() {
+            understood(plan, &beside, engines)?;
+        }
+        return Ok(case_folder::nothing_selected(plan, &whole));
     }
     understood(plan, &selected, engines)?;
     let report_folder =

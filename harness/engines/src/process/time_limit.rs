@@ -25,17 +25,36 @@ pub fn end_questions_at(end: Option<Instant>) {
 
 /// Returns the time that a program may take from now on, of which its adapter says `usual`.
 pub(crate) fn time_limit(usual: Duration) -> Duration {
-    let limit = match TIMEOUT.load(Ordering::Relaxed) {
-        0 => usual,
-        milliseconds => Duration::from_millis(milliseconds),
+    let timeout = match TIMEOUT.load(Ordering::Relaxed) {
+        0 => None,
+        milliseconds => Some(Duration::from_millis(milliseconds)),
     };
     let end = *END.lock().unwrap_or_else(PoisonError::into_inner);
-    end.map_or(limit, |end| {
-        limit.min(end.saturating_duration_since(Instant::now()))
-    })
+    let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+    shortest(usual, timeout, left)
+}
+
+/// Returns the limit by a usual one, by another that replaces it, and by the time that is left until an end.
+fn shortest(usual: Duration, timeout: Option<Duration>, left: Option<Duration>) -> Duration {
+    let limit = timeout.unwrap_or(usual);
+    left.map_or(limit, |left| limit.min(left))
 }
 
 /// Returns a time in whole milliseconds.
 pub(crate) fn milliseconds(time: Duration) -> u64 {
     u64::try_from(time.as_millis()).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_limit_for_every_program_replaces_the_usual_one_and_none_goes_beyond_the_end() {
+        let [usual, short, long] = [60, 5, 600].map(Duration::from_secs);
+        assert_eq!(shortest(usual, None, None), usual);
+        assert_eq!(shortest(usual, Some(long), None), long);
+        assert_eq!(shortest(usual, Some(long), Some(short)), short);
+        assert_eq!(shortest(usual, None, Some(Duration::ZERO)), Duration::ZERO);
+    }
 }

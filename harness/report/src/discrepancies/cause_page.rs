@@ -1,7 +1,7 @@
 //! Writes the page of a cause, and its line in the list of an engine's pages.
 
 use super::Discrepancy;
-use super::page::{block, called, expected_and_got, not_compared, without_agreeing};
+use super::page::{Told, block, called, expected_and_got, not_compared, without_agreeing};
 use crate::basis::Basis;
 use crate::markdown::{code, inline, linked};
 use crate::overview::Overview;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
-    Reproducer, SourceHeader,
+    Reproducer, SourceHeader, Verdict,
 };
 use stickler_types::{counted, grouped};
 
@@ -164,17 +164,20 @@ pub(crate) fn page(
         true => format!("Expected (found through cases of {}):", cited(shown, overview)),
         false => format!("Expected, by {}:", cited(shown, overview)),
     };
-    expected_and_got(&mut text, &by, (&shown.basis, &shown.expected, &shown.got));
+    let told = Told {
+        printed: &shown.printed,
+        strict: about.map_or(Grade::Code, |about| about.strict),
+    };
+    expected_and_got(&mut text, &by, (&shown.basis, &shown.expected, &shown.got), &told);
     limitation(&mut text, cause, overview);
     if let Some(repeats) = &cause.flaky {
         by_chance(&mut text, repeats);
     }
     if shown.expected.iter().any(|fact| fact.diagnostic().is_some()) {
-        let strict = about.map_or(Grade::Code, |about| about.strict);
-        let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(strict));
+        let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
         let _ = write!(text, "{}\n\n", lines.trim_end());
     }
-    second(&mut text, cause);
+    second(&mut text, cause, &told);
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
@@ -183,10 +186,23 @@ pub(crate) fn page(
     let rerun = rerun.map(|about| about.rerun(&shown.case, &shown.dialect));
     let _ = write!(text, "Found by Stickler, in its dialect `{}`", shown.dialect);
     let _ = match rerun.filter(|rerun| !rerun.is_empty()) {
-        Some(rerun) => writeln!(text, "; a case that shows it: {}", code(&rerun)),
+        Some(rerun) => writeln!(text, "; a case that shows it: {}", code(&without_folders(&rerun))),
         None => writeln!(text, "."),
     };
     text
+}
+
+/// Returns a command without the folders of absolute paths, which only one machine has.
+fn without_folders(command: &str) -> String {
+    let ends = |sign: char| sign.is_whitespace() || matches!(sign, '\'' | '"' | '=');
+    let words = command.split_inclusive(ends).map(|word| {
+        let begins = word.find('/').filter(|at| *at == 0 || word[..*at].ends_with(':'));
+        match begins.zip(word.rfind('/')) {
+            Some((begin, end)) => format!("{}{}", &word[..begin], &word[end + 1..]),
+            None => word.to_owned(),
+        }
+    });
+    words.collect()
 }
 
 /// Adds what the makers of a compiler say themselves of what it does not implement, since that contradicts what promises it.
@@ -299,7 +315,7 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
 }
 
 /// Adds the second witness, and the types that were seen.
-fn second(text: &mut String, cause: &Cause) {
+fn second(text: &mut String, cause: &Cause, told: &Told<'_>) {
     if let Some(second) = &cause.second {
         let same = second.expected == cause.shown.expected && second.got == cause.shown.got;
         block(
@@ -310,9 +326,15 @@ fn second(text: &mut String, cause: &Cause) {
         );
         if !same {
             let (expected, got) = (&second.expected, &second.got);
-            let line = |facts: &[Fact]| code(&visible(&Fact::text(facts)).replace('\n', "; "));
             let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
-            let _ = write!(text, "Expected: {}. Got: {}.\n\n", line(&wanted), line(&reported));
+            // Nobody ran the commands with this program, so its codes and lines are told where those of the first one are.
+            let told = Told {
+                printed: "",
+                strict: told.strict,
+            };
+            let line = |facts: String| code(&visible(&facts).replace('\n', "; "));
+            let (wanted, reported) = (line(Fact::text(&wanted)), line(told.text(&reported)));
+            let _ = write!(text, "Expected: {wanted}. Got: {reported}.\n\n");
         }
     }
     let types: Vec<&str> = cause
@@ -350,7 +372,17 @@ fn cases(text: &mut String, cause: &Cause) {
         let _ = writeln!(text, "- {}: {cases}", inline(claim));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");
-    let mut listed: Vec<&ExplainedCases> = cause.cases.iter().collect();
+    let mut listed: Vec<ExplainedCases> = Vec::new();
+    for some in &cause.cases {
+        // The claims stand in the list above, and what came is said once.
+        let (basis, verdict) = (String::new(), Verdict::default());
+        let some = ExplainedCases {
+            basis,
+            verdict,
+            ..some.clone()
+        };
+        ExplainedCases::add(&mut listed, some);
+    }
     listed.sort_by_key(|some| std::cmp::Reverse(some.cases));
     for some in listed.iter().take(MAX_LISTED) {
         let _ = writeln!(

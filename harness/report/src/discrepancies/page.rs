@@ -13,6 +13,7 @@ pub(super) fn expected_and_got(
     text: &mut String,
     by: &str,
     (basis, expected, got): (&str, &[Fact], &[Fact]),
+    told: &Told<'_>,
 ) {
     let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
     let is_unusable = |fact: &Fact| matches!(fact, Fact::Unusable { .. });
@@ -25,11 +26,58 @@ pub(super) fn expected_and_got(
     } else {
         block(text, by, "", &visible(&Fact::text(&wanted)));
     }
-    block(text, "Got:", "", &visible(&Fact::text(&reported)));
+    block(text, "Got:", "", &visible(&told.text(&reported)));
     let agreeing = (expected.len() - wanted.len()) as u64;
     if agreeing > 0 {
         let values = counted(agreeing, "other value is", "other values are");
         let _ = write!(text, "{values} as expected.\n\n");
+    }
+}
+
+/// What a compiler is known to have printed, by which its answer is told.
+pub(super) struct Told<'p> {
+    /// The text that the commands of the page print; empty where nobody ran them.
+    pub(super) printed: &'p str,
+    /// The worst grade of a rejection by the compiler that still passed.
+    pub(super) strict: Grade,
+}
+
+impl Told<'_> {
+    /// Returns what a compiler did, as text: without codes and lines that an adapter gave to its diagnostics, and where it names no fault
+    /// with what it printed last.
+    pub(super) fn text(&self, got: &[Fact]) -> String {
+        let lines: Vec<String> = got.iter().map(|fact| self.line(fact)).collect();
+        lines.join("\n")
+    }
+
+    fn line(&self, fact: &Fact) -> String {
+        let reported = match fact {
+            Fact::Diagnostic(reported) | Fact::Warning(reported) if !reported.message.is_empty() => reported,
+            Fact::Fault { line: None, .. } => {
+                return match self.printed.lines().last() {
+                    Some(last) => format!("the program stops: {last}"),
+                    None => fact.to_string(),
+                };
+            }
+            _ => return fact.to_string(),
+        };
+        let number = |line: &u32| {
+            let mut numbers = self.printed.split(|sign: char| !sign.is_ascii_digit());
+            self.printed.is_empty() || numbers.any(|number| number == line.to_string())
+        };
+        let is_own = |code: &&String| match self.printed {
+            "" => self.strict == Grade::Code || reported.registered_code().is_none(),
+            printed => printed.contains(code.as_str()),
+        };
+        let line = reported.line.filter(number);
+        let code = reported.code.as_ref().filter(is_own);
+        format!(
+            "{}{}{}: {}",
+            line.map_or(String::new(), |line| format!("line {line}: ")),
+            reported.severity.as_str(),
+            code.map_or(String::new(), |code| format!(" {code}")),
+            reported.message
+        )
     }
 }
 

@@ -214,17 +214,17 @@ impl Cause {
     }
 
     /// Adds the cases of another cause, which this one explains: its programs contain what fails here already.
-    pub fn explain(&mut self, other: Cause) {
-        for some in other.cases {
+    pub fn explain(&mut self, mut other: Cause) {
+        for some in std::mem::take(&mut other.cases) {
             ExplainedCases::add(&mut self.cases, some);
         }
-        for types in other.types {
+        for types in std::mem::take(&mut other.types) {
             if self.types.len() < MAX_TYPES && !self.types.contains(&types) {
                 self.types.push(types);
             }
         }
         if self.second.is_none() {
-            let is_different = other.shown.program != self.shown.program;
+            let is_different = other.shown.program != self.shown.program && !other.is_partly_reduced();
             self.second = other.second.or_else(|| is_different.then_some(other.shown));
         }
     }

@@ -7,7 +7,7 @@ use stickler_run::{Fact, Judgement};
 use stickler_suite::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
 };
-use stickler_types::{DialectName, Observation, Severity, Value};
+use stickler_types::{DialectName, Fault, Observation, Severity, Value};
 
 fn parsed<T: FromStr>(text: &str) -> T {
     text.parse().unwrap_or_else(|_| panic!("`{text}` cannot be read"))
@@ -158,7 +158,7 @@ pub fn outcome(text: &str) -> Outcome {
         ("faulted", place) => {
             let (fault, line) = word(place);
             Outcome::Faulted {
-                fault: parsed(fault),
+                fault: Fault::reported(fault),
                 line: line.parse().ok(),
                 values: values(),
                 warnings,
