@@ -89,9 +89,11 @@ fn result(overview: &Overview, is_broken: bool) -> (Style, String) {
     };
     let time = took(footer);
     if sum.all() > 0 && sum.of(Verdict::Unsupported) + sum.of(Verdict::Waiting) == sum.all() {
-        let nothing = format!(
-            "{cases} in {time}: nothing was tested, since all are unsupported or wait for a feature."
-        );
+        let waiting = match sum.of(Verdict::Waiting) {
+            0 => "",
+            _ => " or wait for a feature",
+        };
+        let nothing = format!("{cases} in {time}: nothing was tested, since all are unsupported{waiting}.");
         return (BAD, nothing);
     }
     let kinds = kinds(&sum, overview.failed == 0);
