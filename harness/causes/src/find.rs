@@ -281,6 +281,7 @@ impl Asking<'_> {
             plan: self.search.plan,
             suite: self.search.suite,
             engine: self.engine.identity(),
+            lacks: None,
             baseline: None,
         };
         let open = || {

@@ -11,6 +11,7 @@ use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types, words};
 use crate::work::operations;
+use std::collections::BTreeMap;
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite};
@@ -89,6 +90,7 @@ impl GrowingCause {
                 ..reproducer(&group.shown, shown)
             },
             second: None,
+            lacked_in: BTreeMap::new(),
             types: vec![types.join(", ")],
             reduction: smallest.reduction,
             flaky: smallest.flaky.clone(),

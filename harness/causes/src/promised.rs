@@ -9,7 +9,7 @@ use crate::reduction::Smallest;
 use crate::suspect::unimplemented;
 use crate::words::{valued_types, words};
 use stickler_engines::Identity;
-use stickler_run::{Claim, Fact, Symptom, binding};
+use stickler_run::{Fact, Symptom};
 use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
@@ -21,9 +21,7 @@ pub(crate) fn promise<'s>(
     case: &Case,
     (engine, suite): (&Identity, &'s Suite),
 ) -> Option<&'s str> {
-    let Suite {
-        features, sources, ..
-    } = suite;
+    let Suite { features, .. } = suite;
     let is_of_mistake = shown
         .deviation
         .expected
@@ -42,17 +40,7 @@ pub(crate) fn promise<'s>(
         Dialect::of(case.dialect),
         features,
     )?;
-    let speaks = |basis: &&String| {
-        let source = sources.of(basis);
-        let claim = Claim {
-            basis,
-            dialect: case.dialect,
-            program: &shown.program,
-        };
-        source.is_some_and(|(source, section)| source.speaks_for(section, case.dialect))
-            && binding(claim, Some(engine), suite).binds(false)
-    };
-    feature.promised.iter().find(speaks).map(String::as_str)
+    stickler_run::promise(feature, (&shown.program, case.dialect), engine, suite)
 }
 
 /// Returns the number of the line whose constructs the engine does not take; `None` where no line is known.

@@ -4,6 +4,7 @@ use crate::arguments::Arguments;
 use crate::exit::{NoSuchEngine, SpeaksNone};
 use anyhow::Context;
 use clap::CommandFactory;
+use std::collections::BTreeMap;
 use std::env;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -142,6 +143,19 @@ pub fn by_names(names: &[String]) -> anyhow::Result<Vec<NamedEngine>> {
         });
     }
     Ok(engines)
+}
+
+/// Returns the features that stickler.toml declares engines to lack, by the name of the engine.
+///
+/// # Errors
+/// A file `stickler.toml` that cannot be used.
+pub fn declared_lacks(engines: &[NamedEngine]) -> anyhow::Result<BTreeMap<String, Vec<String>>> {
+    let configuration = configuration()?;
+    let declared = engines.iter().filter_map(|named| {
+        let entry = configuration.engine(&named.asked_for)?;
+        Some((named.identity().name.clone(), entry.lacks.clone()))
+    });
+    Ok(declared.collect())
 }
 
 /// Returns the names of dialects in a list.

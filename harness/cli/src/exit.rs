@@ -88,13 +88,14 @@ impl From<Exit> for ExitCode {
     }
 }
 
-/// Returns the exit code of a run from the totals of its verdicts, and from whether an entry of a baseline is out of date.
-pub fn of_totals(totals: &Totals, outdated: bool) -> Exit {
-    if totals.unexpected() > 0 || outdated {
+/// Returns the exit code of a run from the totals of its verdicts, and from whether something else fails it: an entry of a baseline that is
+/// out of date, or a promised feature that is lacking.
+pub fn of_totals(totals: &Totals, fails: bool) -> Exit {
+    if totals.unexpected() > 0 || fails {
         return Exit::Failures;
     }
     // The last line of the page reports that too. A pipeline must not take such a run for that of a conforming compiler.
-    if totals.of(Verdict::Unsupported) == totals.all() {
+    if totals.of(Verdict::Unsupported) + totals.of(Verdict::Waiting) == totals.all() {
         return Exit::NothingTested;
     }
     Exit::AsExpected
@@ -106,7 +107,7 @@ pub fn of_totals(totals: &Totals, outdated: bool) -> Exit {
 pub fn of_error(error: &anyhow::Error) -> Exit {
     match error.downcast_ref::<RunError>() {
         Some(RunError::NoCaseSelected) => Exit::NothingTested,
-        Some(RunError::Engine(_) | RunError::Workers(_)) => Exit::EngineNotRun,
+        Some(RunError::Engine(_) | RunError::RejectsAll { .. } | RunError::Workers(_)) => Exit::EngineNotRun,
         None if error.is::<NoSuchEngine>() || error.is::<SpeaksNone>() => Exit::EngineNotRun,
         None if error.is::<EngineError>() || error.is::<CampaignError>() => Exit::EngineNotRun,
         None => Exit::Usage,

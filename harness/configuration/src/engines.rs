@@ -4,8 +4,9 @@ use serde::Deserialize;
 use std::ops::Range;
 use std::path::Path;
 use stickler_engines::{Compiler, DependencyPaths, Description};
-use stickler_types::dialect_file::list;
+use stickler_suite::Features;
 use stickler_types::dialect_file::{ConfigurationMistake, read, table, text};
+use stickler_types::dialect_file::{list, nearest};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -16,6 +17,8 @@ pub struct EngineEntry {
     pub written: String,
     /// The kind of the engine, with its settings.
     pub kind: EngineKind,
+    /// The features of the language that it is declared to lack, by their keys.
+    pub lacks: Vec<String>,
 }
 
 /// The kind of an engine of `stickler.toml`.
@@ -38,6 +41,9 @@ pub enum EngineKind {
     /// A compiler whose adapter is described by data.
     Described(Box<Description>),
 }
+
+/// The key of the features that an engine is declared to lack.
+const LACKS: &str = "lacks";
 
 /// The name of the built-in engine.
 const REFERENCE: &str = "reference";
@@ -63,14 +69,18 @@ pub(crate) fn entry(
     let span = name.span();
     let name = name.get_ref().as_ref();
     check_name(name, &span)?;
-    let keys = table(&format!("engines.{name}"), value)?;
+    let mut keys = table(&format!("engines.{name}"), value)?.clone();
+    let lacks = keys
+        .remove(LACKS)
+        .map_or(Ok(Vec::new()), |value| features(&value))?;
+    let keys = &keys;
     let kind = match (compiler(name, keys)?, keys.get("command")) {
         (Some(compiler), _) => EngineKind::Compiler {
             compiler,
             places: places(name, compiler, keys, place)?,
         },
         (None, Some(_)) => {
-            let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"), &[])?;
+            let keys: CommandKeys = read(keys, value.span(), &format!("of `[engines.{name}]`"), &[LACKS])?;
             EngineKind::Command {
                 line: keys.command,
                 reproduce: keys.reproduce,
@@ -80,7 +90,27 @@ pub(crate) fn entry(
         (None, None) => EngineKind::Described(Box::new(description(name, keys, value.span())?)),
     };
     let written = (place.written)(&span);
-    Ok((name.to_owned(), EngineEntry { written, kind }))
+    Ok((name.to_owned(), EngineEntry { written, kind, lacks }))
+}
+
+/// Reads the features that an engine is declared to lack.
+fn features(value: &Spanned<DeValue<'_>>) -> Result<Vec<String>, ConfigurationMistake> {
+    let Some(words) = value.get_ref().as_array() else {
+        let message = format!("`{LACKS}` must be a list of features, such as [\"array\", \"lreal\"]");
+        return Err(ConfigurationMistake::at(value.span(), message));
+    };
+    let known: Vec<&str> = Features::built_in().iter().map(|feature| &*feature.key).collect();
+    let feature = |word: &Spanned<DeValue<'_>>| {
+        let key = text(LACKS, word)?;
+        if known.contains(&key) {
+            return Ok(key.to_owned());
+        }
+        let meant = nearest(key, known.iter().copied());
+        let meant = meant.map_or(String::new(), |meant| format!("; did you mean `{meant}`?"));
+        let message = format!("there is no feature `{key}` (`stickler list --features` shows all){meant}");
+        Err(ConfigurationMistake::at(word.span(), message))
+    };
+    words.iter().map(feature).collect()
 }
 
 /// Checks that a name means nothing else on the command line, and that it can be the name of a file.
@@ -171,7 +201,7 @@ fn description(
 ) -> Result<Description, ConfigurationMistake> {
     let whose = format!("of `[engines.{name}]`");
     // These two would have made it another kind of engine.
-    let description: Description = read(keys, span.clone(), &whose, &["command", "adapter"])?;
+    let description: Description = read(keys, span.clone(), &whose, &["command", "adapter", LACKS])?;
     description.check().map_err(|(key, message)| {
         let at = keys.iter().find(|(other, _)| other.get_ref() == key);
         ConfigurationMistake::at(

@@ -82,6 +82,7 @@ fn import(export: &Export, texts: &[CopiedText], sink: &mut dyn FnMut(Event)) ->
         plan: &Plan::default(),
         suite: &Suite::default(),
         engine: &engine(),
+        lacks: None,
         baseline: None,
     };
     export.import(texts, &judge, sink)

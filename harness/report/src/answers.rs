@@ -39,6 +39,7 @@ fn other(case: &CaseEvent) -> String {
         Some(Fact::Value { value, .. }) => shortened(&value.to_string()).to_owned(),
         Some(Fact::Warning(warning)) => with_code("warned", warning),
         Some(Fact::Unsupported { .. }) => "unsupported".to_owned(),
+        Some(Fact::Lacks { .. }) => "waiting".to_owned(),
         Some(Fact::Crashed { .. }) => "crashed".to_owned(),
         Some(fact) => {
             let text = fact.to_string();

@@ -22,12 +22,14 @@ pub struct Standing {
     pub open: u64,
     /// The number of cases that the engine does not support.
     pub unsupported: u64,
+    /// The number of cases that wait for a feature which the engine lacks.
+    pub waiting: u64,
 }
 
 impl Standing {
     /// Returns the number of all cases of the claim.
     pub const fn cases(self) -> u64 {
-        self.passed + self.failed + self.differs + self.open + self.unsupported
+        self.passed + self.failed + self.differs + self.open + self.unsupported + self.waiting
     }
 
     /// Returns the number of cases in `failed` that no baseline expects.
@@ -53,6 +55,7 @@ impl Standing {
             Verdict::Pass if event.open => &mut self.open,
             Verdict::Pass | Verdict::Xpass => &mut self.passed,
             Verdict::Unsupported => &mut self.unsupported,
+            Verdict::Waiting => &mut self.waiting,
             Verdict::Differs => &mut self.differs,
             Verdict::Fail | Verdict::Xfail | Verdict::Crash | Verdict::Timeout | Verdict::Error => {
                 &mut self.failed
@@ -68,6 +71,7 @@ impl Standing {
         self.differs += other.differs;
         self.open += other.open;
         self.unsupported += other.unsupported;
+        self.waiting += other.waiting;
     }
 }
 

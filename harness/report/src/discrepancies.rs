@@ -8,7 +8,7 @@
 mod cause_page;
 mod page;
 
-pub(crate) use cause_page::page as cause_page_of;
+pub(crate) use cause_page::{page as cause_page_of, titled};
 
 use crate::ReportError;
 use crate::claims::entry;
@@ -46,6 +46,8 @@ struct EngineClusters {
     clusters: BTreeMap<ClusterKey, Cluster>,
     /// The causes of its failing cases, those that explain most cases first; none where they were not searched for.
     causes: Vec<Cause>,
+    /// The features that it lacks although a source that binds it promises them.
+    lacks: Vec<Cause>,
     /// The number of failing cases.
     failing: u64,
 }
@@ -93,6 +95,12 @@ impl Discrepancies {
                     entry(&mut self.engines, &engine.name).strict = engine.strict;
                 }
             }
+            // What nobody promises has no page.
+            Event::Cause(cause) if cause.is_lack() => {
+                if cause.is_failing_lack() {
+                    entry(&mut self.engines, &cause.engine).lacks.push(cause.clone());
+                }
+            }
             Event::Cause(cause) => {
                 let causes = &mut entry(&mut self.engines, &cause.engine).causes;
                 if causes.len() < MAX_CLUSTERS {
@@ -135,7 +143,9 @@ impl Discrepancies {
             return Ok(());
         }
         let engines = self.engines.into_iter();
-        for (name, engine) in engines.filter(|(_, engine)| !engine.clusters.is_empty()) {
+        for (name, engine) in
+            engines.filter(|(_, engine)| !engine.clusters.is_empty() || !engine.lacks.is_empty())
+        {
             let folder = self.folder.join(file_name(&name));
             engine.write(&folder, &name, overview)?;
         }
@@ -157,7 +167,8 @@ impl EngineClusters {
         };
         let failing = self.failing;
         let found = self.discrepancies(name);
-        let explained: u64 = found.iter().map(|(cause, _)| cause.number()).sum();
+        let causes = found.iter().filter(|(cause, _)| !cause.is_lack());
+        let explained: u64 = causes.map(|(cause, _)| cause.number()).sum();
         let all = found.iter();
         let (differ, fail): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.differs());
         let all = fail.into_iter();
@@ -177,17 +188,16 @@ impl EngineClusters {
         write_pages(folder, name, overview, &fail, &index)
     }
 
-    /// Returns the causes, or the clusters where causes were not searched for; those with most cases come first.
+    /// Returns the features that the engine lacks, and the causes, or the clusters where causes were not searched for; those with most
+    /// cases come first.
     fn discrepancies(self, name: &str) -> Vec<Discrepancy> {
-        if !self.causes.is_empty() {
-            return self.causes.into_iter().map(|cause| (cause, None)).collect();
-        }
-        let clusters = self.clusters.into_iter();
-        let mut found: Vec<Discrepancy> = clusters
+        let clusters = self.clusters.into_iter().filter(|_| self.causes.is_empty());
+        let mut clusters: Vec<Discrepancy> = clusters
             .map(|(key, cluster)| (cluster.cause(name, &key), Some(cluster.smallest)))
             .collect();
-        found.sort_by_key(|(cause, _)| std::cmp::Reverse(cause.number()));
-        found
+        clusters.sort_by_key(|(cause, _)| std::cmp::Reverse(cause.number()));
+        let causes = self.lacks.into_iter().chain(self.causes);
+        causes.map(|cause| (cause, None)).chain(clusters).collect()
     }
 }
 

@@ -14,6 +14,7 @@ use crate::groups::{Group, GroupNumber, Groups};
 use crate::overview::Overview;
 use crate::pending::PendingFile;
 use crate::text::outdated;
+use crate::unexpected::Unexpected;
 use crate::{ReportError, engine};
 use quick_junit::Report;
 use std::collections::{BTreeMap, HashMap};
@@ -38,6 +39,7 @@ pub(crate) struct Junit {
 struct GroupTally {
     passed: ProbeTally,
     unsupported: ProbeTally,
+    waiting: ProbeTally,
 }
 
 impl Junit {
@@ -72,6 +74,7 @@ impl Junit {
         match case.verdict {
             Verdict::Pass => tally.passed.take(case),
             Verdict::Unsupported => tally.unsupported.take(case),
+            Verdict::Waiting => tally.waiting.take(case),
             _ => {
                 let name = suite_name(&case.engine, &case.dialect, &case.area);
                 let test = case::test(case, engine::named(&self.engines, &case.engine));
@@ -92,21 +95,22 @@ impl Junit {
                 Some((_, sum)) => {
                     sum.passed.add(tally.passed);
                     sum.unsupported.add(tally.unsupported);
+                    sum.waiting.add(tally.waiting);
                 }
                 None => tallies.push((group, tally)),
             }
         }
-        for (group, GroupTally { passed, unsupported }) in &tallies {
+        for (group, tally) in &tallies {
             let suite = suite_of(
                 &mut self.suites,
                 suite_name(&group.engine, &group.dialect, &group.area),
             );
-            passed
-                .tests(group, Verdict::Pass)
-                .into_iter()
-                .for_each(|test| suite.add(test));
-            let unsupported = unsupported.tests(group, Verdict::Unsupported);
-            unsupported.into_iter().for_each(|test| suite.add(test));
+            let tests = [
+                tally.passed.tests(group, Verdict::Pass),
+                tally.unsupported.tests(group, Verdict::Unsupported),
+                tally.waiting.tests(group, Verdict::Waiting),
+            ];
+            tests.into_iter().flatten().for_each(|test| suite.add(test));
         }
     }
 
@@ -123,6 +127,7 @@ impl Junit {
         let mut report = Report::new("stickler");
         report.set_time(Duration::from_millis(footer.duration_ms));
         report.add_test_suite(claims(overview).finish());
+        report.add_test_suites(features(overview).map(JunitSuite::finish));
         report.add_test_suites(broken_files(overview).map(JunitSuite::finish));
         report.add_test_suites(outdated_entries(overview).map(JunitSuite::finish));
         report.add_test_suites(self.suites.into_values().map(JunitSuite::finish));
@@ -151,8 +156,8 @@ fn claims(overview: &Overview) -> JunitSuite {
     for claim in overview.claims.iter() {
         let standing = claim.standing;
         let mut output = format!(
-            "passed {}, failed {}, open {}, unsupported {}",
-            standing.passed, standing.failed, standing.open, standing.unsupported
+            "passed {}, failed {}, open {}, unsupported {}, waiting {}",
+            standing.passed, standing.failed, standing.open, standing.unsupported, standing.waiting
         );
         if let Some(source) = overview.source(claim.source) {
             // Writing to a String cannot fail.
@@ -178,6 +183,30 @@ fn claims(overview: &Overview) -> JunitSuite {
         });
     }
     suite
+}
+
+/// Returns the test suite of the features that engines lack, where there are any; those that nobody promises are skipped.
+fn features(overview: &Overview) -> Option<JunitSuite> {
+    let mut suite = (!overview.lacks.is_empty()).then(|| JunitSuite::new("features"))?;
+    for lack in &overview.lacks {
+        let Unexpected { title, text, .. } = Unexpected::of_lack(lack, overview);
+        let kind = match lack.is_failing_lack() {
+            true => TestResult::Failure,
+            false => TestResult::Skipped,
+        };
+        let problem = Problem {
+            kind,
+            type_name: "feature",
+            message: title,
+            text,
+        };
+        suite.add(JunitTest {
+            name: &format!("{}: {}", lack.engine, lack.construct),
+            problem: Some(problem),
+            ..JunitTest::default()
+        });
+    }
+    Some(suite)
 }
 
 /// Returns the test suite of the mistakes in case files, where there are any: a CI service must not show a clean run.

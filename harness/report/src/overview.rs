@@ -34,6 +34,8 @@ pub struct Overview {
     pub observed: Observations,
     /// The causes of failing cases, those that explain most cases first; none where they were not searched for.
     pub causes: Vec<Cause>,
+    /// The features that engines lack, those for which most cases wait first.
+    pub lacks: Vec<Cause>,
     /// The footer of the run; `None` where the run was cut short.
     pub footer: Option<Footer>,
 }
@@ -44,6 +46,7 @@ impl Overview {
         match event {
             Event::Header(header) => self.header = Some(header.clone()),
             Event::Case(case) => self.take_case(case),
+            Event::Cause(cause) if cause.is_lack() => self.lacks.push(cause.clone()),
             Event::Cause(cause) => self.causes.push(cause.clone()),
             Event::Footer(footer) => self.footer = Some(footer.clone()),
         }
@@ -62,6 +65,11 @@ impl Overview {
                 self.failures.push(kept(case));
             }
         }
+    }
+
+    /// Returns the number of features that engines lack although a source that binds them promises these.
+    pub fn lacking(&self) -> u64 {
+        self.lacks.iter().filter(|lack| lack.is_failing_lack()).count() as u64
     }
 
     /// Returns the causes of cases that are not as expected, those that explain most of these cases first: those whose programs were
@@ -164,7 +172,7 @@ mod tests {
     fn what_is_as_expected_is_counted_and_only_what_is_not_is_kept() {
         let overview = overview(Verdict::ALL.map(|verdict| sample::case("a", verdict)).to_vec());
         assert_eq!((overview.failed, overview.failures.len()), (5, 5));
-        assert_eq!(overview.sum().all(), 9);
+        assert_eq!(overview.sum().all(), 10);
         assert_eq!(overview.areas(), ["widening"]);
     }
 

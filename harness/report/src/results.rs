@@ -102,7 +102,7 @@ impl Results {
         key(out, "causes_ms", &footer.causes_ms)?;
         key(out, "engines", &engines(header, footer))?;
         list(out, "claims", overview.claims.iter())?;
-        list(out, "causes", &overview.causes)?;
+        list(out, "causes", overview.lacks.iter().chain(&overview.causes))?;
         out.write_all(b"}\n")
     }
 }

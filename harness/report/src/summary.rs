@@ -4,10 +4,13 @@ mod claims;
 mod observed;
 
 use crate::basis::Basis;
-use crate::discrepancies::NAME;
+use crate::discrepancies::{NAME, titled};
 use crate::markdown::{cells, code, fence, inline, linked};
 use crate::overview::Overview;
-use crate::text::{MAX_SHOWN_CHARACTERS, clip, judged, noted, outdated, outdated_entries, took, visible};
+use crate::terminal::lacks::said;
+use crate::text::{
+    MAX_SHOWN_CHARACTERS, clip, judged, lacking, noted, outdated, outdated_entries, took, visible,
+};
 use crate::{compared, diff, engine};
 use std::fmt::Write;
 use stickler_run::{CaseEvent, Cause, DefinedHeader, Totals};
@@ -32,6 +35,7 @@ pub fn markdown(overview: &Overview) -> String {
     page.add(&heading(overview));
     claims::write(overview, &mut page);
     totals(overview, &mut page);
+    lacks(overview, &mut page);
     observed::write(overview, &mut page);
     failures(overview, &mut page);
     page.text
@@ -62,7 +66,8 @@ fn heading(overview: &Overview) -> String {
         },
         failed => format!("{} of {cases} not as expected", grouped(failed)),
     };
-    let mut text = format!("# Stickler: {verdict}\n\n");
+    let lacking = lacking(overview).map_or(String::new(), |lacking| format!(", and {lacking}"));
+    let mut text = format!("# Stickler: {verdict}{lacking}\n\n");
     // Writing to a String cannot fail.
     if let Some(header) = &overview.header {
         let engines: Vec<String> = header
@@ -131,6 +136,28 @@ fn total_cell(totals: Option<&Totals>) -> String {
         None | Some((0, _)) => "-".to_owned(),
         Some((all, 0)) => all.to_string(),
         Some((all, unexpected)) => format!("**{}/{all}**", all - unexpected),
+    }
+}
+
+/// Adds the table of the features that engines lack.
+fn lacks(overview: &Overview, page: &mut BoundedMarkdown) {
+    if overview.lacks.is_empty() {
+        return;
+    }
+    page.add(
+        "\n## Features that are lacking\n\nEach is judged once, by its minimal program; **bold** is what somebody promises. The cases \
+         that use it are refused, and wait for it.\n\n| feature | engine | what the compiler said | waiting |\n|---|---|---|--:|\n",
+    );
+    for lack in &overview.lacks {
+        let feature = match lack.is_failing_lack() {
+            true => format!("**{}**", titled(lack)),
+            false => titled(lack),
+        };
+        let (engine, said) = (inline(&lack.engine), inline(&said(lack)));
+        page.add(&format!(
+            "| {feature} | {engine} | {said} | {} |\n",
+            lack.number()
+        ));
     }
 }
 

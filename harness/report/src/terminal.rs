@@ -9,6 +9,7 @@ mod causes;
 mod claims;
 mod ending;
 pub(crate) mod failure;
+pub(crate) mod lacks;
 pub mod rerun;
 mod totals;
 
@@ -63,6 +64,7 @@ pub struct Surroundings<'a> {
 pub fn write(out: &mut dyn Write, overview: &Overview, around: Surroundings<'_>) -> io::Result<()> {
     write_failures(out, overview, around)?;
     if around.detail != Detail::Result {
+        lacks::write(out, overview, around.width)?;
         causes::write(out, overview, around.width)?;
         claims::write(out, overview, around)?;
         totals::write(out, overview, around)?;

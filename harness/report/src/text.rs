@@ -1,6 +1,7 @@
 //! Makes texts of unknown origin fit to be shown, since engines may print anything, and words the parts that several reports
 //! share.
 
+use crate::overview::Overview;
 use std::borrow::Cow;
 use std::fmt::Write;
 use stickler_run::{BaselineNote, Footer, Grade, OutdatedEntry, Totals, Verdict, clip_line};
@@ -119,6 +120,13 @@ pub(crate) fn outdated_entries(number: usize) -> String {
         "entries of baselines are",
     );
     format!("{entries} out of date")
+}
+
+/// Returns the number of promised features that engines lack: `1 promised feature is lacking`; `None` where they lack none.
+pub(crate) fn lacking(overview: &Overview) -> Option<String> {
+    let lacking = overview.lacking();
+    let features = counted(lacking, "promised feature is", "promised features are");
+    (lacking > 0).then(|| format!("{features} lacking"))
 }
 
 /// Formats the number of cases with each verdict that is meant and occurs: `3 pass, 1 fail`.

@@ -5,7 +5,7 @@ use crate::overview::Overview;
 use crate::text::visible;
 use crate::{compared, engine};
 use stickler_run::{CaseEvent, Cause, Fact, Verdict};
-use stickler_types::shortened;
+use stickler_types::{counted, shortened};
 
 /// The maximum number of characters of a title.
 const MAX_TITLE: usize = 200;
@@ -34,29 +34,41 @@ impl Unexpected {
     pub(crate) fn all(overview: &Overview) -> impl Iterator<Item = Unexpected> {
         let (small, unreduced) = overview.unexpected_causes();
         let cases = overview.unexplained_failures();
-        small
-            .into_iter()
-            .chain(unreduced)
-            .map(|cause| of_cause(cause, overview))
+        let lacks = overview.lacks.iter().filter(|lack| lack.is_failing_lack());
+        let lacks = lacks.map(|lack| Unexpected::of_lack(lack, overview));
+        let causes = small.into_iter().chain(unreduced);
+        lacks
+            .chain(causes.map(|cause| Unexpected::of_cause(cause, overview)))
             .chain(cases.map(|case| of_case(case, overview)))
+    }
+
+    fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+        let cases = match cause.number() {
+            1 => "1 case".to_owned(),
+            _ => format!("{} cases", cause.cases_shown()),
+        };
+        of_cause(cause, &cases, overview)
+    }
+
+    /// Returns the message about a feature that an engine lacks.
+    pub(crate) fn of_lack(lack: &Cause, overview: &Overview) -> Unexpected {
+        let waiting = counted(lack.number(), "case waits for it", "cases wait for it");
+        of_cause(lack, &waiting, overview)
     }
 }
 
-fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
+fn of_cause(cause: &Cause, cases: &str, overview: &Overview) -> Unexpected {
     let shown = &cause.shown;
-    let cases = match cause.number() {
-        1 => "1 case".to_owned(),
-        _ => format!("{} cases", cause.cases_shown()),
-    };
     let rerun = overview
         .engine(&cause.engine)
+        .filter(|_| !shown.case.is_empty())
         .map(|engine| engine.rerun(&shown.case, &shown.dialect))
         .unwrap_or_default();
     Unexpected {
         basis: shown.basis.clone(),
         file: shown.file.clone(),
         line: shown.line,
-        title: title(&cause.engine, &format!("{} ({cases})", cause.title)),
+        title: title(&cause.engine, &format!("{} ({cases})", cause.headline())),
         text: text(
             &shown.basis,
             &Fact::text(&shown.expected),
@@ -65,7 +77,7 @@ fn of_cause(cause: &Cause, overview: &Overview) -> Unexpected {
             &rerun,
         ),
         key: format!("{}: {}: {}", cause.engine, cause.symptom, cause.construct),
-        cases: cause.unexpected(),
+        cases: cause.unexpected().max(1),
     }
 }
 

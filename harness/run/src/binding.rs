@@ -1,8 +1,8 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{Acceptance, Case, FeatureKey, SourceKind, Suite};
-use stickler_types::DialectName;
+use stickler_suite::{Acceptance, Case, Feature, FeatureKey, SourceKind, Suite};
+use stickler_types::{Dialect, DialectName};
 
 /// A claim: that a program of a dialect does what a source states.
 #[derive(Clone, Copy, Debug)]
@@ -102,4 +102,36 @@ impl<'c> Claim<'c> {
             program: &case.source,
         }
     }
+}
+
+/// Returns the first basis that promises a feature of the language and binds an engine in a program of a dialect; `None` where there is none.
+#[must_use]
+pub fn promise<'f>(
+    feature: &'f Feature,
+    (program, dialect): (&str, DialectName),
+    engine: &Identity,
+    suite: &Suite,
+) -> Option<&'f str> {
+    let speaks = |basis: &&String| {
+        let source = suite.sources.of(basis);
+        let claim = Claim {
+            basis,
+            dialect,
+            program,
+        };
+        source.is_some_and(|(source, section)| source.speaks_for(section, dialect))
+            && binding(claim, Some(engine), suite).binds(false)
+    };
+    feature.promised.iter().find(speaks).map(String::as_str)
+}
+
+/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of its edition is about
+/// the feature.
+pub(crate) fn declared_by(feature: &Feature, dialect: DialectName, suite: &Suite) -> Option<String> {
+    // No table of the fourth edition is public; its features are those of the third.
+    let edition = Dialect::of(dialect).features.edition?.min(3);
+    let row = feature.tables.get(&edition)?;
+    let is_declared = suite.features.undeclared(&feature.program, dialect).is_none();
+    let table = row.split(',').next().unwrap_or(row);
+    is_declared.then(|| format!("iec-61131-3: {table}"))
 }

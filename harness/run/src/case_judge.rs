@@ -2,10 +2,13 @@
 
 use crate::event::CaseEvent;
 use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
-use crate::{Answers, Claim, Fact, Judgement, MatchedBaseline, Plan, Verdict, binding, promises};
+use crate::{
+    Answers, Binding, Claim, Fact, Judgement, Lacks, MatchedBaseline, Observed, Plan, Verdict, binding,
+    clip_line, promises,
+};
 use std::time::Duration;
 use stickler_engines::Identity;
-use stickler_suite::{Acceptance, Case, Suite};
+use stickler_suite::{Acceptance, Case, Expectation, Suite};
 use stickler_types::Fault;
 
 /// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
@@ -13,6 +16,9 @@ const RENDERING: &str = "rule: rendering";
 
 /// The basis of the line of a diagnostic that came without a place. No document promises that every diagnostic has one.
 const EVERY_MISTAKE: &str = "rule: every-mistake-is-told";
+
+/// The maximum number of characters that are recorded of a warning without a code.
+const MAX_WARNING: usize = 100;
 
 /// Judges the cases of one engine.
 #[derive(Clone, Copy, Debug)]
@@ -23,6 +29,8 @@ pub struct CaseJudge<'r> {
     pub suite: &'r Suite,
     /// The identity of the engine.
     pub engine: &'r Identity,
+    /// What the engine lacks, where it was asked.
+    pub lacks: Option<&'r Lacks<'r>>,
     /// The engine's baseline, where it has one.
     pub baseline: Option<&'r MatchedBaseline<'r>>,
 }
@@ -31,9 +39,24 @@ impl CaseJudge<'_> {
     /// Returns the event of a case, from what the engine answered and how long it took.
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
-        let judgement = self.judgement(case, answers);
+        let mut judgement = self.judgement(case, answers);
         let basis = self.basis(case, &judgement).to_owned();
+        if let Some(lacks) = self.lacks
+            && let waits_for @ [_, ..] = &lacks.waits_for(case, (&answers.run, judgement.verdict), || {
+                promises(case, self.engine, self.suite)
+            })[..]
+        {
+            judgement = Judgement {
+                verdict: Verdict::Waiting,
+                grade: None,
+                expected: judgement.expected,
+                got: waits_for.to_vec(),
+                observations: Vec::new(),
+            };
+        }
         let (judgement, baseline) = match self.baseline {
+            // No entry is about what a case tells nothing of.
+            Some(_) if judgement.verdict == Verdict::Waiting => (judgement, None),
             Some(baseline) => baseline.apply(&case.id, case.dialect, judgement),
             None => (judgement, None),
         };
@@ -73,6 +96,11 @@ impl CaseJudge<'_> {
     #[must_use]
     pub fn judgement(&self, case: &Case, answers: &Answers) -> Judgement {
         let mut judgement = judge(case, answers, self.plan.needed(self.engine, case));
+        if judgement.verdict == Verdict::Fail
+            && let Some(recorded) = self.with_warnings_recorded(case, answers)
+        {
+            return recorded;
+        }
         let is_unusable = matches!(judgement.got[..], [Fact::Unusable { .. }]);
         let is_endless = case
             .expectation
@@ -91,6 +119,31 @@ impl CaseJudge<'_> {
             judgement.verdict = Verdict::Fail;
         }
         judgement
+    }
+
+    /// Returns the judgement of a case that nothing misses but a warning on a clean line, of which no document of the system says that there
+    /// is none: the warning is recorded. `None` for any other case.
+    fn with_warnings_recorded(&self, case: &Case, answers: &Answers) -> Option<Judgement> {
+        let warnings = answers.run.warnings().filter(|warnings| !warnings.is_empty())?;
+        if binding(Claim::of(case), Some(self.engine), self.suite) == Binding::Own {
+            return None;
+        }
+        let expectation = Expectation {
+            clean_lines: Vec::new(),
+            ..(*case.expectation).clone()
+        };
+        let case = Case {
+            expectation: expectation.into(),
+            ..case.clone()
+        };
+        let mut judgement = judge(&case, answers, self.plan.needed(self.engine, &case));
+        judgement
+            .observations
+            .extend(warnings.iter().map(|warning| Observed {
+                name: "warning".to_owned(),
+                value: clip_line(warning.code.as_ref().unwrap_or(&warning.message), MAX_WARNING),
+            }));
+        (judgement.verdict == Verdict::Pass).then_some(judgement)
     }
 
     /// Returns whether the basis of what was missed binds the engine.
@@ -139,6 +192,6 @@ const fn needs_program(verdict: Verdict) -> bool {
         | Verdict::Crash
         | Verdict::Timeout
         | Verdict::Error => true,
-        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported => false,
+        Verdict::Pass | Verdict::Xpass | Verdict::Unsupported | Verdict::Waiting => false,
     }
 }

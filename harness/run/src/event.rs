@@ -36,7 +36,7 @@ pub enum Event {
     Header(Header),
     /// The result of a case on an engine; these events come in the order of the suite.
     Case(CaseEvent),
-    /// A cause of failing cases; these events come after the cases, where the causes were searched for.
+    /// A feature that an engine lacks, or a cause of failing cases, where the causes were searched for; these events come after the cases.
     Cause(Cause),
     /// The last event of a run that was not cut short.
     Footer(Footer),
@@ -197,6 +197,12 @@ impl CaseEvent {
             Some(line) => format!("{}:{line}", self.file),
             None => self.file.clone(),
         }
+    }
+
+    /// Returns the part of the id that the cases of a table's probe share, or the whole id where the case comes from no table.
+    #[must_use]
+    pub fn probe(&self) -> &str {
+        self.id.split_once('(').map_or(&self.id, |(probe, _)| probe)
     }
 
     /// Returns the verdict of the case as if there were no baseline.

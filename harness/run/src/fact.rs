@@ -89,6 +89,21 @@ pub enum Fact {
         /// The engine's reason, as a fragment.
         reason: String,
     },
+    /// The engine does not take the minimal program of a feature that the program uses.
+    Lacks {
+        /// The key of the feature in `features.toml`.
+        feature: String,
+        /// The feature in the words of a sentence.
+        title: String,
+        /// The basis of the case, where it is a document that promises this compiler a program which uses no other feature.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        promised_by: Option<String>,
+    },
+    /// The engine also rejects a program with the same constructs and without a mistake, so that its rejection tells nothing.
+    RejectsAlso {
+        /// The id of the case with that program.
+        case: String,
+    },
     /// The compiler states that it does not implement a construct of the program.
     NotImplemented {
         /// The compiler's message, as a fragment.
@@ -224,6 +239,10 @@ impl fmt::Display for Fact {
             }
             Fact::RenderedMeansOther => f.write_str("the rendered program does something else"),
             Fact::Unsupported { reason } => write!(f, "unsupported: {}", OneLine(reason)),
+            Fact::Lacks { title, .. } => write!(f, "the engine lacks {}", OneLine(title)),
+            Fact::RejectsAlso { case } => {
+                write!(f, "rejected, as {}, which has no mistake", OneLine(case))
+            }
             Fact::NotImplemented { reason, promised_by } => {
                 f.write_str("not implemented")?;
                 if let Some(basis) = promised_by {

@@ -18,6 +18,7 @@ mod fact;
 mod filter;
 mod inherited;
 mod judge;
+mod lacks;
 mod pack;
 mod plan;
 mod schedule;
@@ -29,7 +30,7 @@ pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, ChangeKind, EngineRun, Entry, EntryChange, MatchedBaseline, bless,
 };
-pub use binding::{Binding, Claim, binding, promises};
+pub use binding::{Binding, Claim, binding, promise, promises};
 pub use case_judge::CaseJudge;
 pub use clip::{clip_facts, clip_line};
 pub use event::{BaselineHeader, BaselineNote, DefinedHeader, OutdatedEntry};
@@ -40,6 +41,7 @@ pub use fact::Fact;
 pub use filter::Filter;
 pub use inherited::{dialect_headers, drop_changed_cases};
 pub use judge::{Judgement, differ_in_blanks_only, expected_facts, judge, rendered_bodies};
+pub use lacks::Lacks;
 pub use pack::breaks_reading;
 pub use plan::{Plan, RunError, RunSummary};
 pub use schedule::{run, run_with};

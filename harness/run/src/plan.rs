@@ -32,6 +32,8 @@ pub struct Plan {
     pub strict_rules: bool,
     /// The baselines of engines; of several for one engine the first counts.
     pub baselines: Vec<Baseline>,
+    /// The features that engines are declared to lack, by the name of the engine and their keys in `features.toml`.
+    pub lacks: BTreeMap<String, Vec<String>>,
     /// The custom dialects of the run, for the header.
     pub defined: Vec<DefinedHeader>,
     /// The day on which entries of baselines must hold; the caller states it, since this crate reads no calendar.
@@ -59,6 +61,7 @@ impl Default for Plan {
             strict: None,
             strict_rules: false,
             baselines: Vec::new(),
+            lacks: BTreeMap::new(),
             defined: Vec::new(),
             today: Date::default(),
             started: String::new(),
@@ -80,6 +83,8 @@ pub struct RunSummary {
     pub from_cache: u64,
     /// The number of baseline entries that are out of date.
     pub outdated: u64,
+    /// The number of features that an engine lacks although a source that binds it promises them.
+    pub lacking: u64,
     /// Whether the run was cut short, so that there was no footer.
     pub cancelled: bool,
 }
@@ -93,6 +98,19 @@ pub enum RunError {
     /// An engine could not be run. Exit code 3.
     #[error(transparent)]
     Engine(#[from] EngineError),
+    /// An engine rejects even a program that uses no feature of the language, so that no case can tell anything. Exit code 3.
+    #[error(
+        "{engine} rejects even the plainest program in the dialect {dialect}, which declares `x : INT` and has the statement `x := x;` ({said}); \
+         see `stickler engine --validate`, or leave the dialect out with --dialect"
+    )]
+    RejectsAll {
+        /// The name of the engine.
+        engine: String,
+        /// The dialect of the program.
+        dialect: DialectName,
+        /// The answer of the engine.
+        said: String,
+    },
     /// The worker threads could not be started.
     #[error(transparent)]
     Workers(#[from] SpawnError),

@@ -8,7 +8,8 @@ use crate::answer_store::AnswerStore;
 use crate::event::{
     CaseEvent, EngineHeader, EngineTotals, Event, FORMAT, Footer, Header, PROGRAM, SourceHeader,
 };
-use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, select};
+use crate::lacks::{self, Survey, WaitingCases};
+use crate::{MatchedBaseline, Plan, RunError, RunSummary, Totals, Verdict, select};
 use batches::Batches;
 use context::RunContext;
 use known::KnownAnswers;
@@ -54,7 +55,8 @@ pub fn run_with(
     cancel: &Cancellation,
 ) -> Result<RunSummary, RunError> {
     let begun = Instant::now();
-    let jobs = jobs(&select(plan, &suite.cases), engines);
+    let selected = select(plan, &suite.cases);
+    let jobs = jobs(&selected, engines);
     if jobs.is_empty() {
         return Err(RunError::NoCaseSelected);
     }
@@ -76,6 +78,14 @@ pub fn run_with(
         .map(|baseline| baseline.outdated.len() as u64)
         .sum();
     sink(Event::Header(header));
+    let survey = Survey {
+        plan,
+        suite,
+        engines,
+        stores,
+        cancel,
+    };
+    let lacks = lacks::survey(&survey, &selected)?;
     let mut known = KnownAnswers::of(&jobs, stores);
     let open: Vec<Job<'_>> = known.open.iter().map(|&place| jobs[place]).collect();
     let context = RunContext {
@@ -84,6 +94,7 @@ pub fn run_with(
         jobs: &open,
         engines,
         stores,
+        lacks: &lacks,
         baselines: &baselines,
         cancel,
         is_broken: AtomicBool::new(false),
@@ -117,7 +128,14 @@ pub fn run_with(
         return Err(error.into());
     }
     let cancelled = tally.cases < jobs.len() as u64;
+    let mut lacking = 0;
     if !cancelled {
+        for ((engine, lacks), waiting) in engines.iter().zip(&lacks).zip(tally.waiting) {
+            for cause in waiting.causes(lacks, *engine) {
+                lacking += u64::from(cause.is_failing_lack());
+                sink(Event::Cause(cause));
+            }
+        }
         let duration_ms = u64::try_from(begun.elapsed().as_millis()).unwrap_or(u64::MAX);
         sink(Event::Footer(Footer {
             totals: tally.totals,
@@ -131,6 +149,7 @@ pub fn run_with(
         cases: tally.cases,
         from_cache: known.given,
         outdated,
+        lacking,
         cancelled,
     })
 }
@@ -214,6 +233,8 @@ struct VerdictTally {
     totals: Totals,
     engines: Vec<EngineTotals>,
     cases: u64,
+    /// The cases that wait for features, of each engine.
+    waiting: Vec<WaitingCases>,
 }
 
 impl VerdictTally {
@@ -227,12 +248,16 @@ impl VerdictTally {
             totals: Totals::default(),
             engines: engines.iter().map(none).collect(),
             cases: 0,
+            waiting: engines.iter().map(|_| WaitingCases::default()).collect(),
         }
     }
 
     fn count(&mut self, engine: usize, event: &CaseEvent) {
         self.totals.count(event.verdict);
         self.engines[engine].totals.count(event.verdict);
+        if event.verdict == Verdict::Waiting {
+            self.waiting[engine].take(event);
+        }
         self.cases += 1;
     }
 }

@@ -55,6 +55,7 @@ pub fn execute(arguments: &ImportArguments, out: &mut dyn Write) -> anyhow::Resu
             plan: &plan,
             suite: &suite,
             engine: &engine,
+            lacks: None,
             baseline: baseline.as_ref(),
         },
         report.as_deref(),

@@ -40,11 +40,13 @@ pub fn execute(arguments: &RunArguments, out: &mut dyn Write) -> anyhow::Result<
     }
     let engines = engines::by_names(&arguments.engine)?;
     let asked_for = asked_for(&engines);
+    let lacks = engines::declared_lacks(&engines)?;
     let engines: Vec<&dyn Engine> = engines.iter().map(|named| named.engine.as_ref()).collect();
     let folder = CaseFolder::locate(arguments.selection.cases.as_deref())?;
     let plan = Plan {
         asked_for,
         baselines: baselines(arguments, &folder, &engines)?,
+        lacks,
         ..plan(arguments)
     };
     if arguments.watch && folder.is_carried {
@@ -300,5 +302,5 @@ fn exit(summary: &RunSummary) -> Exit {
     if summary.cancelled {
         return Exit::Interrupted;
     }
-    exit::of_totals(&summary.totals, summary.outdated > 0)
+    exit::of_totals(&summary.totals, summary.outdated > 0 || summary.lacking > 0)
 }

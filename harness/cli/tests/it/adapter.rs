@@ -40,7 +40,7 @@ fn it_keeps_to_the_protocol() {
         page.contains("  ok       `run` gives the value of a sum\n"),
         "{page}"
     );
-    assert!(page.ends_with("24 of 24; skipped: 1.\n"), "{page}");
+    assert!(page.ends_with("25 of 25; skipped: 1.\n"), "{page}");
 }
 
 #[test]

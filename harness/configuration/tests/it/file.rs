@@ -10,13 +10,14 @@ use super::read;
 #[test]
 fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "# Ours.\n[engines.ironplc]\nironplcc = \"bin/ironplcc\"\n\n[engines.old]\nadapter = \"ironplc\"\n\
+    let text = "# Ours.\n[engines.ironplc]\nlacks = [\"array\"]\nironplcc = \"bin/ironplcc\"\n\n[engines.old]\nadapter = \"ironplc\"\n\
                 ironplcvm = \"/opt/old/ironplcvm\"\n";
     fs::write(folder.path().join("stickler.toml"), text).unwrap();
     let configuration = ConfigurationFile::find(folder.path()).unwrap();
     let Some(EngineEntry {
         written,
         kind: EngineKind::Compiler { compiler, places },
+        lacks,
     }) = configuration.engine("ironplc")
     else {
         panic!("no compiler")
@@ -25,8 +26,9 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
         (written.as_str(), *compiler),
         ("stickler.toml:2", Compiler::Ironplc)
     );
+    assert_eq!(*lacks, ["array"]);
     let path = folder.path().join("bin/ironplcc");
-    let expected = DependencyPaths::default().named("ironplcc", path, "stickler.toml:3".to_owned());
+    let expected = DependencyPaths::default().named("ironplcc", path, "stickler.toml:4".to_owned());
     assert_eq!(*places, expected);
     // Of a second version, environment variables say nothing.
     let Some(EngineKind::Compiler { places, .. }) = configuration.engine("old").map(|entry| &entry.kind)
@@ -37,7 +39,7 @@ fn a_compiler_gets_its_places_and_each_knows_where_it_is_written() {
         .named(
             "ironplcvm",
             "/opt/old/ironplcvm".into(),
-            "stickler.toml:7".to_owned(),
+            "stickler.toml:8".to_owned(),
         )
         .without_variables();
     assert_eq!(*places, expected);

@@ -101,7 +101,7 @@ fn behavior(verdict: Verdict) -> Behavior {
         Verdict::Pass | Verdict::Xpass => Behavior::Right,
         Verdict::Fail | Verdict::Differs | Verdict::Xfail | Verdict::Error => Behavior::Wrong,
         Verdict::Crash | Verdict::Timeout => Behavior::Dead,
-        Verdict::Unsupported => Behavior::Unsupported,
+        Verdict::Unsupported | Verdict::Waiting => Behavior::Unsupported,
     }
 }
 

@@ -107,7 +107,7 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
     }
     let mut text = "| cases | page | claim |\n|--:|---|---|\n".to_owned();
     for ((cause, _), number) in causes.iter().zip(1..) {
-        let (cases, title) = (cause.number(), titled(cause));
+        let (cases, title) = (cause.number(), headline(cause));
         let _ = writeln!(
             text,
             "| {cases} | [{title}]({}) | {} |",
@@ -119,7 +119,7 @@ pub(super) fn list(causes: &[&Discrepancy]) -> String {
 }
 
 /// Returns the title of a cause, whose pieces of programs stand in backquotes.
-fn titled(cause: &Cause) -> String {
+pub(crate) fn titled(cause: &Cause) -> String {
     let pieces = cause.title.split('`').enumerate();
     let shown = pieces.map(|(at, piece)| match at % 2 {
         0 => inline(piece),
@@ -128,11 +128,18 @@ fn titled(cause: &Cause) -> String {
     shown.collect()
 }
 
+/// Returns the heading of a page, behind the name of the compiler.
+fn headline(cause: &Cause) -> String {
+    match cause.is_lack() {
+        true => format!("lacks {}", titled(cause)),
+        false => titled(cause),
+    }
+}
+
 /// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
 pub(super) fn file(number: usize, cause: &Cause) -> String {
-    let words = cause
-        .title
-        .split(|character: char| !character.is_ascii_alphanumeric());
+    let title = cause.headline();
+    let words = title.split(|character: char| !character.is_ascii_alphanumeric());
     let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
     let mut name = words.join("-");
     name.truncate(60);
@@ -147,7 +154,7 @@ pub(crate) fn page(
     overview: &Overview,
 ) -> String {
     let shown = &cause.shown;
-    let mut text = format!("# {}: {}\n\n", called(name, about), titled(cause));
+    let mut text = format!("# {}: {}\n\n", called(name, about), headline(cause));
     if let Some(case) = case {
         let _ = write!(text, "{}.\n\n", inline(&case.title));
     }
@@ -175,7 +182,8 @@ pub(crate) fn page(
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
     }
-    let rerun = about.map(|about| about.rerun(&shown.case, &shown.dialect));
+    let rerun = about.filter(|_| !shown.case.is_empty());
+    let rerun = rerun.map(|about| about.rerun(&shown.case, &shown.dialect));
     let _ = write!(text, "Found by Stickler, in its dialect `{}`", shown.dialect);
     let _ = match rerun.filter(|rerun| !rerun.is_empty()) {
         Some(rerun) => writeln!(text, "; a case that shows it: {}", code(&without_folders(&rerun))),
@@ -343,19 +351,24 @@ fn second(text: &mut String, cause: &Cause, told: &Told<'_>) {
 /// Adds the number of cases, the claims that they belong to, and their probes and dialects.
 fn cases(text: &mut String, cause: &Cause) {
     let number = cause.number();
-    let shows = if number == 1 { "case shows" } else { "cases show" };
-    let _ = write!(text, "{} {shows} this", grouped(number));
+    let shows = match (cause.is_lack(), number) {
+        (false, 1) => "case shows this",
+        (false, _) => "cases show this",
+        (true, 1) => "case uses it and is refused; it waits for it",
+        (true, _) => "cases use it and are refused; they wait for it",
+    };
+    let _ = write!(text, "{} {shows}", grouped(number));
     let mut claims: BTreeMap<&str, u64> = BTreeMap::new();
     for some in &cause.cases {
         *claims.entry(some.basis.as_str()).or_default() += some.cases;
     }
     claims.remove(cause.shown.basis.as_str());
-    match claims.is_empty() {
+    match claims.is_empty() || cause.is_lack() {
         true => text.push_str(":\n"),
         false => text
             .push_str(". It hides whether the compiler meets other claims, whose cases fail for it too:\n\n"),
     }
-    for (claim, cases) in claims {
+    for (claim, cases) in claims.into_iter().filter(|_| !cause.is_lack()) {
         let _ = writeln!(text, "- {}: {cases}", inline(claim));
     }
     text.push_str("\n| cases | probe | dialect |\n|--:|---|---|\n");

@@ -54,6 +54,10 @@ pub(super) fn kind(verdict: Verdict) -> Option<(TestResult, &'static str)> {
         Verdict::Error => Some((TestResult::Error, "the engine made no sense")),
         Verdict::Xfail => Some((TestResult::Skipped, "fails, as its baseline expects")),
         Verdict::Unsupported => Some((TestResult::Skipped, "the engine does not support it")),
+        Verdict::Waiting => Some((
+            TestResult::Skipped,
+            "it waits for a feature that the engine lacks",
+        )),
     }
 }
 

@@ -24,7 +24,7 @@ impl ProbeTally {
             observations: case.observations.len() as u64,
             microseconds: case.duration_us,
             got: match case.verdict {
-                Verdict::Unsupported if self.cases == 0 => Fact::text(&case.got),
+                Verdict::Unsupported | Verdict::Waiting if self.cases == 0 => Fact::text(&case.got),
                 _ => String::new(),
             },
         });

@@ -135,7 +135,7 @@ function caseView(of) {
       link(addressOf("case", { engine: of.engine, dialect: of.dialect, id: of.id }), "address of this case")),
     el("div.pair", {},
       el("div", {}, of.program === null
-        ? el("p.dim", {}, ["unsupported", "xpass"].includes(of.verdict) ? "The program stands in the case file." : "The program is left out here.")
+        ? el("p.dim", {}, ["unsupported", "waiting", "xpass"].includes(of.verdict) ? "The program stands in the case file." : "The program is left out here.")
         : programView(of.program)),
       el("div", {},
         el("p", {}, "Expected by ", basisLink(of.basis)),

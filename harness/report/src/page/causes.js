@@ -39,6 +39,12 @@ function showCauses(main, query) {
   for (const { title, causes } of lists.filter((list) => list.causes.length > 0)) {
     add(main, el("h3", {}, `${title}: ${grouped(causes.length)}`), causes.map(({ cause, name }) => causeBox(cause, name, open === name)));
   }
+  const lacks = run().lacks.filter((lack) => engine === "" || lack.engine === engine);
+  if (lacks.length > 0) {
+    add(main, table("Features that are lacking", ["feature", "what the compiler said", "waiting"], lacks.map((lack) => [
+      el("div", {}, engineNames().length > 1 ? `${lack.engine}: ` : "", quoted(lack.feature), lack.fails ? el("span.tag.fail", {}, "promised") : null),
+      el("span.code", {}, lack.said), grouped(lack.waiting)])));
+  }
   const leftOut = run().causes_left_out;
   if (leftOut > 0) {
     add(main, el("p.notice", {}, `${counted(leftOut, "cause", "causes")} with fewer cases left out, for which the page has no room; the folder discrepancies beside it has a page for each.`));

@@ -22,8 +22,9 @@ function standingCell(standing, address) {
   if (standing.differs > 0) words.push(verdictTag("differs", standing.differs));
   if (standing.open > 0) words.push(el("span.tag", {}, `${grouped(standing.open)} open`));
   if (standing.unsupported > 0) words.push(verdictTag("unsupported", standing.unsupported));
+  if (standing.waiting > 0) words.push(verdictTag("waiting", standing.waiting));
   if (words.length === 0) words.push(el("span.dim", {}, "–"));
-  const others = standing.failed + standing.differs + standing.unsupported > 0;
+  const others = standing.failed + standing.differs + standing.unsupported + standing.waiting > 0;
   return el("td", {}, el("div.tags", {}, words, others ? link(address, "cases") : null));
 }
 
@@ -68,7 +69,7 @@ function showClaims(main, query) {
   function summary(sum, engine) {
     const judged = sum.passed + sum.failed;
     const name = engines.length > 1 ? `${engine} ` : "";
-    if (judged + sum.differs + sum.open + sum.unsupported === 0) return null;
+    if (judged + sum.differs + sum.open + sum.unsupported + sum.waiting === 0) return null;
     if (judged === 0) return el("span.tag", {}, `${name}${sum.differs > 0 ? `${grouped(sum.differs)} differ` : "open"}`);
     return sum.failed === 0
       ? el("span.tag.pass", {}, `✓ ${name}${grouped(sum.passed)}`)

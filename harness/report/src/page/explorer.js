@@ -105,7 +105,7 @@ function implicitAnswer(answer, word) {
     if (text === word || (word === "=" && text === "yes")) return null;
     return { text: IMPLICIT[text].text, mark: IMPLICIT[text].mark, contradicts: false };
   }
-  if (["unsupported", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, mark: "–", contradicts: answer.text === "crashed" };
+  if (["unsupported", "waiting", "crashed", "nothing"].includes(answer.text)) return { text: answer.text, mark: "–", contradicts: answer.text === "crashed" };
   const is = (kind, text) => ({ text, mark: IMPLICIT[kind].mark, contradicts: true });
   if (answer.text.startsWith("rejected")) return is("no", word === "no" ? `no, ${answer.text}` : "no");
   if (answer.text.startsWith("warned")) return is("warn", `yes, ${answer.text}`);
@@ -172,7 +172,7 @@ function answerTag(text, contradicts, number) {
   const tag = el(`span.tag.${contradicts ? "fail" : "open"}`, {}, contradicts ? `✗ ${text}` : text);
   if (number === null || number === undefined) return tag;
   const of = caseAt(number);
-  if (of.verdict === "differs" || of.verdict === "unsupported") tag.className = `tag ${of.verdict}`;
+  if (["differs", "unsupported", "waiting"].includes(of.verdict)) tag.className = `tag ${of.verdict}`;
   return link(addressOf("case", { engine: of.engine, dialect: of.dialect, id: of.id }), tag);
 }
 

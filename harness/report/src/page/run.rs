@@ -4,6 +4,7 @@ use crate::claims::Standing;
 use crate::discrepancies::cause_page_of;
 use crate::observations::Disagreement;
 use crate::overview::Overview;
+use crate::terminal::lacks::said;
 use crate::text::visible;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -25,6 +26,7 @@ pub(super) struct RunData<'o> {
     /// The verdict counts by engine, dialect and area.
     totals: &'o BTreeMap<String, BTreeMap<String, BTreeMap<String, Totals>>>,
     claims: Vec<ClaimData<'o>>,
+    lacks: Vec<LackData<'o>>,
     causes: Vec<CauseData<'o>>,
     causes_left_out: usize,
     /// The number of values and acceptances that were recorded where no document states what they must be.
@@ -42,6 +44,18 @@ struct ClaimData<'o> {
     /// The address of the section; empty where the header does not name the source.
     address: String,
     standings: Vec<Standing>,
+}
+
+/// A feature that an engine lacks.
+#[derive(Serialize)]
+struct LackData<'o> {
+    engine: &'o str,
+    feature: &'o str,
+    /// What the compiler said of the minimal program, and who promises the feature.
+    said: String,
+    fails: bool,
+    /// The number of cases that wait for it.
+    waiting: u64,
 }
 
 #[derive(Serialize)]
@@ -97,6 +111,7 @@ pub(super) fn data(overview: &Overview) -> Option<RunData<'_>> {
         footer,
         totals: &overview.totals,
         claims: claims(overview),
+        lacks: overview.lacks.iter().map(lack_data).collect(),
         causes_left_out: overview.causes.len() - causes.len(),
         causes,
         observations: overview.observations,
@@ -127,6 +142,16 @@ fn causes(overview: &Overview) -> Vec<CauseData<'_>> {
         bytes <= MAX_CAUSE_BYTES
     });
     fitting.collect()
+}
+
+fn lack_data(lack: &Cause) -> LackData<'_> {
+    LackData {
+        engine: &lack.engine,
+        feature: &lack.title,
+        said: said(lack),
+        fails: lack.is_failing_lack(),
+        waiting: lack.number(),
+    }
 }
 
 fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {

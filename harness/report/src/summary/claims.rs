@@ -69,6 +69,7 @@ fn cell(standing: &Standing) -> String {
         (standing.differs, "differ"),
         (standing.open, "open"),
         (standing.unsupported, "unsupported"),
+        (standing.waiting, "waiting"),
     ];
     let others = others.into_iter().filter(|(number, _)| *number > 0);
     let others = others.map(|(number, word)| format!("{number} {word}"));
@@ -80,22 +81,23 @@ fn cell(standing: &Standing) -> String {
 }
 
 fn of_one_engine(overview: &Overview, rows: &[Row<'_>], page: &mut BoundedMarkdown) {
-    page.add("| | source | kind | section | passed | failed | differs | open | unsupported |\n");
-    page.add("|---|---|---|---|--:|--:|--:|--:|--:|\n");
+    page.add("| | source | kind | section | passed | failed | differs | open | unsupported | waiting |\n");
+    page.add("|---|---|---|---|--:|--:|--:|--:|--:|--:|\n");
     for row in rows {
         if let (Some(name), [standing]) = (name(overview, row), &row.standings[..]) {
             let failed = match standing.failed {
                 0 => "0".to_owned(),
                 failed => format!("**{failed}**"),
             };
-            let [passed, differs, open, unsupported] = [
+            let [passed, differs, open, unsupported, waiting] = [
                 standing.passed,
                 standing.differs,
                 standing.open,
                 standing.unsupported,
+                standing.waiting,
             ]
             .map(|number| number.to_string());
-            let numbers = cells([passed, failed, differs, open, unsupported]);
+            let numbers = cells([passed, failed, differs, open, unsupported, waiting]);
             page.add(&format!("{name}{numbers}\n"));
         }
     }

@@ -144,6 +144,7 @@ fn standing_cell(standing: Standing) -> Cell {
     match (passed + failed, failed) {
         (0, _) if standing.differs > 0 => Cell::styled("differs", DIM),
         (0, _) if standing.open > 0 => Cell::styled("open", DIM),
+        (0, _) if standing.waiting > 0 => Cell::styled("waiting", DIM),
         (0, _) if standing.unsupported > 0 => Cell::styled("unsupported", DIM),
         (0, _) => Cell::styled("-", DIM),
         (_, 0) => Cell::plain(passed),
@@ -154,16 +155,18 @@ fn standing_cell(standing: Standing) -> Cell {
 /// Adds a column for each result; differences and what is not supported only where some claim has them.
 fn of_one_engine(table: &mut Table, lines: &[DocumentRow]) {
     type Count = fn(&Standing) -> u64;
-    let columns: [(&str, Count); 5] = [
+    let columns: [(&str, Count); 6] = [
         ("passed", |standing| standing.passed),
         ("failed", |standing| standing.failed),
         ("differs", |standing| standing.differs),
         ("open", |standing| standing.open),
         ("unsupported", |standing| standing.unsupported),
+        ("waiting", |standing| standing.waiting),
     ];
     let is_shown = |(head, count): &(&str, Count)| {
         let mut standings = lines.iter().flat_map(|line| &line.standings);
-        !matches!(*head, "differs" | "unsupported") || standings.any(|standing| count(standing) > 0)
+        !matches!(*head, "differs" | "unsupported" | "waiting")
+            || standings.any(|standing| count(standing) > 0)
     };
     let columns: Vec<(&str, Count)> = columns.into_iter().filter(is_shown).collect();
     columns.iter().for_each(|(head, _)| table.head(Cell::plain(head)));

@@ -4,7 +4,7 @@ use super::{BAD, Detail, GOOD, Surroundings};
 use crate::discrepancies::NAME;
 use crate::events;
 use crate::overview::Overview;
-use crate::text::{judged, outdated, outdated_entries, took, verdicts, visible, wrapped};
+use crate::text::{judged, lacking, outdated, outdated_entries, took, verdicts, visible, wrapped};
 use anstyle::Style;
 use std::io::{self, Write};
 use stickler_run::{EngineHeader, Totals, Verdict};
@@ -88,18 +88,26 @@ fn result(overview: &Overview, is_broken: bool) -> (Style, String) {
         return (BAD, format!("Cut short after {cases}."));
     };
     let time = took(footer);
-    if sum.all() > 0 && sum.of(Verdict::Unsupported) == sum.all() {
-        let nothing = format!("{cases} in {time}: nothing was tested, since all are unsupported.");
+    if sum.all() > 0 && sum.of(Verdict::Unsupported) + sum.of(Verdict::Waiting) == sum.all() {
+        let waiting = match sum.of(Verdict::Waiting) {
+            0 => "",
+            _ => " or wait for a feature",
+        };
+        let nothing = format!("{cases} in {time}: nothing was tested, since all are unsupported{waiting}.");
         return (BAD, nothing);
     }
     let kinds = kinds(&sum, overview.failed == 0);
     let failed = overview.failed;
+    let lacking = lacking(overview).map_or(String::new(), |lacking| format!("{lacking}, and "));
     if failed > 0 {
         let failed = grouped(failed);
         return (
             BAD,
-            format!("{failed} of {cases} not as expected{kinds}, in {time}."),
+            format!("{lacking}{failed} of {cases} not as expected{kinds}, in {time}."),
         );
+    }
+    if !lacking.is_empty() {
+        return (BAD, format!("{lacking}{cases} as expected{kinds}, in {time}."));
     }
     let (style, but) = match overview.outdated().count() {
         0 if is_broken => (BAD, String::new()),

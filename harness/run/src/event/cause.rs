@@ -2,6 +2,7 @@
 
 use crate::{Fact, Verdict};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use stickler_engines::Reproduction;
 use stickler_types::grouped;
 
@@ -36,6 +37,10 @@ pub struct Cause {
     /// The outcomes of several runs of the shown program; `None` where they were all the same.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flaky: Option<Repeats>,
+    /// The dialects in which the engine lacks a feature of the language, with the verdict on the feature's minimal program, where the cause
+    /// is that: then its cases are waiting, its symptom is [`Cause::LACKS`], and its construct is the key of the feature.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub lacked_in: BTreeMap<String, Verdict>,
     /// The cases that fail for this cause, by probe, dialect, claim and verdict, in the order of the suite.
     pub cases: Vec<ExplainedCases>,
 }
@@ -129,6 +134,31 @@ pub struct ExplainedCases {
 }
 
 impl Cause {
+    /// The symptom of a cause that is the lack of a feature.
+    pub const LACKS: &str = "lacks";
+
+    /// Returns whether the cause is the lack of a feature of the language.
+    #[must_use]
+    pub fn is_lack(&self) -> bool {
+        !self.lacked_in.is_empty()
+    }
+
+    /// Returns the cause as a heading behind the name of the engine.
+    #[must_use]
+    pub fn headline(&self) -> String {
+        match self.is_lack() {
+            true => format!("lacks {}", self.title),
+            false => self.title.clone(),
+        }
+    }
+
+    /// Returns whether the cause is the lack of a feature that a source which binds the engine promises, or at whose minimal program the
+    /// engine crashes or hangs.
+    #[must_use]
+    pub fn is_failing_lack(&self) -> bool {
+        self.lacked_in.values().any(|verdict| !verdict.is_as_expected())
+    }
+
     /// Returns the number of cases that fail for this cause.
     #[must_use]
     pub fn number(&self) -> u64 {
@@ -156,7 +186,7 @@ impl Cause {
     /// Returns whether no case of the cause contradicts a source that binds the engine.
     #[must_use]
     pub fn differs(&self) -> bool {
-        self.cases.iter().all(|some| some.verdict == Verdict::Differs)
+        !self.is_lack() && self.cases.iter().all(|some| some.verdict == Verdict::Differs)
     }
 
     /// Returns whether the questions were spent before the shown program was as small as it can be.
@@ -179,6 +209,7 @@ impl Cause {
             std::mem::swap(&mut other.shown, &mut self.shown);
             (self.title, self.reduction, self.flaky) = (other.title.clone(), other.reduction, None);
         }
+        self.lacked_in.append(&mut other.lacked_in);
         self.explain(other);
     }
 

@@ -21,6 +21,9 @@ pub struct Totals {
     pub xpass: u64,
     /// The number of [`Verdict::Unsupported`].
     pub unsupported: u64,
+    /// The number of [`Verdict::Waiting`].
+    #[serde(default)]
+    pub waiting: u64,
     /// The number of [`Verdict::Crash`].
     pub crash: u64,
     /// The number of [`Verdict::Timeout`].
@@ -62,6 +65,7 @@ impl Totals {
             Verdict::Xfail => &mut self.xfail,
             Verdict::Xpass => &mut self.xpass,
             Verdict::Unsupported => &mut self.unsupported,
+            Verdict::Waiting => &mut self.waiting,
             Verdict::Crash => &mut self.crash,
             Verdict::Timeout => &mut self.timeout,
             Verdict::Error => &mut self.error,
@@ -87,11 +91,11 @@ mod tests {
         for (times, verdict) in Verdict::ALL.into_iter().enumerate() {
             (0..=times).for_each(|_| totals.count(verdict));
         }
-        assert_eq!((totals.pass, totals.fail, totals.error), (1, 2, 9));
-        assert_eq!(totals.all(), 45);
-        assert_eq!(totals.unexpected(), 45 - 1 - 3 - 4 - 6);
+        assert_eq!((totals.pass, totals.fail, totals.error), (1, 2, 10));
+        assert_eq!(totals.all(), 55);
+        assert_eq!(totals.unexpected(), 55 - 1 - 3 - 4 - 6 - 7);
         let mut twice = totals;
         twice += totals;
-        assert_eq!(twice.all(), 90);
+        assert_eq!(twice.all(), 110);
     }
 }

@@ -22,6 +22,8 @@ pub enum Verdict {
     Xpass,
     /// The engine states that it does not support what the case needs.
     Unsupported,
+    /// The case says nothing of the engine, which lacks a feature of the language that the program uses.
+    Waiting,
     /// The engine crashed or panicked.
     Crash,
     /// The engine gave no answer in time.
@@ -32,13 +34,14 @@ pub enum Verdict {
 
 impl Verdict {
     /// Every verdict, in the order in which reports count them.
-    pub const ALL: [Verdict; 9] = [
+    pub const ALL: [Verdict; 10] = [
         Verdict::Pass,
         Verdict::Fail,
         Verdict::Differs,
         Verdict::Xfail,
         Verdict::Xpass,
         Verdict::Unsupported,
+        Verdict::Waiting,
         Verdict::Crash,
         Verdict::Timeout,
         Verdict::Error,
@@ -54,6 +57,7 @@ impl Verdict {
             Verdict::Xfail => "xfail",
             Verdict::Xpass => "xpass",
             Verdict::Unsupported => "unsupported",
+            Verdict::Waiting => "waiting",
             Verdict::Crash => "crash",
             Verdict::Timeout => "timeout",
             Verdict::Error => "error",
@@ -72,7 +76,7 @@ impl Verdict {
     pub const fn is_as_expected(self) -> bool {
         matches!(
             self,
-            Verdict::Pass | Verdict::Differs | Verdict::Xfail | Verdict::Unsupported
+            Verdict::Pass | Verdict::Differs | Verdict::Xfail | Verdict::Unsupported | Verdict::Waiting
         )
     }
 

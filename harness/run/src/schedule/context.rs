@@ -5,7 +5,7 @@ use crate::answer_store::{self, AnswerStore};
 use crate::answers::Answers;
 use crate::event::CaseEvent;
 use crate::pack::{packs, settle};
-use crate::{CaseJudge, MatchedBaseline, Plan};
+use crate::{CaseJudge, Lacks, MatchedBaseline, Plan};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -24,6 +24,8 @@ pub(super) struct RunContext<'r> {
     pub(super) engines: &'r [&'r dyn Engine],
     /// The store of each engine; engines behind the end of the slice have none.
     pub(super) stores: &'r [Option<&'r dyn AnswerStore>],
+    /// What each engine lacks.
+    pub(super) lacks: &'r [Lacks<'r>],
     /// The matched baseline of each engine.
     pub(super) baselines: &'r [Option<MatchedBaseline<'r>>],
     pub(super) cancel: &'r Cancellation,
@@ -133,6 +135,7 @@ impl<'r> RunContext<'r> {
             plan: self.plan,
             suite: self.suite,
             engine: self.engines[job.engine].identity(),
+            lacks: self.lacks.get(job.engine),
             baseline: self.baselines[job.engine].as_ref(),
         };
         judge.event(job.case, answers, time)

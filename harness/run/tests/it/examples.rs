@@ -264,6 +264,7 @@ fn golden_bindings() {
             plan: &plan,
             suite: &suite,
             engine: &engine,
+            lacks: None,
             baseline: matched.as_ref(),
         };
         let event = judge.event(&case, &answers(example), Duration::ZERO);

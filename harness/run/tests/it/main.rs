@@ -5,6 +5,7 @@ mod defined;
 mod examples;
 mod fixtures;
 mod inherited;
+mod lacks;
 mod packing;
 mod scheduling;
 mod suggestions;

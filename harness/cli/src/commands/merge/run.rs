@@ -57,10 +57,8 @@ pub fn execute(arguments: &MergeArguments, out: &mut dyn Write) -> anyhow::Resul
     } else {
         Exit::AsExpected
     };
-    let outdated = overview.outdated().next().is_some();
-    Ok(exit::of_totals(&overview.sum(), outdated)
-        .worst(whole)
-        .worst(suite))
+    let fails = overview.outdated().next().is_some() || overview.lacking() > 0;
+    Ok(exit::of_totals(&overview.sum(), fails).worst(whole).worst(suite))
 }
 
 /// Opens the event log of one part; returns it with its name.

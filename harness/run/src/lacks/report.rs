@@ -1,0 +1,148 @@
+//! The causes that tell which features an engine lacks, and which cases wait for each.
+
+use super::{LackedFeature, Lacks};
+use crate::{CaseEvent, Cause, ExplainedCases, Fact, Reduced, Reproducer, Verdict};
+use std::collections::BTreeMap;
+use stickler_engines::{Ability, Engine, reproduce_and_run};
+use stickler_suite::Case;
+use stickler_types::DialectName;
+
+/// The maximum number of characters that are kept of what the commands of a reproduction print.
+const MAX_PRINTED: usize = 10_000;
+
+/// The cases of one engine that wait for features, by the key of the feature.
+#[derive(Debug, Default)]
+pub(crate) struct WaitingCases(BTreeMap<String, Waiting>);
+
+/// The cases that wait for a feature.
+#[derive(Debug, Default)]
+struct Waiting {
+    /// The id of the first one.
+    first: String,
+    cases: Vec<ExplainedCases>,
+    /// The document that promises the feature by the first case of a dialect that uses no other, by dialect.
+    promised: BTreeMap<String, String>,
+}
+
+impl WaitingCases {
+    /// Adds a case to each of the features that it waits for.
+    pub(crate) fn take(&mut self, event: &CaseEvent) {
+        for fact in &event.got {
+            let Fact::Lacks {
+                feature, promised_by, ..
+            } = fact
+            else {
+                continue;
+            };
+            let waiting = self.0.entry(feature.clone()).or_default();
+            if waiting.cases.is_empty() {
+                waiting.first.clone_from(&event.id);
+            }
+            if let Some(basis) = promised_by {
+                let of_dialect = waiting.promised.entry(event.dialect.clone());
+                of_dialect.or_insert_with(|| basis.clone());
+            }
+            let explained = ExplainedCases {
+                probe: event.probe().to_owned(),
+                dialect: event.dialect.clone(),
+                basis: event.basis.clone(),
+                verdict: event.verdict,
+                cases: 1,
+            };
+            ExplainedCases::add(&mut waiting.cases, explained);
+        }
+    }
+
+    /// Returns a cause for each feature that the engine lacks, those for which most cases wait first.
+    pub(crate) fn causes(&self, lacks: &Lacks<'_>, engine: &dyn Engine) -> Vec<Cause> {
+        let mut causes: Vec<Cause> = Vec::new();
+        for (&dialect, features) in &lacks.features {
+            for lacked in features {
+                let key = &lacked.feature.key;
+                let lacked = &self.promised(lacked, dialect);
+                let cause = match causes.iter_mut().find(|cause| cause.construct == *key) {
+                    Some(cause) => cause,
+                    None => {
+                        let waiting = self.0.get(key);
+                        causes.push(cause(lacked, dialect, waiting, engine));
+                        continue;
+                    }
+                };
+                cause
+                    .lacked_in
+                    .insert(dialect.as_str().to_owned(), lacked.verdict);
+                // The dialect in which the feature is promised is the one to show.
+                if cause.shown.basis.is_empty() && !lacked.basis.is_empty() {
+                    cause.shown = reproducer(lacked, dialect, &cause.shown.case, engine);
+                }
+            }
+        }
+        causes.sort_by_key(|cause| std::cmp::Reverse(cause.number()));
+        causes
+    }
+
+    /// Returns a feature as one that fails where only the document of a case promises it. What an engine is declared to lack, or cannot be
+    /// asked, fails nothing.
+    fn promised<'s>(&self, lacked: &LackedFeature<'s>, dialect: DialectName) -> LackedFeature<'s> {
+        let waiting = self.0.get(&lacked.feature.key);
+        let basis = waiting.and_then(|waiting| waiting.promised.get(dialect.as_str()));
+        let is_told =
+            lacked.verdict == Verdict::Unsupported && !matches!(lacked.got[..], [Fact::Unsupported { .. }]);
+        match basis.filter(|_| is_told) {
+            Some(basis) => LackedFeature {
+                verdict: Verdict::Fail,
+                basis: basis.clone().into(),
+                ..lacked.clone()
+            },
+            None => lacked.clone(),
+        }
+    }
+}
+
+fn cause(
+    lacked: &LackedFeature<'_>,
+    dialect: DialectName,
+    waiting: Option<&Waiting>,
+    engine: &dyn Engine,
+) -> Cause {
+    let first = waiting.map_or("", |waiting| &waiting.first);
+    Cause {
+        engine: engine.identity().name.clone(),
+        symptom: Cause::LACKS.to_owned(),
+        construct: lacked.feature.key.clone(),
+        title: lacked.feature.title.clone(),
+        shown: reproducer(lacked, dialect, first, engine),
+        reduction: Reduced::Smallest,
+        lacked_in: BTreeMap::from([(dialect.as_str().to_owned(), lacked.verdict)]),
+        cases: waiting.map_or(Vec::new(), |waiting| waiting.cases.clone()),
+        ..Cause::default()
+    }
+}
+
+/// Returns the minimal program of a feature; where the feature fails, with the commands that show it and what they print.
+fn reproducer(
+    lacked: &LackedFeature<'_>,
+    dialect: DialectName,
+    case: &str,
+    engine: &dyn Engine,
+) -> Reproducer {
+    let asked = Case::of_program(&lacked.feature.key, dialect, &lacked.feature.program);
+    let is_expected = lacked.verdict.is_as_expected();
+    let shown = (!is_expected).then(|| reproduce_and_run(engine, &asked.request(), Ability::Check).ok());
+    let (reproduction, printed) = shown.flatten().unzip();
+    Reproducer {
+        case: case.to_owned(),
+        dialect: dialect.as_str().to_owned(),
+        basis: lacked.basis.clone().into_owned(),
+        about: lacked.feature.title.clone(),
+        program: lacked.feature.program.clone(),
+        expected: vec![Fact::Accepted],
+        got: lacked.got.clone(),
+        reproduction,
+        printed: printed.map_or(String::new(), |printed| {
+            let text = printed.map_or_else(|reason| reason, |output| output.text);
+            text.chars().take(MAX_PRINTED).collect()
+        }),
+        ..Reproducer::default()
+    }
+}
