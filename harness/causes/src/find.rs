@@ -402,9 +402,11 @@ impl Asking<'_> {
         if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
             return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
         }
-        let (reproduction, output) = reproduce_and_run(self.engine, &request, ability).ok()?;
-        let printed = output.map_or_else(|reason| reason, |output| output.text);
-        Some((reproduction, beginning(&printed)))
+        match reproduce_and_run(self.engine, &request, ability).ok()? {
+            (reproduction, Ok(output)) => Some((reproduction, beginning(&output.text))),
+            // The time of the search ended before the commands did: they print nothing that is known.
+            _ => Some((self.engine.reproduce(&request, ability).ok()?, String::new())),
+        }
     }
 }
 

@@ -322,7 +322,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns the features of a program of which the compiler makes what cannot be built or dies: its operations, and of a program without
     /// them the forms of its literals and the kinds of its declarations.
     pub(crate) fn of_use(&self) -> Words {
-        let mut features = self.of_fault();
+        let mut features: Words = self.of_fault().iter().map(|one| either_way(one)).collect();
         features.remove("condition");
         if features.is_empty() {
             features.extend(self.suspect_literals(|_| true));
