@@ -31,7 +31,6 @@ impl Call {
         let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
         let signature = DialectName::ALL
             .into_iter()
-            .filter(|dialect| !dialect.rules().is_known_in_part)
             .find_map(|dialect| signature(function, &types, to, dialect))?;
         Some(Call { signature, operands })
     }

@@ -36,7 +36,7 @@ impl ProgramBuilder<'_, '_> {
                 self.declare_type("Rec", DeclaredKind::Structure(fields));
             }
         }
-        if self.has(Construct::Aliases) {
+        if self.has(Construct::Aliases) && !self.lacks("array") {
             self.declare_alias();
         }
     }

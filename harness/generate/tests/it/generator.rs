@@ -4,7 +4,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use stickler_exact::{expected, functions, implicit, signatures};
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::measured;
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
@@ -28,7 +27,7 @@ fn seeds() -> u64 {
 #[test]
 fn the_reference_accepts_every_program() {
     let mut rejected = BTreeMap::new();
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         for seed in 0..seeds() {
             let text = write(&made(dialect, seed), &Style::default()).text;
             if let Some(first) = stickler_reference::errors(&text, dialect).first() {
@@ -50,7 +49,7 @@ fn the_reference_accepts_every_program() {
 
 #[test]
 fn programs_end_and_hardly_any_meets_what_documents_leave_open() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let mut opened = Vec::new();
         for seed in 0..seeds() {
             match evaluate(&made(dialect, seed), 1) {
@@ -81,7 +80,7 @@ fn the_same_bytes_make_the_same_program() {
 
 #[test]
 fn no_bytes_make_a_small_program() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let program = program(&[], &GeneratorSettings::of(dialect));
         let text = write(&program, &Style::default()).text;
         assert!(text.lines().count() <= 12, "{text}");
@@ -94,7 +93,7 @@ fn the_input_chooses_the_dialect_where_the_caller_does_not() {
     let chosen: BTreeSet<DialectName> = (0..100)
         .map(|seed| program(&bytes(seed), &GeneratorSettings::default()).dialect)
         .collect();
-    assert_eq!(chosen.len(), DIALECTS.len());
+    assert_eq!(chosen.len(), DialectName::ALL.len());
 }
 
 #[test]
@@ -179,7 +178,7 @@ const ALWAYS: &str = include_str!("always.txt");
 fn every_construct_occurs_in_some_of_the_programs() {
     // So many that the rarest function is missing once in many thousand changes of the generator.
     const PROGRAMS: u64 = 4000;
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let mut missing: BTreeSet<String> = demanded(dialect).into_iter().collect();
         for seed in 0..PROGRAMS {
             for construct in measured(&made(dialect, seed)).into_keys() {
