@@ -109,6 +109,7 @@ fn is_known(word: &str) -> bool {
 mod tests {
     use super::*;
     use crate::inputs::Inputs;
+    use stickler_generate::model::Type;
 
     fn without(words: &[&str]) -> Result<Exclusions, UnknownWord> {
         Exclusions::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
@@ -191,9 +192,19 @@ mod tests {
     }
 
     #[test]
+    fn the_checksum_has_the_widest_integer_that_is_not_left_out() {
+        let without = without(&["lint", "ULINT"]).unwrap();
+        let program = Inputs::new(3).program_without(0, &[DialectName::MATIEC], false, &without);
+        let variables = program.unwrap().main.variables;
+        let checksum = variables.iter().find(|variable| variable.name == "checksum");
+        let ty = checksum.map(|variable| variable.ty.clone());
+        assert_eq!(ty, Some(Type::Elementary(ElementaryType::Dint)));
+    }
+
+    #[test]
     fn where_every_program_has_it_none_comes() {
-        // The checksum of every program is one.
-        let without = without(&["LINT"]).unwrap();
+        let types = ElementaryType::ALL.map(ElementaryType::name);
+        let without = without(&types).unwrap();
         let program = Inputs::new(3).program_without(0, &[DialectName::MATIEC], false, &without);
         assert_eq!(program, None);
     }

@@ -25,17 +25,11 @@ use crate::generator::DialectProfile;
 use crate::model::{Program, Type, Variable};
 use stickler_syntax::parse;
 use stickler_syntax::tree::SourceUnit;
-use stickler_types::dialect::OperandTypes;
 use stickler_types::{Dialect, DialectName, ElementaryType};
 
 /// Reads a text; `None` where it is no program of the model.
-///
-/// Where a dialect promotes operands, the type of an operation is not that of its place, so that no text is read.
 #[must_use]
 pub fn read(text: &str, dialect: DialectName) -> Option<Program> {
-    if dialect.rules().operands == OperandTypes::Promoted {
-        return None;
-    }
     let (unit, diagnostics) = parse(text, Dialect::of(dialect));
     if !diagnostics.is_empty() {
         return None;

@@ -82,7 +82,7 @@ impl ProgramBuilder<'_, '_> {
             adds && wraps && self.has(F::Arithmetic),
         );
         forms.offer(ExpressionForm::Division, 3, is_number && self.has(F::Division));
-        let negates = wraps && self.profile.negates(ty);
+        let negates = is_number && wraps && self.profile.negates(ty);
         forms.offer(ExpressionForm::Negation, 1, negates && self.has(F::Arithmetic));
         forms.offer(ExpressionForm::Logic, 6, is_logical && self.has(F::Logic));
         forms.offer(ExpressionForm::Not, 2, is_logical && wraps && self.has(F::Logic));

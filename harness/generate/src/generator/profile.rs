@@ -3,6 +3,7 @@
 
 use super::literals;
 use super::type_context::TypeContext;
+use crate::model::{BinaryOperator, Expression, ExpressionKind, StandardFunction, Type, UnaryOperator};
 use std::collections::HashMap;
 use std::sync::{LazyLock, PoisonError, RwLock};
 use stickler_exact::{Signature, expected, functions, implicit, signatures};
@@ -98,7 +99,25 @@ impl DialectProfile {
     /// Returns whether a minus sign gives a value of the type of its operand.
     pub fn negates(&self, ty: ElementaryType) -> bool {
         let keeps = self.dialect.rules().result_signs == ResultSigns::OfOperands;
-        matches!(ty.family(), Family::Signed | Family::Real) && (keeps || ty.bits() >= 16)
+        matches!(ty.family(), Family::Signed | Family::Real | Family::Duration) && (keeps || ty.bits() >= 16)
+    }
+
+    /// Returns whether an expression gives a value of the type that the model has for it, where the value is `stored` at once or where it is
+    /// not.
+    pub fn has_its_type(&self, expression: &Expression, stored: bool) -> bool {
+        use BinaryOperator::{Add, And, Multiply, Or, Subtract, Xor};
+        let Type::Elementary(ty) = expression.ty else {
+            return true;
+        };
+        let wraps = stored || !self.computes_wider(ty);
+        match &expression.kind {
+            ExpressionKind::Unary(UnaryOperator::Negate, _) => wraps && self.negates(ty),
+            ExpressionKind::Unary(UnaryOperator::Not, _) => wraps && (stored || self.keeps_bit_strings(ty)),
+            ExpressionKind::Binary(And | Or | Xor, ..) => stored || self.keeps_bit_strings(ty),
+            ExpressionKind::Binary(Add | Subtract | Multiply, ..)
+            | ExpressionKind::Standard(StandardFunction::Shl, _) => wraps,
+            _ => true,
+        }
     }
 
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.

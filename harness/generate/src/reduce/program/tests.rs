@@ -305,7 +305,7 @@ fn a_program_with_one_bug_is_reduced_to_fifteen_lines() {
 
 #[test]
 fn another_program_with_one_bug_is_reduced_to_fifteen_lines() {
-    each_bug_is_reduced_to_fifteen_lines(&(600..1200));
+    each_bug_is_reduced_to_fifteen_lines(&(1200..1800));
 }
 
 /// Holds the reduction of a program that shows each bug to fifteen lines; `--nocapture` prints the table. One in ten may be
