@@ -2,7 +2,6 @@
 
 use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
-use super::literals;
 use super::profile::{ConversionOffer, ResultCoverage};
 use super::type_context::TypeContext;
 use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
@@ -132,7 +131,7 @@ impl ProgramBuilder<'_, '_> {
         const MAX_TRIES: usize = 4;
         let dialect = self.profile.dialect;
         for _ in 0..MAX_TRIES {
-            let value = literals::value(offer.from, &mut self.random);
+            let value = self.drawn(offer.from);
             if expected(&offer.signature, std::slice::from_ref(&value), dialect)
                 .basis
                 .is_some()

@@ -151,9 +151,14 @@ impl ProgramBuilder<'_, '_> {
 
     /// Picks a value to compare with that is not the least one of its type.
     fn telling_value(&mut self, ty: ElementaryType) -> Value {
-        let first = literals::value(ty, &mut self.random);
+        let first = self.drawn(ty);
         match first {
-            Value::Plain { raw: 0, .. } => literals::boundaries(ty).last().cloned().unwrap_or(first),
+            Value::Plain { raw: 0, .. } => {
+                let mut last = literals::boundaries(ty).iter().rev();
+                last.find(|value| self.profile.holds(value))
+                    .cloned()
+                    .unwrap_or(first)
+            }
             _ => first,
         }
     }

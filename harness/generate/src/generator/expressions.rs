@@ -5,7 +5,7 @@ use super::constructs::Construct;
 use super::literals;
 use super::type_context::TypeContext;
 use crate::model::{Expression, ExpressionKind, LiteralForm, Type};
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, Value};
 
 /// The forms of an expression that the generator chooses from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -174,7 +174,7 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates a literal, with the prefix of its type unless the context allows to omit it.
     pub fn literal(&mut self, ty: ElementaryType, context: TypeContext) -> Expression {
-        let value = literals::value(ty, &mut self.random);
+        let value = self.drawn(ty);
         let form = self.form(ty, context);
         if form == LiteralForm::Typed
             && self.lacks_typed(ty)
@@ -183,6 +183,15 @@ impl ProgramBuilder<'_, '_> {
             return read;
         }
         Expression::literal(ty, value, form)
+    }
+
+    /// Draws a value of a type; 0 in place of one that the dialect does not have.
+    pub fn drawn(&mut self, ty: ElementaryType) -> Value {
+        let value = literals::value(ty, &mut self.random);
+        match self.profile.holds(&value) {
+            true => value,
+            false => Value::plain(ty, 0),
+        }
     }
 
     /// Returns whether the program shall do without literals with this type.

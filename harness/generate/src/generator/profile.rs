@@ -6,9 +6,9 @@ use super::type_context::TypeContext;
 use crate::model::{BinaryOperator, Expression, ExpressionKind, StandardFunction, Type, UnaryOperator};
 use std::collections::HashMap;
 use std::sync::{LazyLock, PoisonError, RwLock};
-use stickler_exact::{Signature, expected, functions, implicit, signatures};
+use stickler_exact::{ImplicitResult, Signature, expected, functions, implicit, implicit_result, signatures};
 use stickler_types::dialect::{OperandTypes, ResultSigns};
-use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord, MomentUnits, Value};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -120,6 +120,12 @@ impl DialectProfile {
         }
     }
 
+    /// Returns whether the dialect has a value: no duration below 0 where durations are counts without a sign.
+    pub fn holds(&self, value: &Value) -> bool {
+        let is_count = self.dialect.rules().conversions.moment_units == MomentUnits::Counts;
+        !matches!(*value, Value::Plain { ty, raw } if is_count && ty.is_duration() && raw.cast_signed() < 0)
+    }
+
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
     pub fn has_bits(&self, open: bool) -> bool {
         self.dialect.rules().documents.bits || open && Dialect::of(self.dialect).bit_access
@@ -158,8 +164,15 @@ impl DialectProfile {
     fn build(dialect: DialectName) -> DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
-            let becomes =
-                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == MatrixWord::Yes;
+            // Where the matrix has a pair, a document may still not say what arrives.
+            let is_settled = |from: ElementaryType| {
+                let arrives =
+                    |value| matches!(implicit_result(value, into), Some(ImplicitResult::Exactly(_)));
+                literals::boundaries(from).iter().any(arrives)
+            };
+            let becomes = |from: &ElementaryType| {
+                *from != into && implicit(*from, into, dialect) == MatrixWord::Yes && is_settled(*from)
+            };
             types.iter().copied().filter(becomes).collect()
         });
         DialectProfile {
