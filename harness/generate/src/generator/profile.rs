@@ -151,6 +151,10 @@ impl DialectProfile {
             Family::Text => true,
             // `'a'` may be a text of one character, and no document says whether it is a character as well.
             Family::Character => false,
+            // A number beyond 31 bits may be one of 64, in which an operation on promoted operands is computed then.
+            Family::Signed | Family::Unsigned if context == TypeContext::Operand && ty.bits() == 32 => {
+                self.dialect.rules().operands != OperandTypes::Promoted
+            }
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match context {
                 _ if !self.dialect.rules().documents.untyped_literals => false,
