@@ -204,7 +204,9 @@ impl ProgramBuilder<'_, '_> {
         // A prefix before a text is rare, and so are compilers that know it.
         let prefixed = if ty.is_text() { 1 } else { 4 };
         let bare = self.has(Construct::Untyped) && !self.random.chance(prefixed, 16);
-        if (bare || self.lacks_typed(ty)) && self.profile.takes_untyped(ty, context) {
+        let takes_untyped =
+            self.profile.takes_untyped(ty, context) && !self.profile.types_operands(ty, context);
+        if (bare || self.lacks_typed(ty)) && takes_untyped {
             LiteralForm::Untyped
         } else {
             LiteralForm::Typed

@@ -91,6 +91,13 @@ impl DialectProfile {
         self.dialect.rules().operands == OperandTypes::Promoted && is_whole(ty) && ty.bits() < 32
     }
 
+    /// Returns whether a literal beside an operand of this type needs its own: a number beyond 31 bits may be one of 64, in which an operation
+    /// on promoted operands is computed then.
+    pub fn types_operands(&self, ty: ElementaryType, context: TypeContext) -> bool {
+        let is_promoted = self.dialect.rules().operands == OperandTypes::Promoted;
+        is_promoted && context == TypeContext::Operand && ty.is_integer() && ty.bits() == 32
+    }
+
     /// Returns whether AND, OR and XOR of two values of this type give a value of the type; where operands are promoted, it is an integer.
     pub fn keeps_bit_strings(&self, ty: ElementaryType) -> bool {
         self.dialect.rules().operands != OperandTypes::Promoted || !ty.is_bit_string()
@@ -151,10 +158,6 @@ impl DialectProfile {
             Family::Text => true,
             // `'a'` may be a text of one character, and no document says whether it is a character as well.
             Family::Character => false,
-            // A number beyond 31 bits may be one of 64, in which an operation on promoted operands is computed then.
-            Family::Signed | Family::Unsigned if context == TypeContext::Operand && ty.bits() == 32 => {
-                self.dialect.rules().operands != OperandTypes::Promoted
-            }
             Family::Signed | Family::Unsigned | Family::Real => context != TypeContext::Exact,
             Family::BitString => match context {
                 _ if !self.dialect.rules().documents.untyped_literals => false,
