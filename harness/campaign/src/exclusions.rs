@@ -66,20 +66,20 @@ impl Exclusions {
 
     /// Returns whether the program has nothing that is excluded.
     pub(crate) fn admits(&self, program: &Program) -> bool {
-        let applies =
-            |exclusion: &&Exclusion| exclusion.dialect.is_none_or(|dialect| dialect == program.dialect);
-        let own: Vec<&str> = self
-            .0
-            .iter()
-            .filter(applies)
-            .map(|exclusion| exclusion.word.as_str())
-            .collect();
+        let own = self.words(program.dialect);
         if own.is_empty() {
             return true;
         }
         let has = features(program);
         let unwanted = |name: &String| own.iter().any(|word| word.eq_ignore_ascii_case(name));
         !has.keys().any(unwanted)
+    }
+
+    /// Returns the words for what programs of a dialect shall not have.
+    pub(crate) fn words(&self, dialect: DialectName) -> Vec<String> {
+        let applies = |exclusion: &&Exclusion| exclusion.dialect.is_none_or(|own| own == dialect);
+        let own = self.0.iter().filter(applies);
+        own.map(|exclusion| exclusion.word.clone()).collect()
     }
 }
 
@@ -109,7 +109,7 @@ fn is_known(word: &str) -> bool {
 mod tests {
     use super::*;
     use crate::inputs::Inputs;
-    use stickler_generate::generator::DIALECTS;
+    use stickler_generate::model::Type;
 
     fn without(words: &[&str]) -> Result<Exclusions, UnknownWord> {
         Exclusions::new(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>())
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn every_feature_of_a_program_can_be_left_out() {
         for place in 0..300 {
-            let program = Inputs::new(9).program(place, &DIALECTS, true);
+            let program = Inputs::new(9).program(place, &DialectName::ALL, true);
             let names: Vec<String> = features(&program).into_keys().collect();
             assert_eq!(Exclusions::new(&names).map(|_| ()), Ok(()), "at {place}");
         }
@@ -192,9 +192,23 @@ mod tests {
     }
 
     #[test]
+    fn the_checksum_has_the_widest_integer_that_is_not_left_out() {
+        let without = without(&["lint", "ULINT"]).unwrap();
+        let program = Inputs::new(3).program_without(0, &[DialectName::MATIEC], false, &without);
+        let variables = program.unwrap().main.variables;
+        let checksum = variables.iter().find(|variable| variable.name == "checksum");
+        let ty = checksum.map(|variable| variable.ty.clone());
+        assert_eq!(ty, Some(Type::Elementary(ElementaryType::Dint)));
+    }
+
+    #[test]
     fn where_every_program_has_it_none_comes() {
-        // The checksum of every program is one.
-        let without = without(&["LINT"]).unwrap();
+        let types = [
+            &ElementaryType::ALL.map(ElementaryType::name)[..],
+            &["enumeration"],
+        ]
+        .concat();
+        let without = without(&types).unwrap();
         let program = Inputs::new(3).program_without(0, &[DialectName::MATIEC], false, &without);
         assert_eq!(program, None);
     }

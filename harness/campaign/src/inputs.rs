@@ -97,7 +97,10 @@ impl Inputs {
         if without.admits(&first) {
             return Some(first);
         }
-        let settings = self.settings(place, dialects, open);
+        let settings = GeneratorSettings {
+            lacking: without.words(first.dialect),
+            ..self.settings(place, dialects, open)
+        };
         // A row of rows, at a place from which the first takes nothing.
         let others = Inputs {
             row: self.draws(place).split(u64::MAX - 1),
@@ -116,6 +119,7 @@ impl Inputs {
         GeneratorSettings {
             dialect: dialect.copied(),
             open,
+            lacking: Vec::new(),
         }
     }
 }

@@ -62,6 +62,14 @@ pub struct CampaignSummary {
     pub elapsed: Duration,
 }
 
+impl CampaignSummary {
+    /// Returns whether a campaign that came to its end judged no program at all.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.ended == CampaignEnd::Done && self.passed_over.values().sum::<u64>() == self.programs
+    }
+}
+
 /// The way in which a campaign ended.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum CampaignEnd {

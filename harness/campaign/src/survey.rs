@@ -2,9 +2,8 @@
 //! need nothing that is known to fail.
 //!
 //! A part of the language is a word of [`Exclusions`]. First an engine is given small random programs that together use all
-//! parts; a program that it gets right shows that its parts are there. Of each part that is left the smallest program is made
-//! that uses it, by reducing random programs without any engine. An engine that fails with that program is blamed for the
-//! part, unless the program contains another one for which it is blamed: then a program without that one is asked about.
+//! parts; a program that it gets right shows that its parts are there. Of each part that is left it is asked the minimal program. An
+//! engine that fails with that program is blamed for the part, unless the program contains another one for which it is blamed.
 
 mod probes;
 
@@ -21,9 +20,6 @@ use stickler_workers::{SpawnError, WorkerPool};
 
 /// The number of times that an engine is given random programs with the parts that are left.
 const COVERING_ROUNDS: usize = 3;
-
-/// The number of times that parts are asked for again with programs that contain nothing for which the engine is blamed.
-const ROUNDS: usize = 3;
 
 /// The number of programs that a worker is given at a time, where an engine takes one at a time.
 const CHUNK_LEN: usize = 8;
@@ -91,6 +87,11 @@ pub enum SurveyError {
 /// [`SurveyError`] where an engine or a thread cannot be started.
 pub fn survey(plan: &SurveyPlan<'_>) -> Result<Survey, SurveyError> {
     let begun = Instant::now();
+    let going = || (plan.going)() && plan.time.is_none_or(|time| begun.elapsed() < time);
+    let plan = &SurveyPlan {
+        going: &going,
+        ..*plan
+    };
     let mut survey = Survey::default();
     for &dialect in plan.dialects {
         let foreign =
@@ -171,7 +172,7 @@ impl Survey {
             }
         }
         self.asked += (parts - suspects.len()) as u64;
-        self.blame(plan, engine, source, suspects)
+        self.blame(plan, engine, source, &suspects)
     }
 
     /// Asks one engine for each part that no program has shown to be there.
@@ -180,38 +181,25 @@ impl Survey {
         plan: &SurveyPlan<'_>,
         engine: &EngineUnderTest<'_>,
         source: &ProbeSource,
-        mut suspects: BTreeSet<String>,
+        suspects: &BTreeSet<String>,
     ) -> Result<(), SurveyError> {
+        let probes = source.probes(suspects);
+        let programs: Vec<&ProbeProgram> = probes.iter().map(|probe| &probe.program).collect();
+        let symptoms = self.symptoms(plan, engine, &programs)?;
+        self.asked += symptoms.iter().flatten().count() as u64;
         let mut blamed: BTreeSet<String> = BTreeSet::new();
-        for round in 0..ROUNDS {
-            let probes = source.probes(&suspects, &blamed, plan.going);
-            let programs: Vec<&ProbeProgram> = probes.iter().map(|probe| &probe.program).collect();
-            let symptoms = self.symptoms(plan, engine, &programs)?;
-            if round == 0 {
-                self.asked += symptoms.iter().flatten().count() as u64;
-            }
-            let before = blamed.len();
-            for (SurveyProbe { word, program }, symptom) in probes.into_iter().zip(symptoms) {
-                match symptom {
-                    None => {}
-                    Some(None) => _ = suspects.remove(&word),
-                    // It fails for another part, or is asked about with a program without that one.
-                    Some(Some(_)) if !program.words.is_disjoint(&blamed) => {}
-                    Some(Some(symptom)) => {
-                        suspects.remove(&word);
-                        blamed.insert(word.clone());
-                        self.failing.push(FailingPart {
-                            engine: engine.identity().name.clone(),
-                            dialect: source.dialect().as_str().to_owned(),
-                            word,
-                            symptom,
-                            program: program.subject.text,
-                        });
-                    }
-                }
-            }
-            if blamed.len() == before {
-                break;
+        for (SurveyProbe { word, program }, symptom) in probes.into_iter().zip(symptoms) {
+            if let Some(Some(symptom)) = symptom
+                && program.words.is_disjoint(&blamed)
+            {
+                blamed.insert(word.clone());
+                self.failing.push(FailingPart {
+                    engine: engine.identity().name.clone(),
+                    dialect: source.dialect().as_str().to_owned(),
+                    word,
+                    symptom,
+                    program: program.text,
+                });
             }
         }
         Ok(())
@@ -248,10 +236,7 @@ fn symptoms_of(
     programs: &[&ProbeProgram],
     going: &dyn Fn() -> bool,
 ) -> Vec<Option<Option<String>>> {
-    let questions: Vec<JudgedProgram<'_>> = programs
-        .iter()
-        .map(|program| program.subject.question(false))
-        .collect();
+    let questions: Vec<JudgedProgram<'_>> = programs.iter().map(|program| program.question()).collect();
     let outcomes = ask_all(session, &questions, going);
     let compared = questions.iter().zip(outcomes).map(|(question, outcome)| {
         Some(match compare(*question, &outcome?) {

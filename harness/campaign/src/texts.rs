@@ -4,10 +4,9 @@
 
 use crate::inputs::Inputs;
 use std::sync::LazyLock;
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_generate::writer::{Style, write};
-use stickler_types::{ElementaryType, SplitMix64, Value};
+use stickler_types::{DialectName, ElementaryType, SplitMix64, Value};
 
 /// The input of a target at a place: bytes of the row, or a text of the kind that the target reads.
 pub(crate) fn input(inputs: Inputs, place: u64, target: FuzzTarget) -> Vec<u8> {
@@ -55,7 +54,7 @@ impl Draws {
 }
 
 fn program(inputs: Inputs, place: u64) -> String {
-    write(&inputs.program(place, &DIALECTS, true), &Style::default()).text
+    write(&inputs.program(place, &DialectName::ALL, true), &Style::default()).text
 }
 
 fn case_file(inputs: Inputs, place: u64) -> String {

@@ -23,7 +23,7 @@ pub enum Exit {
     Usage,
     /// An engine could not be run at all; `engines`: a named engine cannot be run; `engine --validate`: the adapter is broken.
     EngineNotRun,
-    /// The filters select no case, or the engines support none of the selected cases.
+    /// The filters select no case, or the engines support none of the selected cases; `fuzz`: no program was judged.
     NothingTested,
     /// The command was stopped by Ctrl-C; the event log lacks its footer.
     Interrupted,
@@ -76,7 +76,11 @@ impl Exit {
                 "wrong usage, a broken case file, or a file or folder that cannot be used",
             ),
             Exit::EngineNotRun => (3, 4, "an engine could not be run"),
-            Exit::NothingTested => (4, 2, "no case selected, or none that the engine supports"),
+            Exit::NothingTested => (
+                4,
+                2,
+                "no case selected, or none that the engine supports; fuzz: no program was judged",
+            ),
             Exit::Interrupted => (130, 5, "stopped by Ctrl-C"),
         }
     }

@@ -35,7 +35,6 @@ mod statements;
 mod type_context;
 
 pub use builder::program;
-pub use profile::DIALECTS;
 pub(crate) use profile::DialectProfile;
 pub use settings::GeneratorSettings;
 pub(crate) use type_context::TypeContext;

@@ -1,6 +1,7 @@
 //! Calls of conversion functions, and what exact arithmetic says of them.
 
 use stickler_exact::{Expected, Signature, expected, signatures};
+use stickler_types::documents::DocumentedFunctions;
 use stickler_types::{DialectName, ElementaryType, Value, WrittenValue};
 
 /// A call of a conversion function with the operands that a program writes.
@@ -31,7 +32,7 @@ impl Call {
         let types: Vec<&str> = operands.iter().map(|operand| operand.value.type_name()).collect();
         let signature = DialectName::ALL
             .into_iter()
-            .filter(|dialect| !dialect.rules().is_known_in_part)
+            .filter(|dialect| dialect.rules().documents.functions != DocumentedFunctions::InTables)
             .find_map(|dialect| signature(function, &types, to, dialect))?;
         Some(Call { signature, operands })
     }

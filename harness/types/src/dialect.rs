@@ -45,9 +45,6 @@ choices! {
     /// edition, Tables 3, 5, 10, 71; rule: not-stated for what is open.
     #[derive(Clone, PartialEq, Eq, Debug)]
     Dialect {
-        /// The sources say single things of the system, pairs of types and values, and not what its language is: only tables that
-        /// name it speak for it, and no programs are generated in it.
-        is_known_in_part: bool = false, ["known-in-part"];
         /// Bit string to strictly wider integer is implicit (`--allow-cross-family-widening`).
         ///
         /// Basis: ironplc-type-conversions: Cross-family widening.

@@ -75,7 +75,6 @@ mod tests {
     use crate::differential::{Agreement, ask, compare};
     use crate::inputs::Inputs;
     use stickler_engines::{EngineSession, Reference};
-    use stickler_generate::generator::DIALECTS;
 
     fn subjects(dialect: DialectName) -> Vec<EvaluatedProgram> {
         let programs = (0..60).map(|place| Inputs::new(5).program(place, &[dialect], false));
@@ -87,7 +86,7 @@ mod tests {
     fn a_pack_gives_what_its_programs_give_alone() {
         let reference = Reference::default();
         let mut session = EngineSession::new(&reference);
-        for &dialect in DIALECTS.iter() {
+        for &dialect in DialectName::ALL.iter() {
             let subjects = subjects(dialect);
             assert!(subjects.len() > 30, "{} of {dialect}", subjects.len());
             for chunk in subjects.chunks(8) {

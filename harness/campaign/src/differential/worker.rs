@@ -281,12 +281,13 @@ impl<'b> DifferentialWorker<'b> {
 }
 
 impl JudgedInput {
-    fn into_verdict(self) -> InputVerdict {
+    /// Returns the verdict. Where programs are `open`, one that no document settles is judged too: only crashes and hangs count.
+    fn into_verdict(self, open: bool) -> InputVerdict {
         let mut verdict = self.verdict;
         if let Some(subject) = self.subject {
             verdict.passed_over = match self.asked {
                 0 => Some("no engine can do it"),
-                _ if subject.opened.is_empty() || !verdict.mismatches.is_empty() => None,
+                _ if open || subject.opened.is_empty() || !verdict.mismatches.is_empty() => None,
                 _ => Some("no document settles all of it"),
             };
         }
@@ -307,7 +308,10 @@ impl Worker for DifferentialWorker<'_> {
                 break;
             }
         }
-        inputs.into_iter().map(JudgedInput::into_verdict).collect()
+        inputs
+            .into_iter()
+            .map(|input| input.into_verdict(self.oracle.open))
+            .collect()
     }
 
     fn reduce(&mut self, mismatch: &Mismatch, going: &dyn Fn() -> bool) -> Finding {

@@ -1,15 +1,17 @@
-//! The smallest programs that use one part of the language each.
+//! The programs of a survey: random ones that together use all parts of the language, and a minimal one of each part, which is that
+//! of `conformance-cases/features.toml` where the part is a feature.
 
-use crate::differential::EvaluatedProgram;
+use crate::differential::{EvaluatedProgram, JudgedProgram};
 use crate::exclusions::Exclusions;
 use crate::inputs::Inputs;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
+use stickler_exact::signatures;
 use stickler_generate::features::features;
 use stickler_generate::model::Program;
-use stickler_generate::reduce;
-use stickler_reduce::{Interestingness, ReductionBudget};
-use stickler_types::DialectName;
+use stickler_generate::reader::read;
+use stickler_suite::Features;
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The seed of the random programs. It is the same for all campaigns, so that a survey depends on the engine alone.
 const SEED: u64 = 0;
@@ -17,36 +19,66 @@ const SEED: u64 = 0;
 /// The number of random programs.
 const SAMPLE_LEN: u64 = 1000;
 
-/// The number of smaller programs that are tried for one part; each takes some microseconds.
-const MAX_TRIES: u64 = 400;
-
 /// A program with the parts of the language that it uses.
 pub(super) struct ProbeProgram {
-    pub(super) subject: EvaluatedProgram,
+    dialect: DialectName,
+    /// The source text.
+    pub(super) text: String,
+    /// The values that it must give; none where no document settles all of them.
+    values: Vec<(String, Value)>,
     /// The words for the parts.
     pub(super) words: BTreeSet<String>,
 }
 
 impl ProbeProgram {
-    /// Evaluates a program; `None` where no document settles all of it.
-    fn new(program: Program) -> Option<ProbeProgram> {
+    /// Evaluates a random program; `None` where no document settles all of it.
+    fn random(program: Program) -> Option<ProbeProgram> {
         let words = features(&program).into_keys().collect();
-        let subject = EvaluatedProgram::new(program).ok()?;
-        subject
-            .opened
-            .is_empty()
-            .then_some(ProbeProgram { subject, words })
+        let dialect = program.dialect;
+        let EvaluatedProgram {
+            text, values, opened, ..
+        } = EvaluatedProgram::new(program).ok()?;
+        opened.is_empty().then_some(ProbeProgram {
+            dialect,
+            text,
+            values,
+            words,
+        })
+    }
+
+    /// Evaluates a minimal program, of which an engine need only accept what no document settles.
+    fn minimal(text: String, word: &str, dialect: DialectName) -> ProbeProgram {
+        let evaluated = read(&text, dialect).and_then(|program| EvaluatedProgram::new(program).ok());
+        let settled = evaluated.filter(|evaluated| evaluated.opened.is_empty());
+        let used = stickler_syntax::features::features(&text, dialect.rules());
+        let words = used.into_iter().map(|key| key.into_owned());
+        ProbeProgram {
+            dialect,
+            values: settled.map(|evaluated| evaluated.values).unwrap_or_default(),
+            words: words.chain([word.to_owned()]).collect(),
+            text,
+        }
+    }
+
+    /// Returns the question that an engine is asked about the program.
+    pub(super) fn question(&self) -> JudgedProgram<'_> {
+        JudgedProgram {
+            dialect: self.dialect,
+            text: &self.text,
+            values: &self.values,
+            binds: true,
+        }
     }
 }
 
-/// A program that uses a part of the language, and little else.
+/// A program that uses a part of the language, and nothing else that can be left out.
 pub(super) struct SurveyProbe {
     /// The word for the part.
     pub(super) word: String,
     pub(super) program: ProbeProgram,
 }
 
-/// Random programs of a dialect, from which the smallest ones are made.
+/// The programs of a survey in one dialect.
 pub(super) struct ProbeSource {
     dialect: DialectName,
     /// The programs, those with few parts first.
@@ -62,7 +94,7 @@ impl ProbeSource {
         let programs = (0..SAMPLE_LEN).map(|place| inputs.program(place, &[dialect], false));
         let mut sample: Vec<ProbeProgram> = programs
             .filter(|program| without.admits(program))
-            .filter_map(ProbeProgram::new)
+            .filter_map(ProbeProgram::random)
             .collect();
         sample.sort_by_key(|program| program.words.len());
         let mut frequencies: BTreeMap<String, u64> = BTreeMap::new();
@@ -93,46 +125,57 @@ impl ProbeSource {
         }
     }
 
-    /// Returns the smallest program for each of these words that has none of `blamed`, where there is one. Programs that use
-    /// fewer parts come first, and of these the parts that more programs use.
-    pub(super) fn probes(
-        &self,
-        wanted: &BTreeSet<String>,
-        blamed: &BTreeSet<String>,
-        going: &dyn Fn() -> bool,
-    ) -> Vec<SurveyProbe> {
+    /// Returns the minimal program for each of these words. Programs that use fewer parts come first, and of these the parts that more
+    /// random programs use.
+    pub(super) fn probes(&self, wanted: &BTreeSet<String>) -> Vec<SurveyProbe> {
         let frequency = |word: &str| Reverse(self.frequencies.get(word).copied());
-        let mut wanted: Vec<&String> = wanted.iter().collect();
-        wanted.sort_by_key(|word| frequency(word));
-        let wanted = wanted.into_iter().take_while(|_| going());
-        let mut probes: Vec<SurveyProbe> = wanted.filter_map(|word| self.probe(word, blamed)).collect();
+        let probe = |word: &String| {
+            Some(SurveyProbe {
+                word: word.clone(),
+                program: ProbeProgram::minimal(minimal(word, self.dialect)?, word, self.dialect),
+            })
+        };
+        let mut probes: Vec<SurveyProbe> = wanted.iter().filter_map(probe).collect();
         probes.sort_by_key(|SurveyProbe { word, program }| {
             (program.words.len(), frequency(word), word.clone())
         });
         probes
     }
+}
 
-    fn probe(&self, word: &str, blamed: &BTreeSet<String>) -> Option<SurveyProbe> {
-        let suits =
-            |program: &ProbeProgram| program.words.contains(word) && program.words.is_disjoint(blamed);
-        let start = self.sample.iter().find(|program| suits(program))?;
-        let interesting = |candidate: &Program| {
-            if candidate.main.variables.is_empty() || candidate.main.body.is_empty() {
-                return Interestingness::Invalid;
-            }
-            let program = ProbeProgram::new(candidate.clone());
-            Interestingness::from(program.is_some_and(|program| suits(&program)))
-        };
-        let budget = ReductionBudget {
-            tries: MAX_TRIES,
-            ..ReductionBudget::default()
-        };
-        let reduced = reduce::program(&start.subject.program, interesting, &budget);
-        Some(SurveyProbe {
-            word: word.to_owned(),
-            program: ProbeProgram::new(reduced.value)?,
-        })
+/// Returns the minimal program of a part of the language; `None` for a word that stands for nothing in the dialect.
+fn minimal(word: &str, dialect: DialectName) -> Option<String> {
+    if let Some(feature) = Features::built_in().get(&word.to_ascii_lowercase()) {
+        return Some(feature.program.clone());
     }
+    let of_types = |from: &str, to: &str, value: &str| {
+        format!(
+            "PROGRAM main\nVAR\n    x : {from};\n    y : {to};\nEND_VAR\n    y := {value};\nEND_PROGRAM\n"
+        )
+    };
+    if let Some((from, to)) = word.split_once(" to ") {
+        return Some(of_types(from, to, "x"));
+    }
+    if let Some(ty) = ElementaryType::from_name(word.trim_end_matches('#')) {
+        let value = match ty.is_text() {
+            true => Value::text(ty, vec![u16::from(b'a')]),
+            false => Value::plain(ty, ty.wrap(1)),
+        };
+        let value = match word.ends_with('#') {
+            true => value.to_string(),
+            false => "x".to_owned(),
+        };
+        return Some(of_types(ty.name(), ty.name(), &value));
+    }
+    let signature = signatures(word, dialect).into_iter().next()?;
+    let [from] = signature.operands[..] else {
+        return None;
+    };
+    Some(of_types(
+        from.name(),
+        signature.result.name(),
+        &format!("{word}(x)"),
+    ))
 }
 
 /// Random programs that were not asked about yet.

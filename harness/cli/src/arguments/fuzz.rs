@@ -15,13 +15,13 @@ use stickler_workers::Shard;
 pub struct FuzzArguments {
     /// Hold inputs against this oracle of the reference; may be repeated, then in rotation [default: execute, check,
     /// convert, literal, parse]
-    #[arg(long, value_name = "TARGET", value_parser = targets(), conflicts_with = "engine")]
+    #[arg(long, value_name = "TARGET", value_parser = targets(), conflicts_with_all = ["engine", "dialect"])]
     pub target: Vec<FuzzTarget>,
     /// Hold this engine, and the reference, against what the documents say of random programs: `reference`, a compiler
     /// with an adapter, or `cmd:COMMAND LINE`; may be repeated
     #[arg(long, value_name = "ENGINE")]
     pub engine: Vec<String>,
-    /// With --engine: only programs of this dialect; may be repeated [default: those that the engines speak]
+    /// Only programs of this dialect, on the engines or the reference; may be repeated [default: those that the engines speak]
     #[arg(long, value_name = "DIALECT", value_parser = dialects())]
     pub dialect: Vec<DialectName>,
     /// Where inputs come from: the same N gives the same inputs

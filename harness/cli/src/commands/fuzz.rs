@@ -12,7 +12,6 @@ use crate::case_folder::CaseFolder;
 use crate::engines::{self, NamedEngine};
 use crate::exit::Exit;
 use crate::{interrupt, shell};
-use anyhow::bail;
 use bar::FuzzBar;
 use keeper::Keeper;
 use known::KnownCauses;
@@ -25,7 +24,6 @@ use stickler_campaign::{
     EngineUnderTest, Exclusions, Inputs, Oracle, PackPolicy, ReproductionCommands, Store, TargetOracle,
     Until,
 };
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::oracles::FuzzTarget;
 use stickler_types::DialectName;
 use stickler_workers::Shard;
@@ -45,7 +43,10 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
     // An engine may take its time to start; the campaign itself ends in an orderly way.
     interrupt::at_once()?;
     Exclusions::new(&arguments.without)?;
-    let engines = engines_of(&arguments.engine)?;
+    let engines = match arguments.engine.is_empty() && !arguments.dialect.is_empty() {
+        true => engines_of(&[engines::REFERENCE.to_owned()])?,
+        false => engines_of(&arguments.engine)?,
+    };
     let store = Store::open(&findings_folder(arguments.findings.as_ref()))?;
     match engines.is_empty() {
         true => campaign_on_targets(arguments, store, out),
@@ -55,9 +56,6 @@ pub fn execute(arguments: &FuzzArguments, out: &mut dyn Write) -> anyhow::Result
 
 /// Runs a campaign that asks the reference alone, with the oracles of the fuzz targets.
 fn campaign_on_targets(arguments: &FuzzArguments, store: Store, out: &mut dyn Write) -> anyhow::Result<Exit> {
-    if !arguments.dialect.is_empty() {
-        bail!("--dialect needs an --engine; the oracles of the reference choose dialects by their input");
-    }
     let targets = match &arguments.target[..] {
         [] => TargetOracle::TARGETS.to_vec(),
         named => named.to_vec(),
@@ -183,6 +181,7 @@ impl KeptCampaign {
 
 fn exit(summary: &CampaignSummary) -> Exit {
     let found = match summary.findings.is_empty() {
+        _ if summary.is_empty() => Exit::NothingTested,
         true => Exit::AsExpected,
         false => Exit::Failures,
     };
@@ -214,29 +213,20 @@ fn under_test(named: &NamedEngine) -> EngineUnderTest<'_> {
     }
 }
 
-/// Returns the requested dialects, or all where none is requested, that an engine other than the reference speaks; without such
-/// an engine, all of these.
+/// Returns the requested dialects, or all but the variants where none is requested, that an engine other than the reference speaks;
+/// without such an engine, all of these.
 ///
 /// # Errors
-/// A dialect of stickler.toml; an engine that speaks none of the dialects.
+/// An engine that speaks none of the dialects.
 fn dialects_of(arguments: &FuzzArguments, engines: &[NamedEngine]) -> anyhow::Result<Vec<DialectName>> {
+    let defined = DialectName::defined().into_iter();
+    let all = DialectName::ALL
+        .into_iter()
+        .chain(defined.filter(|dialect| dialect.is_custom()));
     let asked = match &arguments.dialect[..] {
-        [] => &DIALECTS[..],
+        [] => &all.collect::<Vec<_>>()[..],
         named => named,
     };
-    if let Some(in_part) = asked.iter().find(|dialect| dialect.rules().is_known_in_part) {
-        bail!(
-            "no programs are generated in {in_part}: its sources speak of single conversions and values, not of the whole language; name another \
-             --dialect"
-        );
-    }
-    if let Some(defined) = asked.iter().find(|dialect| dialect.definition().is_some()) {
-        bail!(
-            "programs are made by the rules of documented systems alone, and {defined} overrides some; --dialect {} has those \
-             that it extends",
-            defined.base()
-        );
-    }
     let foreign = engines
         .iter()
         .filter(|named| named.asked_for != engines::REFERENCE);

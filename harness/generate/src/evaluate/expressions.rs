@@ -1,11 +1,12 @@
 //! Evaluation of expressions of the model.
 
+use super::arithmetic::Computed;
 use super::cell::MemoryCell;
 use super::evaluator::{Activation, ModelEvaluator};
 use super::statements::DIVISION_BY_ZERO;
 use super::{EvaluationError, OpenQuestion, arithmetic, ill_formed, ordering};
 use crate::model::{BinaryOperator, Expression, ExpressionKind, Place, Type, UnaryOperator};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, MomentUnits, Value};
 
 impl<'p> ModelEvaluator<'p> {
     /// Evaluates an expression that takes one cell.
@@ -24,7 +25,16 @@ impl<'p> ModelEvaluator<'p> {
         expression: &'p Expression,
     ) -> Result<MemoryCell, EvaluationError> {
         match &expression.kind {
-            ExpressionKind::Literal(value, _) => MemoryCell::of_value(value.clone()),
+            ExpressionKind::Literal(value, _) => {
+                if let &Value::Plain { ty, raw } = value
+                    && ty.is_duration()
+                    && raw.cast_signed() < 0
+                    && self.counts_moments()
+                {
+                    self.open(OpenQuestion::MomentRange, unit, || value.to_string());
+                }
+                MemoryCell::of_value(value.clone())
+            }
             ExpressionKind::Enumerated(place) => Ok(MemoryCell::Plain(*place as u64)),
             ExpressionKind::Read(place) => {
                 let address = self.locate(unit, place)?;
@@ -137,11 +147,20 @@ impl<'p> ModelEvaluator<'p> {
         };
         match arithmetic::binary(operator, ty, a, b) {
             arithmetic::Binary::Computed(computed) => {
+                let computed = match ty.is_duration() && self.counts_moments() {
+                    true => counted(ty, computed),
+                    false => computed,
+                };
                 self.computed(unit, computed, || format!("{operator:?} of {ty}"))
             }
             arithmetic::Binary::DivisionByZero => Err(DIVISION_BY_ZERO),
             arithmetic::Binary::Undefined => Err(ill_formed("an operator on a type that does not have it")),
         }
+    }
+
+    /// Returns whether durations are counts without a sign, so that a sum wraps.
+    fn counts_moments(&self) -> bool {
+        self.program.dialect.rules().conversions.moment_units == MomentUnits::Counts
     }
 
     fn comparison(
@@ -181,5 +200,24 @@ impl<'p> ModelEvaluator<'p> {
             self.open(question, unit, what);
         }
         Ok(MemoryCell::Plain(computed.raw))
+    }
+}
+
+/// Stores a duration in the count of its type: a TIME in 32 bits of milliseconds. What an LTIME below zero is, is open.
+///
+/// Basis: codesys-recording: recordings/codesys.run.json; see [`MomentUnits::Counts`].
+fn counted(ty: ElementaryType, computed: Computed) -> Computed {
+    const MILLISECOND: i64 = 1_000_000;
+    let nanoseconds = computed.raw.cast_signed();
+    match ty {
+        ElementaryType::Time => Computed {
+            raw: ((nanoseconds / MILLISECOND).rem_euclid(1 << 32) * MILLISECOND).cast_unsigned(),
+            ..computed
+        },
+        _ if nanoseconds < 0 => Computed {
+            question: Some(OpenQuestion::MomentRange),
+            ..computed
+        },
+        _ => computed,
     }
 }

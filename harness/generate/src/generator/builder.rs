@@ -1,7 +1,7 @@
 //! The state of the generator: the program so far, the POU under construction, and the rest of the budget.
 
 use super::constructs::{Construct, ConstructSet, palette};
-use super::profile::{DIALECTS, DialectProfile};
+use super::profile::DialectProfile;
 use super::scope::{PouRole, PouScope};
 use super::settings::GeneratorSettings;
 use crate::model::{Program, VariableId};
@@ -32,6 +32,8 @@ pub(super) struct ProgramBuilder<'r, 'u> {
     pub random: Random<'r, 'u>,
     pub profile: &'static DialectProfile,
     pub open: bool,
+    /// What the dialect or the settings lack, in the words of [`GeneratorSettings::lacking`].
+    pub lacking: Vec<String>,
     pub constructs: ConstructSet,
     /// The types that variables have.
     pub palette: Vec<ElementaryType>,
@@ -59,12 +61,14 @@ pub(super) const MAX_EXECUTED_STATEMENTS: u32 = 6000;
 impl<'r, 'u> ProgramBuilder<'r, 'u> {
     fn new(mut random: Random<'r, 'u>, settings: &GeneratorSettings) -> ProgramBuilder<'r, 'u> {
         let dialect = settings.dialect.unwrap_or_else(|| {
-            let chosen = random.pick(&DIALECTS[..]).copied();
+            let chosen = random.pick(&DialectName::ALL).copied();
             chosen.unwrap_or(DialectName::IRONPLC_ED2)
         });
         let profile = DialectProfile::of(dialect);
-        let constructs = ConstructSet::drawn(&mut random);
-        let palette = palette(profile, &mut random);
+        let lacking = [&settings.lacking[..], &dialect.rules().features.lacks].concat();
+        let lacks = |word: &str| is_in(&lacking, word);
+        let constructs = ConstructSet::drawn(&mut random).without(&lacks);
+        let palette = palette(profile, &mut random, &lacks);
         let deepest = if constructs.has(Construct::Deep) {
             random.between(3, 8) as usize
         } else {
@@ -76,6 +80,7 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
             open: settings.open,
             constructs,
             palette,
+            lacking,
             deepest,
             program: Program::empty(dialect),
             function_costs: Vec::new(),
@@ -90,6 +95,11 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
     /// Returns whether the program may use a construct.
     pub const fn has(&self, feature: Construct) -> bool {
         self.constructs.has(feature)
+    }
+
+    /// Returns whether the program shall do without this, a word of [`GeneratorSettings::lacking`].
+    pub fn lacks(&self, word: &str) -> bool {
+        is_in(&self.lacking, word)
     }
 
     /// Picks one of the types that the program uses.
@@ -129,4 +139,9 @@ impl<'r, 'u> ProgramBuilder<'r, 'u> {
         self.add_checksums(&mut body);
         self.program.main.body = body;
     }
+}
+
+/// Returns whether a word is among those of what a program shall do without.
+pub(super) fn is_in(lacking: &[String], word: &str) -> bool {
+    lacking.iter().any(|lacked| lacked.eq_ignore_ascii_case(word))
 }

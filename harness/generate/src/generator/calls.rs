@@ -1,8 +1,7 @@
 //! Calls of conversion functions and of functions of the program.
 
-use super::builder::ProgramBuilder;
+use super::builder::{ProgramBuilder, is_in};
 use super::constructs::Construct;
-use super::literals;
 use super::profile::{ConversionOffer, ResultCoverage};
 use super::type_context::TypeContext;
 use crate::model::{Argument, Expression, ExpressionKind, LiteralForm, StandardFunction, Type, VariableId};
@@ -31,11 +30,12 @@ impl ProgramBuilder<'_, '_> {
     /// Picks a conversion function that gives a type, preferably from a type that variables have.
     fn offer(&mut self, ty: ElementaryType, context: TypeContext) -> Option<&'static ConversionOffer> {
         let seen_only = self.random.chance(3, 4);
-        let (open, pou) = (self.open, &self.pou);
+        let (open, pou, lacking) = (self.open, &self.pou, &self.lacking);
         let suits = |offer: &ConversionOffer| {
             (open || offer.settled != ResultCoverage::Never)
                 && (!offer.ambiguous || context == TypeContext::Assigned)
                 && (!seen_only || pou.varies(offer.from))
+                && !is_in(lacking, &offer.signature.function)
         };
         self.random.pick_where(self.profile.offers(ty), suits)
     }
@@ -53,9 +53,12 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates a variable converted to a type by a function whose results are settled for all values.
     pub fn converted_variable(&mut self, ty: ElementaryType) -> Option<Expression> {
-        let pou = &self.pou;
+        let (pou, lacking) = (&self.pou, &self.lacking);
         let suits = |offer: &ConversionOffer| {
-            offer.settled == ResultCoverage::Always && !offer.ambiguous && pou.varies(offer.from)
+            offer.settled == ResultCoverage::Always
+                && !offer.ambiguous
+                && pou.varies(offer.from)
+                && !is_in(lacking, &offer.signature.function)
         };
         let offer = self.random.pick_where(self.profile.offers(ty), suits)?;
         let operand = self.read(&Type::Elementary(offer.from), true)?;
@@ -128,7 +131,7 @@ impl ProgramBuilder<'_, '_> {
         const MAX_TRIES: usize = 4;
         let dialect = self.profile.dialect;
         for _ in 0..MAX_TRIES {
-            let value = literals::value(offer.from, &mut self.random);
+            let value = self.drawn(offer.from);
             if expected(&offer.signature, std::slice::from_ref(&value), dialect)
                 .basis
                 .is_some()

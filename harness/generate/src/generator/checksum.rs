@@ -1,4 +1,5 @@
-//! Checksums at the end of main, which combine all values: the LINT `checksum`, and for reals the LREAL `checksum_real`.
+//! Checksums at the end of main, which combine all values: the LINT `checksum`, and for reals the LREAL `checksum_real`. A program that
+//! shall do without these types has the widest integer and real that there are.
 //!
 //! Values enter only in ways that documents settle, which depends on the dialect:
 //!
@@ -26,18 +27,34 @@ use crate::model::{
 };
 use stickler_types::{ElementaryType, Family, Value};
 
-const LINT: ElementaryType = ElementaryType::Lint;
-const LREAL: ElementaryType = ElementaryType::Lreal;
+/// The types of a checksum, the first that the program may have.
+const INTEGERS: [ElementaryType; 8] = {
+    use ElementaryType::{Dint, Int, Lint, Sint, Udint, Uint, Ulint, Usint};
+    [Lint, Ulint, Dint, Udint, Int, Uint, Sint, Usint]
+};
+const REALS: [ElementaryType; 2] = [ElementaryType::Lreal, ElementaryType::Real];
+
+/// A variable that combines values.
+#[derive(Clone, Copy)]
+struct Checksum {
+    variable: VariableId,
+    ty: ElementaryType,
+}
 
 impl ProgramBuilder<'_, '_> {
     /// Adds the variables of the checksums and the statements that compute them.
     pub fn add_checksums(&mut self, body: &mut Vec<Statement>) {
         let places = self.parts();
-        let checksum = self.pou.declare_reserved("checksum".to_owned(), LINT);
+        let Some(checksum) = self.checksum("checksum", &INTEGERS) else {
+            return;
+        };
         let has_reals = places
             .iter()
             .any(|place| matches!(place.ty, Type::Elementary(ty) if ty.is_real()));
-        let reals = has_reals.then(|| self.pou.declare_reserved("checksum_real".to_owned(), LREAL));
+        let reals = match has_reals {
+            true => self.checksum("checksum_real", &REALS),
+            false => None,
+        };
         for place in places {
             match (place.ty.clone(), reals) {
                 (Type::Elementary(ty), Some(reals)) if ty.is_real() => {
@@ -47,6 +64,16 @@ impl ProgramBuilder<'_, '_> {
                 (ty, _) => body.extend(self.mixed_enumeration(checksum, place, &ty)),
             }
         }
+    }
+
+    /// Declares a checksum of the first of these types that the program may have; `None` where there is none, or no sum.
+    fn checksum(&mut self, name: &str, types: &[ElementaryType]) -> Option<Checksum> {
+        if self.lacks("add") {
+            return None;
+        }
+        let ty = *types.iter().find(|ty| !self.lacks(ty.name()))?;
+        let variable = self.pou.declare_reserved(name.to_owned(), ty);
+        Some(Checksum { variable, ty })
     }
 
     /// Returns every elementary or enumerated part of the variables of main, except for those that the generator reserves
@@ -71,9 +98,9 @@ impl ProgramBuilder<'_, '_> {
     }
 
     /// Generates the statements that add a value other than a real to the checksum.
-    fn mixed(&mut self, checksum: VariableId, place: Place, ty: ElementaryType) -> Vec<Statement> {
-        if let Some(number) = self.as_lint(Expression::read(place.clone()), ty) {
-            return vec![mix(checksum, number)];
+    fn mixed(&mut self, checksum: Checksum, place: Place, ty: ElementaryType) -> Vec<Statement> {
+        if let Some(number) = self.as_number(Expression::read(place.clone()), ty, checksum.ty) {
+            return vec![self.mix(checksum, number)];
         }
         let is_element = place
             .path
@@ -85,8 +112,8 @@ impl ProgramBuilder<'_, '_> {
                 ExpressionKind::Standard(StandardFunction::Len, vec![Expression::read(place.clone())]);
             let length = Expression::elementary(ElementaryType::Int, length);
             statements.extend(
-                self.as_lint(length, ElementaryType::Int)
-                    .map(|number| mix(checksum, number)),
+                self.as_number(length, ElementaryType::Int, checksum.ty)
+                    .map(|number| self.mix(checksum, number)),
             );
             // A comparison for each text of an array would fill pages.
             if is_element {
@@ -97,7 +124,7 @@ impl ProgramBuilder<'_, '_> {
         let literal = Expression::literal(
             ty,
             literal,
-            if ty.is_text() {
+            if ty.is_text() || self.lacks_typed(ty) {
                 LiteralForm::Untyped
             } else {
                 LiteralForm::Typed
@@ -114,72 +141,95 @@ impl ProgramBuilder<'_, '_> {
         } else {
             Expression::binary(operator, Expression::read(place), literal, ElementaryType::Bool)
         };
-        let otherwise = vec![mix(checksum, number(2))];
-        statements.push(Statement::If(
-            vec![(condition, vec![mix(checksum, number(1))])],
-            Some(otherwise),
-        ));
+        if self.lacks("if") || self.lacks("else") {
+            return statements;
+        }
+        let [first, second] = [1, 2].map(|added| vec![self.mix(checksum, number(checksum.ty, added))]);
+        statements.push(Statement::If(vec![(condition, first)], Some(second)));
         statements
     }
 
     /// Picks a value to compare with that is not the least one of its type.
     fn telling_value(&mut self, ty: ElementaryType) -> Value {
-        let first = literals::value(ty, &mut self.random);
+        let first = self.drawn(ty);
         match first {
-            Value::Plain { raw: 0, .. } => literals::boundaries(ty).last().cloned().unwrap_or(first),
+            Value::Plain { raw: 0, .. } => {
+                let mut last = literals::boundaries(ty).iter().rev();
+                last.find(|value| self.profile.holds(value))
+                    .cloned()
+                    .unwrap_or(first)
+            }
             _ => first,
         }
     }
 
-    /// Converts a value to LINT, where documents settle the result.
-    fn as_lint(&self, value: Expression, ty: ElementaryType) -> Option<Expression> {
-        if ty == LINT {
+    /// Converts a value to the type of a checksum, where documents settle the result.
+    fn as_number(&self, value: Expression, ty: ElementaryType, sum: ElementaryType) -> Option<Expression> {
+        if ty == sum {
             return Some(value);
         }
-        if self.profile.sources(LINT).contains(&ty) {
+        if self.profile.mixes_operands()
+            && self.profile.sources(sum).contains(&ty)
+            && !self.lacks(&format!("{ty} to {sum}"))
+        {
             return Some(Expression::elementary(
-                LINT,
+                sum,
                 ExpressionKind::Widen(Box::new(value)),
             ));
         }
-        let settled = self.profile.settled(ty, LINT)?;
-        Some(convert(settled, value))
+        let settled = self.profile.settled(ty, sum)?;
+        let lacks = self.lacks("conversion") || self.lacks(&settled.function);
+        (!lacks).then(|| convert(settled, value))
     }
 
     /// Generates `CASE place OF name: … END_CASE`, with a number for each name.
-    fn mixed_enumeration(&mut self, checksum: VariableId, place: Place, ty: &Type) -> Option<Statement> {
+    fn mixed_enumeration(&mut self, checksum: Checksum, place: Place, ty: &Type) -> Option<Statement> {
+        if self.lacks("case") {
+            return None;
+        }
         let count = self.program.enumerated_values(ty)?.len();
         let branches = (0..count).map(|value| CaseBranch {
             labels: vec![CaseLabel::One(Expression {
                 ty: ty.clone(),
                 kind: ExpressionKind::Enumerated(value),
             })],
-            body: vec![mix(checksum, number(value as i64))],
+            body: vec![self.mix(checksum, number(checksum.ty, value as i64))],
         });
-        Some(Statement::Case(Expression::read(place), branches.collect(), None))
+        let branches = branches.collect();
+        Some(Statement::Case(Expression::read(place), branches, None))
     }
 
     /// Generates `sum := sum * 0.5 + value;`.
-    fn mixed_real(&self, sum: VariableId, value: Expression, ty: ElementaryType) -> Option<Statement> {
-        let value = if ty == LREAL {
-            value
-        } else if self.profile.sources(LREAL).contains(&ty) {
-            Expression::elementary(LREAL, ExpressionKind::Widen(Box::new(value)))
-        } else {
-            convert(self.profile.settled(ty, LREAL)?, value)
+    fn mixed_real(&self, sum: Checksum, value: Expression, ty: ElementaryType) -> Option<Statement> {
+        let value = self.as_number(value, ty, sum.ty)?;
+        let half = match sum.ty {
+            ElementaryType::Real => u64::from(0.5_f32.to_bits()),
+            _ => 0.5_f64.to_bits(),
         };
-        let half = ExpressionKind::Literal(Value::plain(LREAL, 0.5_f64.to_bits()), LiteralForm::Typed);
-        let halved = Expression::binary(
-            BinaryOperator::Multiply,
-            whole(sum, LREAL),
-            Expression::elementary(LREAL, half),
-            LREAL,
-        );
-        Some(assign(
-            sum,
-            LREAL,
-            Expression::binary(BinaryOperator::Add, halved, value, LREAL),
-        ))
+        let form = match self.lacks_typed(sum.ty) {
+            true => LiteralForm::Untyped,
+            false => LiteralForm::Typed,
+        };
+        let half = Expression::literal(sum.ty, Value::plain(sum.ty, half), form);
+        Some(self.combined(sum, half, value))
+    }
+
+    /// Generates `checksum := checksum * 31 + number;`.
+    fn mix(&self, checksum: Checksum, added: Expression) -> Statement {
+        self.combined(checksum, number(checksum.ty, 31), added)
+    }
+
+    fn combined(&self, sum: Checksum, factor: Expression, added: Expression) -> Statement {
+        let Checksum { variable, ty } = sum;
+        let mut left = whole(variable, ty);
+        if !self.lacks("multiply") {
+            left = Expression::binary(BinaryOperator::Multiply, left, factor, ty);
+        }
+        assign(
+            variable,
+            ty,
+            Expression::binary(BinaryOperator::Add, left, added, ty),
+        )
     }
 }
 
@@ -209,7 +259,7 @@ fn spread(steps: &[PathStep]) -> Vec<Vec<PlaceSelector>> {
 fn every_element(limits: &[(i64, i64)]) -> Vec<PlaceSelector> {
     let array = ArrayType {
         dimensions: limits.to_vec(),
-        element: Type::Elementary(LINT),
+        element: Type::Elementary(ElementaryType::Lint),
     };
     let subscript = |number: &i64| integer(ElementaryType::Int, *number, LiteralForm::Untyped);
     let selectors = subscripts(&array).into_iter();
@@ -218,16 +268,6 @@ fn every_element(limits: &[(i64, i64)]) -> Vec<PlaceSelector> {
         .collect()
 }
 
-fn number(number: i64) -> Expression {
-    integer(LINT, number, LiteralForm::Untyped)
-}
-
-/// Generates `checksum := checksum * 31 + number;`.
-fn mix(checksum: VariableId, added: Expression) -> Statement {
-    let product = Expression::binary(BinaryOperator::Multiply, whole(checksum, LINT), number(31), LINT);
-    assign(
-        checksum,
-        LINT,
-        Expression::binary(BinaryOperator::Add, product, added, LINT),
-    )
+fn number(ty: ElementaryType, number: i64) -> Expression {
+    integer(ty, number, LiteralForm::Untyped)
 }

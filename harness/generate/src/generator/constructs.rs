@@ -67,6 +67,59 @@ pub(super) enum Construct {
     Nested,
 }
 
+impl Construct {
+    /// The constructs that a program may have to do without.
+    const ALL: [Construct; 20] = [
+        Construct::Conversions,
+        Construct::Initials,
+        Construct::Constants,
+        Construct::Arrays,
+        Construct::Structures,
+        Construct::Enumerations,
+        Construct::Aliases,
+        Construct::Functions,
+        Construct::Blocks,
+        Construct::Arithmetic,
+        Construct::Division,
+        Construct::Logic,
+        Construct::Bits,
+        Construct::If,
+        Construct::Case,
+        Construct::For,
+        Construct::While,
+        Construct::Repeat,
+        Construct::Exit,
+        Construct::Return,
+    ];
+
+    /// Returns the features of the language that are forms of the construct, or that each of its forms needs.
+    const fn forms(self) -> &'static [&'static str] {
+        match self {
+            Construct::Conversions => &["conversion"],
+            Construct::Initials => &["initial-value"],
+            Construct::Constants => &["constant"],
+            Construct::Arrays => &["array"],
+            Construct::Structures => &["structure"],
+            Construct::Enumerations => &["enumeration"],
+            Construct::Aliases => &["type-alias", "array-type"],
+            Construct::Functions => &["function"],
+            Construct::Blocks => &["function-block"],
+            Construct::Arithmetic => &["add", "subtract", "multiply"],
+            Construct::Division => &["divide", "mod"],
+            Construct::Logic => &["and", "or", "xor"],
+            Construct::Bits => &["bit-access"],
+            Construct::If => &["if"],
+            Construct::Case => &["case"],
+            Construct::For => &["for"],
+            Construct::While => &["while"],
+            Construct::Repeat => &["repeat"],
+            Construct::Exit => &["exit"],
+            Construct::Return => &["return"],
+            _ => &[],
+        }
+    }
+}
+
 /// The set of constructs of one program.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ConstructSet(u32);
@@ -98,6 +151,16 @@ impl ConstructSet {
         ConstructSet(if all { u32::MAX } else { drawn | often | mostly })
     }
 
+    /// Returns the set without the constructs of which every form is lacking.
+    pub fn without(self, lacks: &dyn Fn(&str) -> bool) -> ConstructSet {
+        let is_lacking = |feature: &Construct| {
+            let forms = feature.forms();
+            !forms.is_empty() && forms.iter().all(|form| lacks(form))
+        };
+        let lacking = Construct::ALL.iter().filter(|feature| is_lacking(feature));
+        ConstructSet(lacking.fold(self.0, |bits, feature| bits & !(1 << *feature as u32)))
+    }
+
     /// Returns whether the set contains a construct.
     pub const fn has(self, feature: Construct) -> bool {
         self.0 >> feature as u32 & 1 == 1
@@ -108,7 +171,11 @@ impl ConstructSet {
 const MAX_TYPES: usize = 7;
 
 /// Draws the elementary types of one program, each once; INT alone when the bytes have run out.
-pub(super) fn palette(profile: &DialectProfile, random: &mut Random<'_, '_>) -> Vec<ElementaryType> {
+pub(super) fn palette(
+    profile: &DialectProfile,
+    random: &mut Random<'_, '_>,
+    lacks: &dyn Fn(&str) -> bool,
+) -> Vec<ElementaryType> {
     let mut palette = Vec::with_capacity(MAX_TYPES);
     for _ in 0..=random.below(MAX_TYPES) {
         let ty = random
@@ -118,6 +185,11 @@ pub(super) fn palette(profile: &DialectProfile, random: &mut Random<'_, '_>) -> 
         if !palette.contains(&ty) {
             palette.push(ty);
         }
+    }
+    palette.retain(|ty| !lacks(ty.name()));
+    if palette.is_empty() {
+        let there = |ty: &ElementaryType| !lacks(ty.name());
+        palette.extend(profile.weighted_types.iter().copied().find(there));
     }
     palette
 }

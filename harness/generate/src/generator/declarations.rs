@@ -2,7 +2,6 @@
 
 use super::builder::ProgramBuilder;
 use super::constructs::Construct;
-use super::literals;
 use super::scope::PouRole;
 use super::type_context::TypeContext;
 use crate::model::{
@@ -36,7 +35,7 @@ impl ProgramBuilder<'_, '_> {
                 self.declare_type("Rec", DeclaredKind::Structure(fields));
             }
         }
-        if self.has(Construct::Aliases) {
+        if self.has(Construct::Aliases) && !self.lacks("array") {
             self.declare_alias();
         }
     }
@@ -248,7 +247,7 @@ impl ProgramBuilder<'_, '_> {
         let sources = self.profile.sources(ty);
         if self.has(Construct::Widening) && !sources.is_empty() && self.random.chance(1, 4) {
             let from = self.random.pick(sources).copied().unwrap_or(ty);
-            let value = literals::value(from, &mut self.random);
+            let value = self.drawn(from);
             let literal = Expression::literal(from, value, LiteralForm::Typed);
             return Expression::elementary(ty, ExpressionKind::Widen(Box::new(literal)));
         }

@@ -5,7 +5,7 @@ use super::constructs::Construct;
 use super::literals;
 use super::type_context::TypeContext;
 use crate::model::{Expression, ExpressionKind, LiteralForm, Type};
-use stickler_types::{ElementaryType, Family};
+use stickler_types::{ElementaryType, Family, Value};
 
 /// The forms of an expression that the generator chooses from.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -66,18 +66,26 @@ impl ProgramBuilder<'_, '_> {
         use Construct as F;
         let family = ty.family();
         let is_number = matches!(family, Family::Signed | Family::Unsigned | Family::Real);
-        let is_logical = matches!(family, Family::Boolean | Family::BitString);
         let is_boolean = family == Family::Boolean;
-        let widens = context != TypeContext::Exact && !self.profile.sources(ty).is_empty();
+        let is_stored = context == TypeContext::Assigned;
+        let wraps = is_stored || !self.profile.computes_wider(ty);
+        let is_logical = matches!(family, Family::Boolean | Family::BitString)
+            && (is_stored || self.profile.keeps_bit_strings(ty));
+        let is_of_two = context == TypeContext::Operand && !self.profile.mixes_operands();
+        let widens = context != TypeContext::Exact && !is_of_two && !self.profile.sources(ty).is_empty();
         let mut forms = WeightedForms::default();
         forms.offer(ExpressionForm::Leaf, 4, true);
         let adds = is_number || (ty == ElementaryType::Time || ty == ElementaryType::Ltime);
-        forms.offer(ExpressionForm::Arithmetic, 6, adds && self.has(F::Arithmetic));
+        forms.offer(
+            ExpressionForm::Arithmetic,
+            6,
+            adds && wraps && self.has(F::Arithmetic),
+        );
         forms.offer(ExpressionForm::Division, 3, is_number && self.has(F::Division));
-        let negates = matches!(family, Family::Signed | Family::Real);
+        let negates = is_number && wraps && self.profile.negates(ty);
         forms.offer(ExpressionForm::Negation, 1, negates && self.has(F::Arithmetic));
         forms.offer(ExpressionForm::Logic, 6, is_logical && self.has(F::Logic));
-        forms.offer(ExpressionForm::Not, 2, is_logical && self.has(F::Logic));
+        forms.offer(ExpressionForm::Not, 2, is_logical && wraps && self.has(F::Logic));
         forms.offer(
             ExpressionForm::Comparison,
             5,
@@ -93,7 +101,7 @@ impl ProgramBuilder<'_, '_> {
         forms.offer(
             ExpressionForm::Shift,
             4,
-            family == Family::BitString && self.has(F::Shifts),
+            family == Family::BitString && wraps && self.has(F::Shifts),
         );
         forms.offer(
             ExpressionForm::Length,
@@ -166,9 +174,29 @@ impl ProgramBuilder<'_, '_> {
 
     /// Generates a literal, with the prefix of its type unless the context allows to omit it.
     pub fn literal(&mut self, ty: ElementaryType, context: TypeContext) -> Expression {
-        let value = literals::value(ty, &mut self.random);
+        let value = self.drawn(ty);
         let form = self.form(ty, context);
+        if form == LiteralForm::Typed
+            && self.lacks_typed(ty)
+            && let Some(read) = self.read(&Type::Elementary(ty), false)
+        {
+            return read;
+        }
         Expression::literal(ty, value, form)
+    }
+
+    /// Draws a value of a type; 0 in place of one that the dialect does not have.
+    pub fn drawn(&mut self, ty: ElementaryType) -> Value {
+        let value = literals::value(ty, &mut self.random);
+        match self.profile.holds(&value) {
+            true => value,
+            false => Value::plain(ty, 0),
+        }
+    }
+
+    /// Returns whether the program shall do without literals with this type.
+    pub fn lacks_typed(&self, ty: ElementaryType) -> bool {
+        !self.lacking.is_empty() && (self.lacks("typed-literal") || self.lacks(&format!("{ty}#")))
     }
 
     /// Chooses whether a literal has the prefix of its type in a context.
@@ -176,7 +204,9 @@ impl ProgramBuilder<'_, '_> {
         // A prefix before a text is rare, and so are compilers that know it.
         let prefixed = if ty.is_text() { 1 } else { 4 };
         let bare = self.has(Construct::Untyped) && !self.random.chance(prefixed, 16);
-        if bare && self.profile.takes_untyped(ty, context) {
+        let takes_untyped =
+            self.profile.takes_untyped(ty, context) && !self.profile.types_operands(ty, context);
+        if (bare || self.lacks_typed(ty)) && takes_untyped {
             LiteralForm::Untyped
         } else {
             LiteralForm::Typed
@@ -208,7 +238,8 @@ impl ProgramBuilder<'_, '_> {
                 .filter(suits)
         };
         let seen = from_here().find(|&from| self.pou.varies(from));
-        seen.or_else(|| from_here().next())
+        let found = seen.or_else(|| from_here().next());
+        found.filter(|from| self.lacking.is_empty() || !self.lacks(&format!("{from} to {ty}")))
     }
 
     /// Generates a value that no compiler can compute: that of a variable, or a conversion of one; `None` if there is none.
@@ -217,7 +248,7 @@ impl ProgramBuilder<'_, '_> {
     pub fn varying(&mut self, ty: ElementaryType, depth: usize) -> Option<Expression> {
         let adds = ty.is_integer() || ty.is_real();
         let goes_on = depth > 0 && self.nodes_left > 0 && self.random.chance(1, 3);
-        if adds && goes_on && self.has(Construct::Arithmetic) {
+        if adds && goes_on && self.has(Construct::Arithmetic) && !self.profile.computes_wider(ty) {
             self.nodes_left -= 1;
             let made = self.arithmetic(ty, depth - 1);
             if made.is_some() {

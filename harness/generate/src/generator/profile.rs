@@ -3,10 +3,12 @@
 
 use super::literals;
 use super::type_context::TypeContext;
+use crate::model::{BinaryOperator, Expression, ExpressionKind, StandardFunction, Type, UnaryOperator};
 use std::collections::HashMap;
 use std::sync::{LazyLock, PoisonError, RwLock};
-use stickler_exact::{Signature, expected, functions, implicit, signatures};
-use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
+use stickler_exact::{ImplicitResult, Signature, expected, functions, implicit, implicit_result, signatures};
+use stickler_types::dialect::{OperandTypes, ResultSigns};
+use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord, MomentUnits, Value};
 
 /// The extent to which documents state the results of a conversion.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -41,30 +43,22 @@ pub(crate) struct DialectProfile {
     offers: Vec<Vec<ConversionOffer>>,
 }
 
-/// The dialects in which programs are generated: those in whose documents an operation is computed in the type of its operands. What
-/// a system that is known in part computes is not evaluated.
-pub static DIALECTS: LazyLock<Vec<DialectName>> = LazyLock::new(|| {
-    let all = DialectName::ALL.into_iter();
-    all.filter(|dialect| !dialect.rules().is_known_in_part).collect()
-});
-
 /// The profiles of the dialects that were asked for. They live as long as the process.
 static PROFILES: LazyLock<RwLock<HashMap<DialectName, &'static DialectProfile>>> =
     LazyLock::new(RwLock::default);
 
 impl DialectProfile {
     pub fn of(dialect: DialectName) -> &'static DialectProfile {
-        let base = dialect.base();
         let known = PROFILES
             .read()
             .unwrap_or_else(PoisonError::into_inner)
-            .get(&base)
+            .get(&dialect)
             .copied();
         known.unwrap_or_else(|| {
             let mut profiles = PROFILES.write().unwrap_or_else(PoisonError::into_inner);
             profiles
-                .entry(base)
-                .or_insert_with(|| Box::leak(Box::new(DialectProfile::build(base))))
+                .entry(dialect)
+                .or_insert_with(|| Box::leak(Box::new(DialectProfile::build(dialect))))
         })
     }
 
@@ -84,6 +78,59 @@ impl DialectProfile {
         let found =
             offers.find(|offer| offer.from == from && offer.plain && offer.settled == ResultCoverage::Always);
         found.map(|offer| &offer.signature)
+    }
+
+    /// Returns whether operators on two values of different types give the type of one of them. The types in which they meet otherwise are
+    /// those of the system, so that no program has such operands.
+    pub fn mixes_operands(&self) -> bool {
+        self.dialect.rules().operands == OperandTypes::OneOfTheirs
+    }
+
+    /// Returns whether a result that leaves the range of this type may do so until it is stored: the system computes in a wider type.
+    pub fn computes_wider(&self, ty: ElementaryType) -> bool {
+        self.dialect.rules().operands == OperandTypes::Promoted && is_whole(ty) && ty.bits() < 32
+    }
+
+    /// Returns whether a literal beside an operand of this type needs its own: a number beyond 31 bits may be one of 64, in which an operation
+    /// on promoted operands is computed then.
+    pub fn types_operands(&self, ty: ElementaryType, context: TypeContext) -> bool {
+        let is_promoted = self.dialect.rules().operands == OperandTypes::Promoted;
+        is_promoted && context == TypeContext::Operand && ty.is_integer() && ty.bits() == 32
+    }
+
+    /// Returns whether AND, OR and XOR of two values of this type give a value of the type; where operands are promoted, it is an integer.
+    pub fn keeps_bit_strings(&self, ty: ElementaryType) -> bool {
+        self.dialect.rules().operands != OperandTypes::Promoted || !ty.is_bit_string()
+    }
+
+    /// Returns whether a minus sign gives a value of the type of its operand.
+    pub fn negates(&self, ty: ElementaryType) -> bool {
+        let keeps = self.dialect.rules().result_signs == ResultSigns::OfOperands;
+        matches!(ty.family(), Family::Signed | Family::Real | Family::Duration) && (keeps || ty.bits() >= 16)
+    }
+
+    /// Returns whether an expression gives a value of the type that the model has for it, where the value is `stored` at once or where it is
+    /// not.
+    pub fn has_its_type(&self, expression: &Expression, stored: bool) -> bool {
+        use BinaryOperator::{Add, And, Multiply, Or, Subtract, Xor};
+        let Type::Elementary(ty) = expression.ty else {
+            return true;
+        };
+        let wraps = stored || !self.computes_wider(ty);
+        match &expression.kind {
+            ExpressionKind::Unary(UnaryOperator::Negate, _) => wraps && self.negates(ty),
+            ExpressionKind::Unary(UnaryOperator::Not, _) => wraps && (stored || self.keeps_bit_strings(ty)),
+            ExpressionKind::Binary(And | Or | Xor, ..) => stored || self.keeps_bit_strings(ty),
+            ExpressionKind::Binary(Add | Subtract | Multiply, ..)
+            | ExpressionKind::Standard(StandardFunction::Shl, _) => wraps,
+            _ => true,
+        }
+    }
+
+    /// Returns whether the dialect has a value: no duration below 0 where durations are counts without a sign.
+    pub fn holds(&self, value: &Value) -> bool {
+        let is_count = self.dialect.rules().conversions.moment_units == MomentUnits::Counts;
+        !matches!(*value, Value::Plain { ty, raw } if is_count && ty.is_duration() && raw.cast_signed() < 0)
     }
 
     /// Returns whether programs may access bits of integers and bit strings; in PLCnext and STruC++ that is open.
@@ -124,8 +171,15 @@ impl DialectProfile {
     fn build(dialect: DialectName) -> DialectProfile {
         let types = types(dialect);
         let sources = ElementaryType::ALL.map(|into| {
-            let becomes =
-                |from: &ElementaryType| *from != into && implicit(*from, into, dialect) == MatrixWord::Yes;
+            // Where the matrix has a pair, a document may still not say what arrives.
+            let is_settled = |from: ElementaryType| {
+                let arrives =
+                    |value| matches!(implicit_result(value, into), Some(ImplicitResult::Exactly(_)));
+                literals::boundaries(from).iter().any(arrives)
+            };
+            let becomes = |from: &ElementaryType| {
+                *from != into && implicit(*from, into, dialect) == MatrixWord::Yes && is_settled(*from)
+            };
             types.iter().copied().filter(becomes).collect()
         });
         DialectProfile {
@@ -141,7 +195,7 @@ impl DialectProfile {
 fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionOffer>> {
     let mut offers: Vec<Vec<ConversionOffer>> = ElementaryType::ALL.map(|_| Vec::new()).into();
     for function in functions(dialect) {
-        if function.starts_with("TO_") {
+        if function.starts_with("TO_") || dialect.rules().lacks(&function.to_ascii_lowercase()) {
             continue;
         }
         let signatures = signatures(&function, dialect);
@@ -171,11 +225,12 @@ fn offers(dialect: DialectName, types: &[ElementaryType]) -> Vec<Vec<ConversionO
 ///
 /// Basis: that matiec has twenty types and no WSTRING is measured.
 fn types(dialect: DialectName) -> Vec<ElementaryType> {
-    let has = |ty: &ElementaryType| {
-        Dialect::of(dialect).has(*ty)
-            && (*ty != ElementaryType::Wstring || dialect.rules().documents.wide_strings)
-    };
+    let has = |ty: &ElementaryType| !dialect.rules().lacks(&ty.name().to_ascii_lowercase());
     ElementaryType::ALL.into_iter().filter(has).collect()
+}
+
+const fn is_whole(ty: ElementaryType) -> bool {
+    ty.is_integer() || ty.is_bit_string()
 }
 
 /// Repeats each type by its weight: conversions, widening and bits concern numbers and bit strings.

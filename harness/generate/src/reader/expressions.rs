@@ -17,7 +17,13 @@ impl Reader<'_> {
     /// Reads an expression in a place for a value of the type `wanted`, to which it may convert implicitly.
     pub(super) fn value(&self, id: ExpressionId, wanted: &Type, context: TypeContext) -> Option<Expression> {
         let wanted = self.program.unaliased(wanted);
-        match (self.own(id), wanted) {
+        let own = match context {
+            TypeContext::Assigned => self
+                .operation(id)
+                .filter(|own| self.profile.has_its_type(own, true)),
+            _ => self.own(id),
+        };
+        match (own, wanted) {
             (Some(own), _) => self.fitted(own, wanted),
             (None, Type::Elementary(ty)) => self
                 .number(id, *ty, context)
@@ -66,8 +72,14 @@ impl Reader<'_> {
 
     /// Reads an expression whose text determines its type; `None` also for a number without the prefix of its type.
     pub(super) fn own(&self, id: ExpressionId) -> Option<Expression> {
+        self.operation(id)
+            .filter(|own| self.profile.has_its_type(own, false))
+    }
+
+    /// Reads the same where a value is stored at once, which settles the type of an operation in more dialects.
+    fn operation(&self, id: ExpressionId) -> Option<Expression> {
         match &self.unit.expression(id)?.kind {
-            tree::ExpressionKind::Parenthesized(inner) => self.own(*inner),
+            tree::ExpressionKind::Parenthesized(inner) => self.operation(*inner),
             tree::ExpressionKind::Literal(literal) => literals::typed(literal),
             tree::ExpressionKind::Name(name) => self.enumerated(name).or_else(|| self.read(id)),
             tree::ExpressionKind::Field { .. } | tree::ExpressionKind::Index { .. } => self.read(id),
@@ -206,6 +218,7 @@ impl Reader<'_> {
         let (left, right) = match (self.own(left), self.own(right)) {
             (Some(one), Some(two)) => match (self.widens(&one.ty, &two.ty), self.widens(&two.ty, &one.ty)) {
                 _ if one.ty == two.ty => (one, two),
+                _ if !self.profile.mixes_operands() => return None,
                 (true, false) => (self.fitted(one, &two.ty)?, two),
                 // TIME and LTIME convert both ways.
                 (_, true) => {

@@ -2,14 +2,16 @@
 
 use super::read;
 use crate::evaluate::evaluate;
-use crate::generator::{DIALECTS, GeneratorSettings, program};
+use crate::generator::{GeneratorSettings, program};
 use crate::random::bytes;
 use crate::writer::{Style, write};
 use stickler_types::DialectName;
 
 #[test]
 fn what_is_written_is_read_back_as_the_same_program() {
-    for (seed, dialect) in (0..40).flat_map(|seed| DIALECTS.iter().map(move |dialect| (seed, *dialect))) {
+    for (seed, dialect) in
+        (0..40).flat_map(|seed| DialectName::ALL.iter().map(move |dialect| (seed, *dialect)))
+    {
         let settings = GeneratorSettings {
             open: seed % 4 == 3,
             ..GeneratorSettings::of(dialect)

@@ -1,10 +1,9 @@
 //! Tests of the promises of the generator: its programs are accepted, terminate, and are settled by documents, whatever the
 //! bytes; and many programs contain every construct.
 use std::collections::{BTreeMap, BTreeSet};
-use stickler_exact::{expected, functions, implicit, signatures};
+use stickler_exact::{ImplicitResult, expected, functions, implicit, implicit_result, signatures};
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::measured;
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::Program;
 use stickler_generate::writer::{Style, write};
@@ -28,7 +27,7 @@ fn seeds() -> u64 {
 #[test]
 fn the_reference_accepts_every_program() {
     let mut rejected = BTreeMap::new();
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         for seed in 0..seeds() {
             let text = write(&made(dialect, seed), &Style::default()).text;
             if let Some(first) = stickler_reference::errors(&text, dialect).first() {
@@ -50,7 +49,7 @@ fn the_reference_accepts_every_program() {
 
 #[test]
 fn programs_end_and_hardly_any_meets_what_documents_leave_open() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let mut opened = Vec::new();
         for seed in 0..seeds() {
             match evaluate(&made(dialect, seed), 1) {
@@ -60,7 +59,9 @@ fn programs_end_and_hardly_any_meets_what_documents_leave_open() {
                 Err(refusal) => panic!("{dialect}, seed {seed}: {refusal:?}"),
             }
         }
-        let few = seeds() as usize * 2 / 100;
+        // Where numbers convert implicitly to narrower types, no document states what arrives of one that does not fit.
+        let narrows = implicit(ElementaryType::Dint, ElementaryType::Int, dialect) == MatrixWord::Yes;
+        let few = seeds() as usize * if narrows { 15 } else { 2 } / 100;
         assert!(
             opened.len() <= few,
             "{dialect}: {} of {}: {opened:#?}",
@@ -81,10 +82,10 @@ fn the_same_bytes_make_the_same_program() {
 
 #[test]
 fn no_bytes_make_a_small_program() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let program = program(&[], &GeneratorSettings::of(dialect));
         let text = write(&program, &Style::default()).text;
-        assert!(text.lines().count() <= 12, "{text}");
+        assert!(text.lines().count() <= 20, "{text}");
         assert!(stickler_reference::errors(&text, dialect).is_empty(), "{text}");
     }
 }
@@ -94,7 +95,7 @@ fn the_input_chooses_the_dialect_where_the_caller_does_not() {
     let chosen: BTreeSet<DialectName> = (0..100)
         .map(|seed| program(&bytes(seed), &GeneratorSettings::default()).dialect)
         .collect();
-    assert_eq!(chosen.len(), DIALECTS.len());
+    assert_eq!(chosen.len(), DialectName::ALL.len());
 }
 
 #[test]
@@ -113,12 +114,7 @@ fn what_is_open_is_used_only_when_asked_for() {
 
 /// Returns every feature that programs of a dialect must have.
 fn demanded(dialect: DialectName) -> Vec<String> {
-    let third_edition = !matches!(dialect, DialectName::IRONPLC_ED2 | DialectName::MATIEC);
-    let has = |ty: &ElementaryType| {
-        (third_edition || !ty.is_third_edition())
-            && !(dialect == DialectName::TWINCAT && ty.is_third_edition() && ty.is_date_or_time())
-            && !(dialect == DialectName::MATIEC && *ty == ElementaryType::Wstring)
-    };
+    let has = |ty: &ElementaryType| !dialect.rules().lacks(&ty.name().to_ascii_lowercase());
     let types: Vec<ElementaryType> = ElementaryType::ALL.into_iter().filter(has).collect();
     let mut demanded: Vec<String> = ALWAYS.lines().map(str::to_owned).collect();
     for &ty in &types {
@@ -134,19 +130,27 @@ fn demanded(dialect: DialectName) -> Vec<String> {
         };
         demanded.extend(arithmetic.iter().map(|operator| format!("{operator} of {ty}")));
         for &from in &types {
-            if from != ty && implicit(from, ty, dialect) == MatrixWord::Yes {
+            let arrives = || implicit_result(&one(from), ty);
+            if from != ty
+                && implicit(from, ty, dialect) == MatrixWord::Yes
+                && matches!(arrives(), Some(ImplicitResult::Exactly(_)))
+            {
                 demanded.push(format!("{from} to {ty}"));
             }
         }
     }
-    if !matches!(
-        dialect,
-        DialectName::MATIEC | DialectName::PLCNEXT | DialectName::STRUCPP
-    ) {
+    if dialect.rules().documents.bits {
         demanded.extend(["bit read", "bit written"].map(str::to_owned));
     }
     demanded.extend(settled_functions(dialect));
     demanded
+}
+
+fn one(ty: ElementaryType) -> Value {
+    match ty.is_text() {
+        true => Value::text(ty, vec![u16::from(b'1')]),
+        false => Value::plain(ty, ty.wrap(1)),
+    }
 }
 
 /// Returns the conversion functions between numbers for which documents state the result of 1, without the overloaded `TO_…`,
@@ -179,7 +183,7 @@ const ALWAYS: &str = include_str!("always.txt");
 fn every_construct_occurs_in_some_of_the_programs() {
     // So many that the rarest function is missing once in many thousand changes of the generator.
     const PROGRAMS: u64 = 4000;
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let mut missing: BTreeSet<String> = demanded(dialect).into_iter().collect();
         for seed in 0..PROGRAMS {
             for construct in measured(&made(dialect, seed)).into_keys() {

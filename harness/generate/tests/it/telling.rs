@@ -2,7 +2,6 @@
 //! programs.
 use stickler_generate::evaluate::evaluate;
 use stickler_generate::features::measured;
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::visit_mut::{VisitorMut, walk_expression, walk_program};
 use stickler_generate::model::{
@@ -163,7 +162,7 @@ fn calls_leave_inputs_out_only_where_documents_say_what_they_are_then() {
             measured(&program).contains_key("call that leaves inputs out")
         })
     };
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         let settled = matches!(dialect, DialectName::MATIEC | DialectName::PLCNEXT);
         assert_eq!(leaves_out(false, dialect), settled, "{dialect}");
         assert!(leaves_out(true, dialect), "{dialect}");

@@ -1,6 +1,5 @@
 //! Tests of the promises of the writer: every style of a program is accepted by its dialect, and the lines of raw text are
 //! recorded.
-use stickler_generate::generator::DIALECTS;
 use stickler_generate::generator::{GeneratorSettings, program};
 use stickler_generate::model::{AssignmentTarget, Expression, ExpressionKind, Program, Statement};
 use stickler_generate::writer::{
@@ -61,7 +60,7 @@ fn run(program: &Program, text: &str) -> Result<Vec<(String, Value)>, String> {
 
 #[test]
 fn every_style_is_accepted_and_means_the_same() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         for seed in 0..12 {
             let program = made(dialect, seed * 19);
             let canonical = run(&program, &write(&program, &Style::default()).text);
@@ -119,7 +118,7 @@ fn the_lines_of_raw_text_are_remembered() {
 
 #[test]
 fn every_observed_path_can_be_observed() {
-    for &dialect in DIALECTS.iter() {
+    for &dialect in DialectName::ALL.iter() {
         for seed in 0..12 {
             let program = made(dialect, seed * 21);
             let text = write(&program, &Style::default()).text;

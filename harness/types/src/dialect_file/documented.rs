@@ -13,12 +13,11 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// The keys of the file.
-const KEYS: [&str; 15] = [
+const KEYS: [&str; 14] = [
     "title",
     "about",
     "order",
     "extends",
-    "known-in-part",
     "asked-beside",
     "features",
     "documents",
@@ -88,7 +87,6 @@ pub fn read_documented(
         match key {
             "title" => dialect.title = words(key, value)?,
             "about" => dialect.about = Some(text_of(key, value)?),
-            "known-in-part" => stated(&mut dialect.is_known_in_part, key, value)?,
             "asked-beside" => dialect.asked_beside = Some(text_of(key, value)?),
             "features" => features(&mut dialect.features, table(key, value)?)?,
             "documents" => choices(table(key, value)?, key, "[documents]", &mut draft)?,

@@ -160,6 +160,11 @@ impl<'o> FuzzPage<'o> {
             None => format!(": {} new, {} like these", new.len(), alike.len()),
         };
         match summary.findings.len() {
+            _ if summary.is_empty() => writeln!(
+                self.out,
+                "\n{BAD}no program was judged:{BAD:#} {}",
+                reason(summary)
+            ),
             0 => writeln!(self.out, "\n{GOOD}nothing found{GOOD:#}"),
             1 => writeln!(self.out, "\n{BAD}1 finding{BAD:#} in {}{causes}", unsaved.folder),
             number => writeln!(
@@ -327,6 +332,15 @@ impl<'s> Sorted<'s> {
         }
         sorted
     }
+}
+
+/// Returns why a campaign judged no program.
+fn reason(summary: &CampaignSummary) -> &'static str {
+    let most = summary.passed_over.iter().max_by_key(|(_, number)| **number);
+    most.map_or(
+        "its time was up before the first one; a longer --time helps",
+        |(word, _)| word,
+    )
 }
 
 /// Returns the rule of a finding in a line: the features that its program uses.

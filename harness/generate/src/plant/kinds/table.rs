@@ -8,7 +8,7 @@ use super::{
 };
 use serde::de::{Deserialize, Deserializer, Error};
 use std::sync::LazyLock;
-use stickler_types::dialect::PartialAccess;
+use stickler_types::dialect::{OperandTypes, PartialAccess};
 use stickler_types::{Code, Dialect, DialectName};
 
 /// A kind of error.
@@ -31,6 +31,7 @@ enum Dialects {
     NoBits,
     NoLineComments,
     NoPartialAccess,
+    OwnTypes,
     PartialAccess,
 }
 
@@ -41,6 +42,7 @@ impl Dialects {
             Dialects::NoBits => !dialect.bit_access,
             Dialects::NoLineComments => !dialect.line_comments,
             Dialects::NoPartialAccess => dialect.partial_access == PartialAccess::Disabled,
+            Dialects::OwnTypes => dialect.operands != OperandTypes::Promoted && !dialect.literals_by_width,
             Dialects::PartialAccess => name.rules().documents.partial_access,
         }
     }

@@ -13,7 +13,7 @@ use crate::writer::{Style, write};
 use std::ops::Range;
 use stickler_engines::{Engine, Observation, Outcome, Reference, RunRequest};
 use stickler_reduce::{Interestingness, Reduction, ReductionBudget, StopReason};
-use stickler_types::{ElementaryType, Value};
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// The bug of an engine: it runs a program with some parts changed, or gives another outcome for a program with a statement.
 enum Bug {
@@ -270,7 +270,8 @@ const BUGS: [(&str, Bug); 16] = [
 fn shown(bug: &Bug, seeds: Range<u64>) -> Option<(Program, OutcomeSymptom)> {
     seeds.into_iter().find_map(|seed| {
         let bytes = bytes(seed, 1500);
-        let program = generate(&bytes, &GeneratorSettings::default());
+        let dialect = DialectName::ALL[seed as usize % 7];
+        let program = generate(&bytes, &GeneratorSettings::of(dialect));
         let symptom = OutcomeSymptom::all(&expected(&program)?, &outcome(bug, &program))
             .into_iter()
             .next()?;
