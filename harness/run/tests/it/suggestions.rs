@@ -36,7 +36,9 @@ fn complaint(suggestion: &Suggestion, reference: &Reference) -> Option<String> {
 fn the_reference_gives_what_the_design_suggests_where_no_document_speaks() {
     let reference = Reference::new();
     let tables = folder::call_tables(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")).unwrap();
-    let suggestions: Vec<Suggestion> = tables.iter().flat_map(CallTable::suggestions).collect();
+    let mut suggestions: Vec<Suggestion> = tables.iter().flat_map(CallTable::suggestions).collect();
+    // The sign of a NaN that a program computes is the processor's, and the bits of a real show it.
+    suggestions.retain(|one| !(one.ty.is_bit_string() && one.place.contains("NaN")));
     assert!(suggestions.len() > 15_000, "{} suggestions", suggestions.len());
     let complaints: Vec<Vec<String>> = WorkerPool::new(0)
         .map(
