@@ -315,7 +315,7 @@ fn drop_repeats(harvest: &mut Harvest, dialects: &Dialects) {
     let is_repeated = |case: &Case| {
         let beside = others.iter().filter(|&&(dialect, _)| dialect == case.dialect);
         let mut twins = beside.filter_map(|&(_, other)| there.get(&(&*case.id, other)));
-        twins.any(|twin| twin.asks_the_same_as(case)) && Fnv1a::of(&*case.id).folded() % SAMPLE != 0
+        twins.any(|twin| twin.asks_the_same_as(case)) && !Fnv1a::of(&*case.id).folded().is_multiple_of(SAMPLE)
     };
     let repeated: Vec<bool> = harvest.cases.iter().map(is_repeated).collect();
     let mut repeated = repeated.into_iter();
