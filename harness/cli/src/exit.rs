@@ -144,7 +144,7 @@ pub struct SpeaksNone {
     pub asked: String,
     /// The dialects that the engine speaks, in a list.
     pub spoken: String,
-    /// How to ask for them, where that is needed; a fragment that begins with its comma.
+    /// The words behind the list of dialects that tell how to ask for them, with their comma; empty where nothing has to be asked.
     pub hint: String,
 }
 

@@ -24,7 +24,7 @@ pub enum Binding {
     Standard,
     /// The standard, but of a feature that the system does not declare.
     Undeclared(FeatureKey),
-    /// One of Stickler's own rules.
+    /// A rule of `rules.md`, which is Stickler's own.
     Rule,
     /// A document, a recording or a measurement of another system.
     OtherSystem,

@@ -222,7 +222,7 @@ pub(crate) fn read(root: &files::Root) -> (Dialects, Vec<CaseFileError>) {
 pub(crate) struct DialectSet {
     /// The first dialects, one bit each.
     first: u64,
-    /// The other dialects of the set; usually none.
+    /// The dialects of the set whose number has no bit in `first`; usually none.
     others: Vec<DialectName>,
 }
 

@@ -14,9 +14,10 @@ struct Statement {
 }
 
 impl Table {
-    /// Returns each result that a source states of a call, with its dialects: those of which a source states it, and those of which none
-    /// states anything and whose own choices give it, if all sources agree on it. There a compiler that gives another result differs. Where
-    /// the probes observe the type of the result, the other dialects follow, in which it is recorded.
+    /// Returns each result that a source states of a call, with the dialects of which it does. Where all agree on one result, a second row
+    /// has the dialects of which no source speaks and whose own choices give it: it cites what other systems document, so that a compiler
+    /// with another result differs. Where the probes observe the type of the result, a last row has the other dialects, in which it is
+    /// recorded.
     ///
     /// # Errors
     /// A sentence, where a probe asserts nothing, the table has no column `dialects`, or no source states a result.
@@ -45,24 +46,53 @@ impl Table {
         if values.is_empty() && !is_recorded {
             return Err("no source states the result".to_owned());
         }
-        let agree = values.len() == 1;
-        let is_stated =
-            |statement: &Statement| statement.basis.is_some() || agree && values.contains(&statement.value);
-        let (stated, open): (Vec<Statement>, Vec<Statement>) = statements.into_iter().partition(is_stated);
-        let agreed = values.iter().map(|value| {
-            let of_value = stated.iter().filter(|statement| statement.value == *value);
-            self.agreed(value, &of_value.collect::<Vec<_>>(), call)
-        });
-        let mut agreed = agreed.collect::<Result<Vec<Agreed>, String>>()?;
+        let (stated, unstated): (Vec<Statement>, Vec<Statement>) = statements
+            .into_iter()
+            .partition(|statement| statement.basis.is_some());
+        let mut agreed = Vec::new();
+        for value in &values {
+            let of_value: Vec<&Statement> = stated.iter().filter(|one| one.value == *value).collect();
+            agreed.push(self.stated(value, &of_value, call)?);
+        }
+        let elsewhere = match &values[..] {
+            [value] => self.only_elsewhere(&stated).map(|basis| (value, basis)),
+            _ => None,
+        };
+        let follows = |one: &Statement| {
+            elsewhere.as_ref().is_some_and(|(value, basis)| {
+                one.value == **value && self.chosen(basis, one.dialect).is_none()
+            })
+        };
+        let (following, open): (Vec<Statement>, Vec<Statement>) = unstated.into_iter().partition(follows);
+        if let Some((value, basis)) = elsewhere.filter(|_| !following.is_empty()) {
+            agreed.push(Agreed {
+                value: value.to_string(),
+                basis,
+                dialects: self.named(&dialects_of(&following), call),
+            });
+        }
         if is_recorded && !open.is_empty() {
-            let dialects: Vec<DialectName> = open.iter().map(|statement| statement.dialect).collect();
             agreed.push(Agreed {
                 value: OPEN.to_owned(),
                 basis: String::new(),
-                dialects: self.named(&dialects, call),
+                dialects: self.named(&dialects_of(&open), call),
             });
         }
         Ok(agreed)
+    }
+
+    /// Returns the bases of statements that are about single systems, as a cell has them: what a dialect cites of which no source speaks, so
+    /// that the case binds nobody. `None` where only sources that speak for every dialect state the result.
+    fn only_elsewhere(&self, stated: &[Statement]) -> Option<String> {
+        let is_of_a_system = |basis: &&str| {
+            let kind = self.kind_of(basis);
+            kind.is_some_and(|kind| !matches!(kind, SourceKind::Standard | SourceKind::Rule))
+        };
+        let bases = stated.iter().filter_map(|statement| statement.basis);
+        let mut bases: Vec<&str> = bases.filter(is_of_a_system).collect();
+        bases.sort_unstable();
+        bases.dedup();
+        (!bases.is_empty()).then(|| bases.join(stickler_suite::OR))
     }
 
     /// Returns the dialects that any probe asks.
@@ -97,7 +127,8 @@ impl Table {
         (is_declared && is_standard).then_some(basis)
     }
 
-    fn agreed(&self, value: &Value, statements: &[&Statement], call: &Call) -> Result<Agreed, String> {
+    /// Returns the row of a result for the dialects of which a source states it.
+    fn stated(&self, value: &Value, statements: &[&Statement], call: &Call) -> Result<Agreed, String> {
         let said: Vec<(DialectName, &'static str)> = statements
             .iter()
             .filter_map(|statement| Some((statement.dialect, statement.basis?)))
@@ -114,11 +145,10 @@ impl Table {
                 return Err(format!("no probe names {basis}, which says so in {dialect}"));
             }
         };
-        let dialects: Vec<DialectName> = statements.iter().map(|statement| statement.dialect).collect();
         Ok(Agreed {
             value: value.to_string(),
             basis,
-            dialects: self.named(&dialects, call),
+            dialects: self.named(&dialects_of(statements.iter().copied()), call),
         })
     }
 
@@ -143,4 +173,11 @@ impl Table {
             _ => those.join(" "),
         }
     }
+}
+
+fn dialects_of<'s>(statements: impl IntoIterator<Item = &'s Statement>) -> Vec<DialectName> {
+    statements
+        .into_iter()
+        .map(|statement| statement.dialect)
+        .collect()
 }

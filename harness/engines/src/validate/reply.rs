@@ -168,7 +168,7 @@ fn rejected(diagnostics: &[Diagnostic], line: Option<u32>, grade: Grade) -> (Che
     }
 }
 
-/// What a value of another type than the one that was asked for may come of, in the words of a run and of a validation.
+/// The explanation of a value that has another type than was asked for, in the words that a run and a validation share.
 pub const OTHER_TYPE: &str = "another type: the compiler gives the variable another one, or the adapter does not know the declared one";
 
 /// Judges one value: its form, its type, and whether it is the expected one.

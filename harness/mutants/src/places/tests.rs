@@ -113,9 +113,9 @@ fn the_places_of_a_program_that_is_put_together_are_those_of_its_case() {
             standing.source == Some(&placement.source)
                 && standing.target == Some(&placement.target)
                 && (standing.surrounding == Some(&placement.surrounding)
-                    // A declaration stands in the unit that it belongs to, and the condition of UNTIL a line behind.
+                    // A declaration stands in the unit that it belongs to, the condition of UNTIL and a subscript a line behind.
                     || placement.target.ends_with("initial-value")
-                    || &*placement.target == "until-condition")
+                    || matches!(&*placement.target, "until-condition" | "subscript"))
         });
         assert!(found, "{}: {placement:?}\n{}", case.key(), case.source);
     }

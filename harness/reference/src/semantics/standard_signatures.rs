@@ -23,15 +23,16 @@ pub(super) struct StandardSignature {
 pub(super) enum StandardOperation {
     /// One that the machine knows, of inputs whose common type is of a generic type.
     Function(StandardFunction, GenericType),
-    /// That of an infix operator, between each input and the one before it; it knows its types itself.
+    /// The operation of an infix operator, done between each input and the one before it. The types that it takes are those of the
+    /// operator.
     Operator(BinaryOperator),
-    /// That of a prefix operator.
+    /// The operation of a prefix operator.
     Prefix(UnaryOperator),
     /// None: the result is the input.
     Move,
 }
 
-/// What an input of a standard function takes.
+/// The types that an input of a standard function takes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum StandardInput {
     /// A value of the type that all such inputs have in common.

@@ -34,7 +34,7 @@ pub(super) fn expected_and_got(
     }
 }
 
-/// What a compiler is known to have printed, by which its answer is told.
+/// The codes, lines and texts that a compiler is known to have printed, so that a page tells its answer by no others.
 pub(super) struct Told<'p> {
     /// The text that the commands of the page print; empty where nobody ran them.
     pub(super) printed: &'p str,

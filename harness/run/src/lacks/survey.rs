@@ -28,11 +28,11 @@ type FeaturesOfDialects = BTreeMap<DialectName, BTreeSet<FeatureKey>>;
 
 /// The reason why a program is asked about.
 enum Question<'q, 's> {
-    /// It uses no feature.
+    /// A program that uses no feature: `x := x;` of an INT.
     Plainest,
-    /// It is the minimal program of a feature.
+    /// The minimal program of a feature.
     Feature(&'s Feature),
-    /// It is the counterpart of programs that must be rejected.
+    /// A case that must be accepted and differs least from cases that must be rejected.
     Counterpart(&'q Counterpart<'s>),
 }
 

@@ -24,7 +24,7 @@ pub(super) struct RunContext<'r> {
     pub(super) engines: &'r [&'r dyn Engine],
     /// The store of each engine; engines behind the end of the slice have none.
     pub(super) stores: &'r [Option<&'r dyn AnswerStore>],
-    /// What each engine lacks.
+    /// The features that each engine lacks, by the index of the engine.
     pub(super) lacks: &'r [Lacks<'r>],
     /// The matched baseline of each engine.
     pub(super) baselines: &'r [Option<MatchedBaseline<'r>>],

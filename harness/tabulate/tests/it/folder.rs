@@ -29,7 +29,7 @@ fn the_folder_holds_the_rows_that_the_program_writes() {
 fn a_table_is_small_enough_to_be_read() {
     for (path, table) in folder::tables(&root()).unwrap() {
         let length = table.text.len();
-        assert!(length < 350_000, "{}: {length} bytes", path.display());
+        assert!(length < 300_000, "{}: {length} bytes", path.display());
     }
 }
 
