@@ -36,10 +36,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     if !widens {
         return None;
     }
-    let rule = match ConversionRule::between(from, to, &dialect.conversions) {
-        None if is_moment(from) && is_moment(to) => as_nanoseconds(to),
-        rule => rule?,
-    };
+    let rule = ConversionRule::between(from, to, &dialect.conversions)?;
     Some(Conversion { from, to, rule })
 }
 
@@ -236,15 +233,6 @@ const fn is_moment(ty: ElementaryType) -> bool {
         ty.family(),
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
     )
-}
-
-/// Returns the conversion of a duration, date or time of day to a type that no function gives of it: the nanoseconds are kept.
-const fn as_nanoseconds(to: ElementaryType) -> ConversionRule {
-    match to.family() {
-        Family::Date => ConversionRule::Day,
-        Family::TimeOfDay => ConversionRule::TimeOfDay,
-        _ => ConversionRule::Keep,
-    }
 }
 
 /// Every value of the one integer type is a value of the other.
