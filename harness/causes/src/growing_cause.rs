@@ -11,7 +11,7 @@ use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types, words};
 use crate::work::operations;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite};
@@ -202,11 +202,13 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
 
 /// Returns the types that a program names outside the declarations of variables that it does not use.
 fn used_types(text: &str) -> Vec<&'static str> {
-    let all = words(text);
+    let mut numbers: HashMap<String, usize> = HashMap::new();
+    for word in words(text) {
+        *numbers.entry(word.to_ascii_uppercase()).or_default() += 1;
+    }
     let is_used = |line: &&str| {
         let declared = line.split_once(':').map(|(name, _)| name.trim());
-        let is_one = |name: &str| all.iter().filter(|word| word.eq_ignore_ascii_case(name)).count() == 1;
-        !declared.is_some_and(is_one)
+        !declared.is_some_and(|name| numbers.get(&name.to_ascii_uppercase()) == Some(&1))
     };
     let lines: Vec<&str> = text.lines().filter(is_used).collect();
     types_of(&lines.join("\n"))
