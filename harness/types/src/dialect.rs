@@ -123,6 +123,10 @@ choices! {
         ///
         /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.
         single_value_subranges: bool = true, ["flags.single-value-subranges"];
+        /// A label of CASE may be a number in another base: `16#FF`.
+        ///
+        /// Basis: ironplc-problem-codes: P4041, by which only an extension has it.
+        based_case_labels: bool = true, ["flags.based-case-labels"];
         /// An untyped real literal may stand where an integer is expected; it converts as a value does.
         ///
         /// Basis: strucpp-architecture: Type System ("assignable to any numeric type"); ironplc-type-conversions: Integer and Real Types, by which it
