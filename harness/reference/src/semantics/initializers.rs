@@ -58,7 +58,7 @@ impl<'m> Lowering<'m> {
                     .iter()
                     .map(|dimension| dimension.length())
                     .collect();
-                self.elements(location, shape.element, &lengths, elements);
+                self.elements(location, shape.element, &lengths, elements, initializer.span);
             }
             (InitializerKind::Structure(fields), TypeKind::Structure(_) | TypeKind::FunctionBlock(_)) => {
                 self.default_value(location, ty);
@@ -123,10 +123,12 @@ impl<'m> Lowering<'m> {
         element: TypeId,
         lengths: &[u32],
         entries: &'m [ArrayElement<'m>],
+        span: Span,
     ) {
         let total = lengths.iter().product::<u32>();
         let size = self.model.types.extent(element).size;
         let mut position = 0_u32;
+        let mut too_many = false;
         for entry in entries {
             let widths = entry
                 .values
@@ -135,6 +137,7 @@ impl<'m> Lowering<'m> {
             let width = widths.fold(0, u32::saturating_add).max(1);
             let count = self.repetition(entry);
             let whole = count.min((total - position) / width);
+            too_many |= whole < count;
             if whole > 0 {
                 self.in_a_row(location, element, lengths, &entry.values, position..total);
                 if whole > 1 && !entry.values.is_empty() {
@@ -153,6 +156,10 @@ impl<'m> Lowering<'m> {
                 position = self.in_a_row(location, element, lengths, &entry.values, room);
                 muted.map(|muted| self.reporter.mute(muted));
             }
+        }
+        if too_many && !self.model.source.dialect.excess_initial_values {
+            let message = format!("more than {total} initial values for {total} elements");
+            self.report(Code::InitializerTypeMismatch, span, message);
         }
     }
 
@@ -175,7 +182,7 @@ impl<'m> Lowering<'m> {
             let before = self.emitter.position();
             match &value.kind {
                 InitializerKind::Array(row) if self.is_row(value, element, lengths) => {
-                    self.elements(here, element, &lengths[1..], row);
+                    self.elements(here, element, &lengths[1..], row, value.span);
                 }
                 _ => self.initialize(here, element, Some(value)),
             }
