@@ -92,10 +92,13 @@ pub(crate) enum LinePlace<'t, 's> {
 pub(crate) fn place_of<'t, 's>(program: &ReadProgram<'t, 's>, number: u32) -> LinePlace<'t, 's> {
     let line = |byte: u32| program.lines.line(byte);
     let covers = |start: u32, end: u32| (line(start)..=line(end.saturating_sub(1))).contains(&number);
+    // The statements of a body stand in the order of the text; a program may have many thousands.
     let is_stated = |pou: &Pou<'_>| {
-        pou.body
-            .iter()
-            .any(|statement| line(statement.span.start) == number)
+        let before = pou
+            .body
+            .partition_point(|statement| line(statement.span.start) < number);
+        let first = pou.body.get(before);
+        first.is_some_and(|statement| line(statement.span.start) == number)
     };
     for declaration in &program.program.unit.declarations {
         let sections = match declaration {
@@ -126,7 +129,10 @@ pub(crate) fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) ->
     let LinePlace::Section(section) = place_of(program, number) else {
         return None;
     };
-    let head = words(section.span.text(program.program.text)).first().copied()?;
+    let text = section.span.text(program.program.text);
+    let head = text
+        .split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_')
+        .next()?;
     (!matches!(head, "VAR" | "VAR_INPUT")).then_some(head)
 }
 
