@@ -64,7 +64,7 @@ impl<'m> Lowering<'m> {
         match callee {
             Callee::Block(pou) | Callee::Function(pou) => {
                 let entry = &self.model.pous[pou as usize];
-                let declares = |name| entry.scope.get(&CaseFolded(name)).is_some();
+                let declares = |name| entry.scope.contains_key(&CaseFolded(name));
                 let gives_many = entry
                     .result
                     .is_some_and(|result| self.is_aggregate(self.model.variable(result).ty));
