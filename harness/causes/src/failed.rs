@@ -2,7 +2,7 @@
 
 use crate::failure_sign::Sign;
 use crate::words::types_of;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use stickler_engines::{Engine, Identity, Reference};
 use stickler_run::{CaseEvent, Event, ExplainedCases, Plan};
 
@@ -28,6 +28,8 @@ pub(crate) struct FailureGroup {
     /// The case with the smallest program that has other types than the shown one.
     pub(crate) second: Option<CaseEvent>,
     pub(crate) cases: Vec<ExplainedCases>,
+    /// The arguments that the ids of all cases have, such as the names of places.
+    pub(crate) shared: BTreeSet<String>,
 }
 
 impl<'r> FailedCases<'r> {
@@ -83,6 +85,7 @@ impl<'r> FailedCases<'r> {
             shown: case.clone(),
             second: None,
             cases: Vec::new(),
+            shared: arguments(&case.id),
         });
         group.take(case);
     }
@@ -98,6 +101,8 @@ impl FailureGroup {
             cases: 1,
         };
         ExplainedCases::add(&mut self.cases, some);
+        let of_case = arguments(&case.id);
+        self.shared.retain(|argument| of_case.contains(argument));
         let mut other = case;
         let former;
         if rank(case) < rank(&self.shown) {
@@ -124,6 +129,18 @@ impl FailureGroup {
 fn rank(case: &CaseEvent) -> (bool, usize) {
     let program = case.program.as_deref().unwrap_or_default();
     (case.verdict.is_as_expected(), program.len())
+}
+
+/// Returns the arguments of a case's id: `a` and `b` of `folder/file::probe(a,b)`.
+fn arguments(id: &str) -> BTreeSet<String> {
+    let inside = id
+        .split_once('(')
+        .and_then(|(_, behind)| behind.strip_suffix(')'));
+    inside
+        .into_iter()
+        .flat_map(|all| all.split(','))
+        .map(str::to_owned)
+        .collect()
 }
 
 fn types(case: &CaseEvent) -> Vec<&'static str> {

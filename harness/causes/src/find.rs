@@ -139,6 +139,12 @@ fn find_before_end(
             GrowingCause::new(group, found, case.copied(), (identity, search.suite))
         });
         let mut causes = merged(members.collect());
+        for member in &mut causes {
+            let shown = &member.cause.shown;
+            if let Some(case) = cases.get(&(shown.case.clone(), shown.dialect.clone())) {
+                member.cite_place(case, (identity, search.suite));
+            }
+        }
         asking.second_witnesses(&mut causes, left)?;
         end_questions_at(begun.checked_add(search.limits.time));
         asking.reproduce(&mut causes)?;

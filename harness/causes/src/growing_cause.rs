@@ -5,13 +5,13 @@ use crate::essence::Essence;
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, is_unread};
 use crate::normal_form::Normal;
-use crate::promised::{cite, promise};
+use crate::promised::{cite, promise, promise_of_place};
 use crate::reduction::Smallest;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types, words};
 use crate::work::operations;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite};
@@ -23,6 +23,8 @@ pub(crate) struct GrowingCause {
     pub(crate) sign: Sign,
     /// A case of the group with other types than the shown one.
     pub(crate) other: Option<CaseEvent>,
+    /// The arguments that the ids of all cases have.
+    shared: BTreeSet<String>,
     /// Whether the shown claim does not bind the engine.
     pub(crate) differs: bool,
     /// The rank of the shown claim.
@@ -103,6 +105,23 @@ impl GrowingCause {
             essence,
             sign: shown.deviation.sign.clone(),
             other: group.second.clone(),
+            shared: group.shared.clone(),
+        }
+    }
+
+    /// Cites who promises the place that all cases have in common, where a valid program is not taken and no claim says why it must be: none
+    /// speaks of it, or several do, each of what goes to that place.
+    pub(crate) fn cite_place(&mut self, case: &Case, (engine, suite): (&Identity, &Suite)) {
+        let basis = &self.cause.shown.basis;
+        let has_others = self.cause.cases.iter().any(|some| some.basis != *basis);
+        let shown = &mut self.cause.shown;
+        if !(shown.is_derived || has_others) || self.differs || !self.sign.rejects_valid() {
+            return;
+        }
+        if let Some(basis) = promise_of_place(&self.shared, (&shown.program, case), (engine, suite)) {
+            shown.basis = basis.to_owned();
+            shown.is_derived = false;
+            self.rank = rank(basis, &engine.name, &suite.sources);
         }
     }
 
@@ -157,6 +176,8 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
             continue;
         };
         let mut member = member;
+        cause.shared.retain(|argument| member.shared.contains(argument));
+        member.shared.clone_from(&cause.shared);
         let is_same = cause.essence == member.essence;
         // What contradicts a source that binds the engine is shown by such a source, and a program that is not taken by one of which a
         // claim still speaks.
@@ -181,11 +202,13 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
 
 /// Returns the types that a program names outside the declarations of variables that it does not use.
 fn used_types(text: &str) -> Vec<&'static str> {
-    let all = words(text);
+    let mut numbers: HashMap<String, usize> = HashMap::new();
+    for word in words(text) {
+        *numbers.entry(word.to_ascii_uppercase()).or_default() += 1;
+    }
     let is_used = |line: &&str| {
         let declared = line.split_once(':').map(|(name, _)| name.trim());
-        let is_one = |name: &str| all.iter().filter(|word| word.eq_ignore_ascii_case(name)).count() == 1;
-        !declared.is_some_and(is_one)
+        !declared.is_some_and(|name| numbers.get(&name.to_ascii_uppercase()) == Some(&1))
     };
     let lines: Vec<&str> = text.lines().filter(is_used).collect();
     types_of(&lines.join("\n"))

@@ -203,6 +203,7 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
     let of_statement = has_expression_as_statement(program.text, tokens);
     found.extend(repeats_nothing(program, tokens).then_some("repetition of nothing"));
     found.extend(of_statement.then_some("expression as a statement"));
+    found.extend(has_no_result(program).then_some("function without a result"));
     found.extend(
         program
             .unit
@@ -322,6 +323,19 @@ fn has_expression_as_statement(text: &str, tokens: &[Token]) -> bool {
             .find(|kind| matches!(kind, Assign | Equal | LeftParen | Semicolon | Colon) || kind.is_keyword());
         let is_value = sign.is_some_and(|sign| matches!(sign, Equal | Semicolon) || sign.closes());
         begins && (is_literal || is_name(&tokens[at], text) && is_value)
+    })
+}
+
+/// Returns whether a function that has a result gives it no value.
+fn has_no_result(program: &ReadProgram<'_, '_>) -> bool {
+    let mut functions = program.unit.pous().filter(|pou| pou.result.is_some());
+    functions.any(|pou| {
+        let is_own = |part: &Part<'_, '_>| part.pou.is_some_and(|one| one.span == pou.span);
+        let gives = |part: &Part<'_, '_>| {
+            program.outermost(part).place == Place::Target
+                && part.name().is_some_and(|name| pou.name.is(name))
+        };
+        !program.parts.iter().any(|part| is_own(part) && gives(part))
     })
 }
 

@@ -6,11 +6,12 @@ use crate::line_features::passes_in_out;
 use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
-use crate::suspect::unimplemented;
+use crate::suspect::{culprit, unimplemented};
 use crate::words::{valued_types, words};
+use std::collections::BTreeSet;
 use stickler_engines::Identity;
 use stickler_run::{Fact, Symptom};
-use stickler_suite::{Case, Feature, Features, SourceKind, Sources, Suite};
+use stickler_suite::{Case, Feature, Features, Role, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
 
@@ -40,7 +41,30 @@ pub(crate) fn promise<'s>(
         Dialect::of(case.dialect),
         features,
     )?;
-    stickler_run::promise(feature, (&shown.program, case.dialect), engine, suite)
+    stickler_run::promise(feature.promises(), (&shown.program, case.dialect), engine, suite)
+}
+
+/// Returns the basis by which an engine must take a value in the one place that all cases of a cause have in common. `None` where they share
+/// no place or several, or where nobody promises it. The first place of each role is that of a plain variable, by which no cause is told.
+pub(crate) fn promise_of_place<'s>(
+    shared: &BTreeSet<String>,
+    (program, case): (&str, &Case),
+    (engine, suite): (&Identity, &'s Suite),
+) -> Option<&'s str> {
+    let placement = case.placement.as_ref()?;
+    let roles = [
+        (Role::Source, &placement.source),
+        (Role::Target, &placement.target),
+        (Role::Surrounding, &placement.surrounding),
+    ];
+    let places = roles.into_iter().filter_map(|(role, name)| {
+        let mut special = suite.places.of(role).iter().skip(1);
+        special.find(|place| place.name() == &**name && shared.contains(place.name()))
+    });
+    let [place] = places.collect::<Vec<_>>()[..] else {
+        return None;
+    };
+    stickler_run::promise(place.promises(), (program, case.dialect), engine, suite)
 }
 
 /// Returns the number of the line whose constructs the engine does not take; `None` where no line is known.
@@ -56,7 +80,10 @@ fn line_at_fault(program: &ReadProgram<'_, '_>, shown: &Smallest) -> Option<u32>
                     .unwrap_or_else(|| program.declaration(name)),
             )
         }
-        _ => got.iter().find_map(|fact| fact.diagnostic()?.line),
+        _ => {
+            let named = got.iter().find_map(|fact| fact.diagnostic()?.line);
+            Some(named.unwrap_or_else(|| culprit(program)))
+        }
     }
 }
 

@@ -104,15 +104,16 @@ impl<'c> Claim<'c> {
     }
 }
 
-/// Returns the first basis that promises a feature of the language and binds an engine in a program of a dialect; `None` where there is none.
+/// Returns the first of the bases that promise a feature of the language, or a place, which binds an engine in a program of a dialect; `None`
+/// where there is none.
 #[must_use]
 pub fn promise<'f>(
-    feature: &'f Feature,
+    promised: impl IntoIterator<Item = &'f str>,
     (program, dialect): (&str, DialectName),
     engine: &Identity,
     suite: &Suite,
 ) -> Option<&'f str> {
-    let speaks = |basis: &&String| {
+    let speaks = |basis: &&str| {
         let source = suite.sources.of(basis);
         let claim = Claim {
             basis,
@@ -122,7 +123,7 @@ pub fn promise<'f>(
         source.is_some_and(|(source, section)| source.speaks_for(section, dialect))
             && binding(claim, Some(engine), suite).binds(false)
     };
-    feature.promised.iter().find(speaks).map(String::as_str)
+    promised.into_iter().find(speaks)
 }
 
 /// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of its edition is about

@@ -59,6 +59,13 @@ struct FeatureTable {
     program: String,
 }
 
+impl Feature {
+    /// Returns the bases that promise the feature.
+    pub fn promises(&self) -> impl Iterator<Item = &str> {
+        self.promised.iter().map(String::as_str)
+    }
+}
+
 impl Case {
     /// Returns the keys of the features that the program of the case uses.
     #[must_use]

@@ -231,6 +231,11 @@ impl ProgramPlace {
         &self.name
     }
 
+    /// Returns the bases that promise the place.
+    pub fn promises(&self) -> impl Iterator<Item = &str> {
+        self.key.promised.0.iter().map(|basis| basis.get_ref().as_str())
+    }
+
     /// Returns whether a source is a literal, or a target takes nothing else.
     pub fn is_literal(&self) -> bool {
         self.key.literal

@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `name` | what is shown, as a sentence |
 //! | `compiler` | [`Defects`]; `poses_as` the compiler for whose documents Stickler's own sources speak, `knows_no` codes |
-//! | `cases` | `has` the declarations of PROGRAM main and what it `does`, or its whole `program`; what `must` happen; its `basis` |
+//! | `cases` | `has` the declarations of PROGRAM main and what it `does`, or its whole `program`; what `must` happen; its `basis`; the `place` of its value: source, target and surrounding |
 //! | `titles` | the number of cases and the title of each cause that must be found; `*` stands for anything |
 //! | `cause` | properties of the first cause, where `*` stands for anything; `program, not` is one that is not shown |
 //! | `editions` | whether each case is one of the second edition too |
@@ -19,7 +19,9 @@ use std::path::Path;
 use std::sync::Arc;
 use stickler_causes::SearchLimits;
 use stickler_run::{Cause, Fact};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Suite, Wanted};
+use stickler_suite::{
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Placement, Suite, Wanted,
+};
 use stickler_types::{DialectName, Observation, Value};
 
 #[derive(Deserialize)]
@@ -52,6 +54,7 @@ struct FailingCase {
     program: Option<String>,
     must: String,
     basis: Option<String>,
+    place: Option<[String; 3]>,
 }
 
 impl FailingCase {
@@ -61,7 +64,9 @@ impl FailingCase {
         let (has, does) = (&self.has, &self.does);
         let written = || format!("PROGRAM main\nVAR\n    {has}\nEND_VAR\n    {does}\nEND_PROGRAM\n");
         let program = self.program.clone().unwrap_or_else(written);
-        let id = format!("t::case-{number}");
+        let place = self.place.as_ref();
+        let arguments = place.map_or(String::new(), |names| format!("({})", names.join(",")));
+        let id = format!("t::case-{number}{arguments}");
         let mut expectation = Expectation::default();
         let mut observe = Vec::new();
         if let Some((name, value)) = self.must.split_once(" = ") {
@@ -89,6 +94,13 @@ impl FailingCase {
             area: "area".into(),
             expectation: Arc::new(expectation),
             observe: observe.into(),
+            placement: place.map(|[source, target, surrounding]| {
+                Arc::new(Placement {
+                    source: source.as_str().into(),
+                    target: target.as_str().into(),
+                    surrounding: surrounding.as_str().into(),
+                })
+            }),
             ..Case::of_program(&id, DialectName::IRONPLC_ED3, &program)
         }
     }

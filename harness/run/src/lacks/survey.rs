@@ -174,7 +174,13 @@ impl<'s> Survey<'_, 's> {
         engine: &Identity,
     ) -> LackedFeature<'s> {
         let Judgement { verdict, got, .. } = judge(case, answers, self.plan.strict(engine));
-        let basis = promise(feature, (&feature.program, case.dialect), engine, self.suite).map(Cow::from);
+        let basis = promise(
+            feature.promises(),
+            (&feature.program, case.dialect),
+            engine,
+            self.suite,
+        )
+        .map(Cow::from);
         let basis = basis.or_else(|| declared_by(feature, case.dialect, self.suite).map(Cow::from));
         let is_stated = Refusal::of(&answers.run) == Some(Refusal::Stated);
         // Where an adapter cannot ask, that says nothing of the compiler.
