@@ -256,7 +256,7 @@ impl<'s> UnaryCall<'s> {
             .then_some(OMRON_ROUNDING)
     }
 
-    /// Returns the basis of a conversion among numbers or among bit strings in the third edition, which leaves numbers outside the range of the
+    /// Returns the basis of a conversion among numbers and bit strings in the third edition, which leaves numbers outside the range of the
     /// target to the implementer.
     fn of_standard_conversion(self, raw: u64) -> Option<&'static str> {
         use Family::{BitString, Real, Signed, Unsigned};
@@ -267,6 +267,11 @@ impl<'s> UnaryCall<'s> {
                 integer::holds(self.to, integer::number(raw, self.from)).then_some(STANDARD_INTEGERS)
             }
             (BitString, BitString) => Some(BITS_TO_BITS),
+            // Of other widths, nothing that we can read says which bits are taken over.
+            (BitString, Signed | Unsigned) | (Signed | Unsigned, BitString) => {
+                (self.from.bits() == self.to.bits()).then_some(BITS_AND_NUMBERS)
+            }
+            (Signed | Unsigned, Real) => Some(ROUNDED),
             _ => None,
         }
     }

@@ -3,12 +3,11 @@
 //! The catalogue is generated once for all dialects that have the same functions, from pairs of types and a few patterns of
 //! names, and looked up afterwards.
 
-use crate::choices::choices_of;
 use crate::pair;
 use crate::signature::{Operation, Signature};
 use std::collections::HashMap;
 use std::sync::OnceLock;
-use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType, MomentUnits};
+use stickler_types::{ConversionCall, Dialect, DialectName, ElementaryType};
 
 /// Returns every signature of a function in a dialect; none if the dialect has no conversion function of this name.
 ///
@@ -84,7 +83,7 @@ struct Catalogue {
 }
 
 /// The catalogues, each at the [index](Features::index) of its features.
-static CATALOGUES: [OnceLock<Catalogue>; 16] = [const { OnceLock::new() }; 16];
+static CATALOGUES: [OnceLock<Catalogue>; 8] = [const { OnceLock::new() }; 8];
 
 /// The features by which the functions of dialects differ.
 #[derive(Clone, Copy)]
@@ -93,9 +92,7 @@ struct Features {
     third_edition: bool,
     /// Bit 1: ROUND and its kin.
     roundings: bool,
-    /// Bit 2: whether each type counts its own units.
-    moment_units: MomentUnits,
-    /// Bit 3: LDATE, LTOD and LDT among those types.
+    /// Bit 2: LDATE, LTOD and LDT among those types.
     long_dates: bool,
 }
 
@@ -104,16 +101,12 @@ impl Features {
         Features {
             third_edition: has_type(ElementaryType::Ltime, dialect),
             roundings: Dialect::of(dialect).rounding_functions,
-            moment_units: choices_of(dialect).moment_units,
             long_dates: has_type(ElementaryType::Ldate, dialect),
         }
     }
 
     fn index(self) -> usize {
-        usize::from(self.third_edition)
-            | usize::from(self.roundings) << 1
-            | usize::from(self.moment_units == MomentUnits::Counts) << 2
-            | usize::from(self.long_dates) << 3
+        usize::from(self.third_edition) | usize::from(self.roundings) << 1 | usize::from(self.long_dates) << 2
     }
 }
 
@@ -133,7 +126,7 @@ impl Catalogue {
             .filter(|ty| features.third_edition || !ty.is_third_edition())
             .filter(|ty| features.long_dates || !is_long_date(*ty))
             .collect();
-        catalogue.add_pairs(&types, features.moment_units);
+        catalogue.add_pairs(&types);
         catalogue.add_truncations();
         catalogue.add_bcd();
         catalogue.add_concatenations(&types);
@@ -162,12 +155,12 @@ impl Catalogue {
     }
 
     /// Adds `<SRC>_TO_<DST>` and `TO_<DST>`.
-    fn add_pairs(&mut self, types: &[ElementaryType], units: MomentUnits) {
+    fn add_pairs(&mut self, types: &[ElementaryType]) {
         let pairs = || {
             let all = types
                 .iter()
                 .flat_map(|&from| types.iter().map(move |&to| (from, to)));
-            all.filter(|&(from, to)| pair::has_meaning(from, to, units))
+            all.filter(|&(from, to)| pair::has_meaning(from, to))
         };
         for (from, to) in pairs().filter(|(from, to)| from != to) {
             self.add(format!("{from}_TO_{to}"), from, to, Operation::Convert);

@@ -17,7 +17,7 @@ use stickler_types::{Dialect, DialectName, ElementaryType, Family, MatrixWord};
 /// conformance; implicit-conversion-table: SEM1189 table; implicit-conversion-rules: ANY_DURATION, for TIME and LTIME, which are
 /// not in the table; strucpp-architecture: Type System and strucpp-tests for STruC++; rusty-tests and rusty-datatypes for RuSTy;
 /// codesys-implicit for CODESYS and TwinCAT; logix-manual: 512, 543, 546 for Logix; control-expert-implicit for Control Expert;
-/// trust-data-types, trust-semantic-rules and control-expert-implicit for the third edition.
+/// iec-61131-3: 6.6.1.6 for the third edition.
 #[must_use]
 pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: DialectName) -> MatrixWord {
     if from == to {
@@ -176,27 +176,34 @@ fn control_expert(from: ElementaryType, to: ElementaryType) -> MatrixWord {
     }
 }
 
-/// Returns the answer of the pages that restate the third edition's figures of implicit conversions. Control Expert marks, among nine of the types,
-/// those of its own conversions that the standard has; the others are additions. What no page names is open.
+/// Returns the answer of the third edition's Figures 11 and 12: the paths are implicit, and a pair of Tables 23 to 27 without one is a call. Where the
+/// standard defines neither, an implementation may convert, so that the pair is open; so is CHAR to STRING, on which the restatements do not agree.
 fn iec_ed3(from: ElementaryType, to: ElementaryType) -> MatrixWord {
-    use ElementaryType::{Bool, Byte, Dint, Dword, Int, Real, Udint, Uint, Word};
-    use Family::{BitString, Boolean, Signed, Unsigned};
-    let marks = |ty| matches!(ty, Bool | Byte | Word | Dword | Int | Dint | Uint | Udint | Real);
-    let both_marked = marks(from) && marks(to);
+    use ElementaryType::{Date, Dt, Ldt, Ltime, Ltod, Time, Tod};
+    use Family::{BitString, Boolean, Character, Real, Signed, Text, Unsigned};
+    let widens = from.bits() < to.bits();
     match (from.family(), to.family()) {
-        (Family::Real, Signed | Unsigned) => MatrixWord::No,
-        // The chains, which go to 64 bits.
-        (Signed, Signed) | (Unsigned, Unsigned) | (Family::Real, Family::Real) if from.bits() < to.bits() => {
-            MatrixWord::Yes
-        }
-        // Control Expert has these as calls alone, which says nothing of the standard.
-        (Family::Real, _) | (_, Boolean) => MatrixWord::Open,
-        _ if !both_marked => MatrixWord::Open,
-        (Unsigned, Signed) | (Signed | Unsigned, Family::Real) | (Boolean | BitString, BitString) => {
-            said(from.bits() < to.bits())
-        }
-        _ => MatrixWord::No,
+        (Signed | Unsigned, Signed | Unsigned) => said(holds_every_integer(from, to)),
+        // 24 binary digits in a REAL, 53 in an LREAL.
+        (Signed | Unsigned, Real) => said(from.bits() * 2 <= to.bits()),
+        (Real, Real) => said(widens),
+        (Boolean | BitString, BitString) => said(widens),
+        (Boolean | BitString, Signed | Unsigned) | (Real, Signed | Unsigned) => MatrixWord::No,
+        (Signed | Unsigned, BitString) => MatrixWord::No,
+        (BitString, Real) | (Real, BitString) if from.bits() == to.bits() => MatrixWord::No,
+        (Text, Text) | (Character, Character) => MatrixWord::No,
+        // One character of a text of its own width.
+        (Text, Character) if is_wide(from) == is_wide(to) => MatrixWord::No,
+        _ if from.long_form() == Some(to) => MatrixWord::Yes,
+        _ => match (from, to) {
+            (Ltime, Time) | (Ltod, Tod) | (Ldt, Dt) | (Dt | Ldt, Date | Tod | Ltod) => MatrixWord::No,
+            _ => MatrixWord::Open,
+        },
     }
+}
+
+const fn is_wide(text: ElementaryType) -> bool {
+    matches!(text, ElementaryType::Wstring | ElementaryType::Wchar)
 }
 
 /// Returns whether a value widens within its category, or from a bit string to an integer, or from an integer to a real that holds it.

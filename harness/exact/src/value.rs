@@ -81,7 +81,7 @@ fn convert(raw: u64, from: ElementaryType, to: ElementaryType, choices: &Convers
         BitString, Boolean, Character, Date, DateAndTime, Duration, Real, Signed, TimeOfDay, Unsigned,
     };
     let units = choices.moment_units;
-    if !pair::has_meaning(from, to, units) {
+    if !pair::has_meaning(from, to) {
         return None;
     }
     let number = || integer::number(raw, from);

@@ -26,7 +26,7 @@ words! {
         Logix = "logix-manual",
         /// Control Expert's table.
         ControlExpert = "control-expert-table",
-        /// The pages that restate the third edition.
+        /// The figures of the third edition.
         ThirdEdition = "third-edition",
         /// No document decides any pair.
         Open = "open",

@@ -15,6 +15,8 @@ words! {
         None = "none",
         /// The coloured table of PLCnext Engineer's SEM1189.
         Plcnext = "plcnext-table",
+        /// The paths of the third edition's Figure 12.
+        ThirdEdition = "third-edition",
         /// Every pair of numbers and bit strings: what narrows is only warned of.
         Numbers = "numbers",
         /// Every pair of numbers, bit strings, durations, dates and times of day: all of them are stored as integers or reals.

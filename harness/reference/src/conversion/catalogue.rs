@@ -7,7 +7,7 @@ use super::{Conversion, ConversionRule};
 use std::sync::LazyLock;
 use stickler_types::dialect::COMMON_CHOICES;
 use stickler_types::dialect::Dialect;
-use stickler_types::{ConversionChoices, ElementaryType, MomentUnits, Rounding};
+use stickler_types::{ConversionChoices, ElementaryType, Rounding};
 
 /// The parameter of a conversion function.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -94,24 +94,14 @@ const BCD_INTEGERS: &[ElementaryType] = &[ElementaryType::Int, ElementaryType::D
 /// The types that the overloaded `TO_<DST>` takes, for each target in the order of [`ElementaryType::ALL`].
 type SourceTypes = [Vec<ElementaryType>; ElementaryType::ALL.len()];
 
-/// The types that `TO_<DST>` takes where a number counts milliseconds, seconds or days.
-static COMMON_SOURCES: LazyLock<SourceTypes> = LazyLock::new(|| sources(MomentUnits::Seconds));
-
-/// The types that `TO_<DST>` takes where each duration, date and time of day is a number of its own and converts to each other.
-static SOURCES_OF_COUNTS: LazyLock<SourceTypes> = LazyLock::new(|| sources(MomentUnits::Counts));
-
-/// Returns the types that `TO_<DST>` takes by the units in which numbers count moments, the only choice that decides which pairs convert.
-fn sources(moment_units: MomentUnits) -> SourceTypes {
-    let choices = ConversionChoices {
-        moment_units,
-        ..COMMON_CHOICES
-    };
-    let converts = |from, to| ConversionRule::between(from, to, &choices).is_some();
+/// The types that `TO_<DST>` takes; no choice decides which pairs convert.
+static SOURCES: LazyLock<SourceTypes> = LazyLock::new(|| {
+    let converts = |from, to| ConversionRule::between(from, to, &COMMON_CHOICES).is_some();
     ElementaryType::ALL.map(|to| {
         let all = ElementaryType::ALL.into_iter();
         all.filter(|&from| converts(from, to)).collect()
     })
-}
+});
 
 impl ConversionFunction {
     /// Returns whether the function takes an argument of exactly this type.
@@ -233,11 +223,7 @@ fn overloaded(to: &str, dialect: &Dialect) -> Option<ConversionFunction> {
         return any_to_bcd(one_of(BITS, bits)?);
     }
     let to = elementary(to, dialect)?;
-    let sources = match dialect.conversions.moment_units {
-        MomentUnits::Counts => &SOURCES_OF_COUNTS,
-        _ => &COMMON_SOURCES,
-    };
-    let allowed = sources.get(to as usize)?;
+    let allowed = SOURCES.get(to as usize)?;
     Some(ConversionFunction {
         parameter: any_of(allowed, ElementaryType::Dint),
         result: ResultType::Exactly(to),

@@ -21,6 +21,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
                 ironplc(from, to) || (dialect.cross_family_widening && bit_string_fits_integer(from, to))
             }
             Widening::Plcnext => plcnext(from, to),
+            Widening::ThirdEdition => third_edition(from, to),
             Widening::Numbers => numbers(from, to),
             Widening::NumbersAndMoments => numbers(from, to) || moments(from, to),
             Widening::NumbersUnlessNarrower => numbers_unless_narrower(from, to),
@@ -35,10 +36,7 @@ pub fn implicit(from: ElementaryType, to: ElementaryType, dialect: &Dialect) -> 
     if !widens {
         return None;
     }
-    let rule = match ConversionRule::between(from, to, &dialect.conversions) {
-        None if is_moment(from) && is_moment(to) => as_nanoseconds(to),
-        rule => rule?,
-    };
+    let rule = ConversionRule::between(from, to, &dialect.conversions)?;
     Some(Conversion { from, to, rule })
 }
 
@@ -129,13 +127,25 @@ fn ironplc(from: ElementaryType, to: ElementaryType) -> bool {
 /// Basis: implicit-conversion-table (SEM1189); for TIME to LTIME, which the table leaves out,
 /// implicit-conversion-rules ("`ANY_DURATION` … into other `ANY_DURATION` data types", only from the smaller).
 const fn plcnext(from: ElementaryType, to: ElementaryType) -> bool {
-    use ElementaryType::{Bool, Ltime, Time, Udint};
+    use ElementaryType::{Ltime, Time, Udint};
+    keeps_every_value(from, to) || matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime))
+}
+
+/// The paths of the third edition's Figure 12: numbers and bit strings into what holds all of them, and a duration, date or time of day into its long
+/// form.
+///
+/// Basis: iec-61131-3: 6.6.1.6.
+fn third_edition(from: ElementaryType, to: ElementaryType) -> bool {
+    keeps_every_value(from, to) || from.long_form() == Some(to)
+}
+
+/// Every value of the type is one of the other, within the integers, reals and bit strings, with BOOL among the bit strings, and from an integer to a real.
+const fn keeps_every_value(from: ElementaryType, to: ElementaryType) -> bool {
     integer_fits_integer(from, to)
         || integer_fits_real(from, to)
         || real_fits_real(from, to)
         || bit_string_fits_bit_string(from, to)
-        || (matches!(from, Bool) && to.is_bit_string())
-        || matches!((from, to), (Udint, Time) | (Time, Udint) | (Time, Ltime))
+        || (matches!(from, ElementaryType::Bool) && to.is_bit_string())
 }
 
 /// Returns the type that two operands take of which each converts to the type of the other.
@@ -223,15 +233,6 @@ const fn is_moment(ty: ElementaryType) -> bool {
         ty.family(),
         Family::Duration | Family::Date | Family::TimeOfDay | Family::DateAndTime
     )
-}
-
-/// Returns the conversion of a duration, date or time of day to a type that no function gives of it: the nanoseconds are kept.
-const fn as_nanoseconds(to: ElementaryType) -> ConversionRule {
-    match to.family() {
-        Family::Date => ConversionRule::Day,
-        Family::TimeOfDay => ConversionRule::TimeOfDay,
-        _ => ConversionRule::Keep,
-    }
 }
 
 /// Every value of the one integer type is a value of the other.

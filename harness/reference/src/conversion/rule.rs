@@ -22,8 +22,8 @@ pub struct Conversion {
 /// The rule by which a conversion changes the value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConversionRule {
-    /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT; DWORD and REAL
-    /// where the bits are copied).
+    /// The raw form stays as it is: the same type, and pairs that share a raw form (TIME and LTIME, DATE and DT, DT and TIME, which is then the time
+    /// since 1970; DWORD and REAL where the bits are copied).
     Keep,
     /// Integers, bit strings, BOOL and characters: the value modulo 2^n of the target; a bit string and a
     /// character count as unsigned.
@@ -58,11 +58,11 @@ pub enum ConversionRule {
     /// A duration, date or time of day as another that counts its own unit.
     /// Basis: codesys-recording: fixtures/conversions/cross-family.ts, fixtures/conversions/explicit-pairs.ts.
     BetweenCounts,
-    /// The day of a date and time, also before 1970.
+    /// The day of a date and time, also before 1970; a duration and a time of day count from the beginning of 1970, which is open.
     /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_DATE`).
     Day,
-    /// The time since midnight of a date and time, also before 1970; a duration modulo 24 hours.
-    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_TOD`); of a duration it is open.
+    /// The time since midnight of a date and time, also before 1970; a duration modulo 24 hours; midnight for a date.
+    /// Basis: forgeiec-conversion-functions: The naming pattern (`DT_TO_TOD`); of a duration and a date it is open.
     TimeOfDay,
     /// A character of the other width; one that CHAR does not have becomes `?`.
     /// Basis: iec-61131-3: conversion of character types (the replacement is left to the implementer).
@@ -133,10 +133,9 @@ impl ConversionRule {
             {
                 ConversionRule::BetweenCounts
             }
-            (Duration, Duration)
-            | (Date, Date | DateAndTime)
-            | (TimeOfDay, TimeOfDay | Duration)
-            | (DateAndTime, DateAndTime) => ConversionRule::Keep,
+            (Date, Date)
+            | (TimeOfDay, TimeOfDay)
+            | (Duration | Date | TimeOfDay | DateAndTime, Duration | DateAndTime) => ConversionRule::Keep,
             (Duration | Date | TimeOfDay | DateAndTime, Signed | Unsigned | BitString) => {
                 ConversionRule::ToUnits(units)
             }
@@ -148,8 +147,8 @@ impl ConversionRule {
                 ConversionRule::FromRealCount(choices.rounding, choices.out_of_range)
             }
             (Real, Duration | Date | TimeOfDay | DateAndTime) => ConversionRule::FromRealUnits(units),
-            (DateAndTime, Date) => ConversionRule::Day,
-            (DateAndTime | Duration, TimeOfDay) => ConversionRule::TimeOfDay,
+            (Duration | TimeOfDay | DateAndTime, Date) => ConversionRule::Day,
+            (Duration | Date | DateAndTime, TimeOfDay) => ConversionRule::TimeOfDay,
             (Character, Character) => ConversionRule::Character,
             (Character, Text) => ConversionRule::CharacterToText,
             (Text, Character) => ConversionRule::FirstCharacter,
@@ -158,11 +157,7 @@ impl ConversionRule {
             (_, Text) => {
                 ConversionRule::WriteText(choices.real_text, choices.bit_string_text, choices.moment_text)
             }
-            (Duration, Date | DateAndTime)
-            | (Date, Duration | TimeOfDay)
-            | (TimeOfDay, Date | DateAndTime)
-            | (DateAndTime, Duration)
-            | (Character, Boolean | Real | Duration | Date | TimeOfDay | DateAndTime)
+            (Character, Boolean | Real | Duration | Date | TimeOfDay | DateAndTime)
             | (Boolean | Real | Duration | Date | TimeOfDay | DateAndTime, Character) => return None,
         })
     }
