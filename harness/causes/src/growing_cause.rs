@@ -208,7 +208,7 @@ fn used_types(text: &str) -> Vec<&'static str> {
     }
     let is_used = |line: &&str| {
         let declared = line.split_once(':').map(|(name, _)| name.trim());
-        !declared.is_some_and(|name| numbers.get(&name.to_ascii_uppercase()) == Some(&1))
+        declared.is_none_or(|name| numbers.get(&name.to_ascii_uppercase()) != Some(&1))
     };
     let lines: Vec<&str> = text.lines().filter(is_used).collect();
     types_of(&lines.join("\n"))

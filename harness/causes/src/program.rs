@@ -406,7 +406,8 @@ impl<'t, 's: 't> Visitor<'t, 's> for Collector<'t, 's> {
                 if let Some(specification) = self.initial.get(&initializer.span).copied() {
                     elements
                         .iter()
-                        .for_each(|element| self.begins(element.value.as_ref(), specification));
+                        .flat_map(|element| &element.values)
+                        .for_each(|value| self.begins(Some(value), specification));
                 }
             }
             InitializerKind::Structure(fields) => {

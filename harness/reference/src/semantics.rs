@@ -23,6 +23,7 @@ mod derived;
 mod direct;
 mod emitter;
 mod enumeration;
+mod execution_control;
 mod expressions;
 mod globals;
 mod infer;

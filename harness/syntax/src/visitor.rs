@@ -296,13 +296,11 @@ impl<'t, 's, V: Visitor<'t, 's>> Walk<'_, 't, 's, V> {
         match &initializer.kind {
             InitializerKind::Expression(value) => self.expression(*value, Place::InitialValue),
             InitializerKind::Array(elements) => {
-                for ArrayElement { repetition, value } in elements {
+                for ArrayElement { repetition, values } in elements {
                     if let Some(repetition) = repetition {
                         self.expression(*repetition, Place::Repetition);
                     }
-                    if let Some(value) = value {
-                        self.initializer(value);
-                    }
+                    values.iter().for_each(|value| self.initializer(value));
                 }
             }
             InitializerKind::Structure(fields) => {

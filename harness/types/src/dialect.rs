@@ -123,6 +123,14 @@ choices! {
         ///
         /// Basis: ironplc-problem-codes: P2002, by which the lower limit is "strictly less"; nobody else speaks of it.
         single_value_subranges: bool = true, ["flags.single-value-subranges"];
+        /// An array may have more initial values than elements, of which the last ones are left out.
+        ///
+        /// Basis: iec-61131-3: 6.4.4.5.2; codesys-pages: _cds_error_c0075, by which it may not.
+        excess_initial_values: bool = true, ["flags.excess-initial-values"];
+        /// A label of CASE may be a number in another base: `16#FF`.
+        ///
+        /// Basis: ironplc-problem-codes: P4041, by which only an extension has it.
+        based_case_labels: bool = true, ["flags.based-case-labels"];
         /// An untyped real literal may stand where an integer is expected; it converts as a value does.
         ///
         /// Basis: strucpp-architecture: Type System ("assignable to any numeric type"); ironplc-type-conversions: Integer and Real Types, by which it

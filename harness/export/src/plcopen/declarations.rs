@@ -146,9 +146,14 @@ impl PageSource<'_> {
         let repetition = element
             .repetition
             .map(|times| attribute("repetitionValue", self.expression(times)));
-        nested(xml, "value", repetition, |xml| match &element.value {
-            Some(value) => self.write_value(xml, value),
-            None => empty(xml, "simpleValue", []),
+        nested(xml, "value", repetition, |xml| match &*element.values {
+            [] => empty(xml, "simpleValue", []),
+            [value] => self.write_value(xml, value),
+            values => nested(xml, "arrayValue", [], |xml| {
+                values
+                    .iter()
+                    .try_for_each(|value| nested(xml, "value", [], |xml| self.write_value(xml, value)))
+            }),
         })
     }
 

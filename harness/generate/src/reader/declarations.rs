@@ -163,11 +163,8 @@ impl<'t> Reader<'t> {
         match (&initial.kind, self.program.unaliased(ty)) {
             (InitializerKind::Expression(_), ty) => Some(InitialValue::Expression(value(initial, ty)?)),
             (InitializerKind::Array(elements), Type::Array(array)) => {
-                let values = elements.iter().map(|element| match element {
-                    tree::ArrayElement {
-                        repetition: None,
-                        value: Some(one),
-                    } => value(one, &array.element),
+                let values = elements.iter().map(|element| match &*element.values {
+                    [one] if element.repetition.is_none() => value(one, &array.element),
                     _ => None,
                 });
                 let values: Vec<_> = values.collect::<Option<_>>()?;

@@ -128,7 +128,9 @@ impl<'u> Visitor<'u, 'u> for PlaceFinder<'_, 'u> {
                         Some(_) => "array-repetition",
                         None => "array-initial-value",
                     };
-                    self.initial(element.value.as_ref(), target);
+                    for value in &element.values {
+                        self.initial(Some(value), target);
+                    }
                 }
             }
             InitializerKind::Structure(fields) => {

@@ -151,7 +151,7 @@ pub(crate) fn drop_initials(view: &TextView<'_>) -> Vec<Edits> {
             if let InitializerKind::Array(elements) = &initializer.kind {
                 let ends = elements
                     .iter()
-                    .filter_map(|element| Some(element.value.as_ref()?.span.end as usize));
+                    .filter_map(|element| Some(element.values.last()?.span.end as usize));
                 let ends: Vec<usize> = ends.collect();
                 let (open, close) = (initializer.span.start as usize, initializer.span.end as usize);
                 changes.extend(view.list_items(open, &ends, close));

@@ -40,7 +40,7 @@ impl<'m> Lowering<'m> {
     pub(super) fn bind(
         &mut self,
         pou: u32,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
         call: Span,
     ) -> Option<BoundArguments> {
         let entry = &self.model.pous[pou as usize];
@@ -87,7 +87,7 @@ impl<'m> Lowering<'m> {
     fn bind_names(
         &mut self,
         entry: &'m PouEntry<'m>,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
         bound: &mut BoundArguments,
     ) {
         let mut given = FxHashSet::default();

@@ -98,8 +98,13 @@ impl<'m> Lowering<'m> {
     }
 
     /// Infers the type of a call by itself.
-    pub(super) fn infer_call(&mut self, callee: ExpressionId, arguments: &'m [Argument<'m>]) -> Inferred {
-        match self.callee(callee) {
+    pub(super) fn infer_call(&mut self, callee: ExpressionId, arguments: &[Argument<'m>]) -> Inferred {
+        let found = self.callee(callee);
+        let controlled = self.execution_control(found, arguments);
+        let arguments = controlled
+            .as_ref()
+            .map_or(arguments, |control| &control.arguments);
+        match found {
             Callee::Block(_) => Inferred::Nothing,
             Callee::Function(pou) => self
                 .result_type(pou)
@@ -129,11 +134,26 @@ impl<'m> Lowering<'m> {
         &mut self,
         id: ExpressionId,
         callee: ExpressionId,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
+        wanted: Option<TypeId>,
+    ) -> LoweredValue {
+        let found = self.callee(callee);
+        if let Some(control) = self.execution_control(found, arguments) {
+            return self.controlled_call((id, callee), found, &control, wanted);
+        }
+        self.call_found((id, callee), found, arguments, wanted)
+    }
+
+    /// Lowers a call of what is known, and leaves its result on the stack.
+    pub(super) fn call_found(
+        &mut self,
+        (id, callee): (ExpressionId, ExpressionId),
+        found: Callee,
+        arguments: &[Argument<'m>],
         wanted: Option<TypeId>,
     ) -> LoweredValue {
         let span = self.span(id);
-        match self.callee(callee) {
+        match found {
             Callee::Block(pou) => {
                 self.call_block(span, callee, pou, arguments);
                 LoweredValue::ERROR
@@ -157,14 +177,28 @@ impl<'m> Lowering<'m> {
             self.value(id, None);
             return;
         };
+        let found = self.callee(*callee);
+        match self.execution_control(found, arguments) {
+            Some(control) => self.controlled_statement((id, *callee), found, &control),
+            None => self.statement_found((id, *callee), found, arguments),
+        }
+    }
+
+    /// Lowers a call of what is known as a statement.
+    pub(super) fn statement_found(
+        &mut self,
+        (id, callee): (ExpressionId, ExpressionId),
+        found: Callee,
+        arguments: &[Argument<'m>],
+    ) {
         let span = self.span(id);
-        match self.callee(*callee) {
-            Callee::Block(pou) => self.call_block(span, *callee, pou, arguments),
+        match found {
+            Callee::Block(pou) => self.call_block(span, callee, pou, arguments),
             Callee::Function(pou) => {
                 self.call_function(span, pou, arguments, false);
             }
             _ => {
-                let value = self.call(id, *callee, arguments, None);
+                let value = self.call_found((id, callee), found, arguments, None);
                 let text = value.ty.elementary().is_some_and(ElementaryType::is_text);
                 self.emit(if text {
                     Instruction::DropText

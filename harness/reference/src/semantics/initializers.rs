@@ -8,6 +8,7 @@ use super::lowering::Lowering;
 use super::model::{DeclaredVariable, DefaultInitialValue};
 use super::types::{DefaultValue, TypeId, TypeKind};
 use crate::instruction::{Instruction, RoutineId};
+use std::ops::Range;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{ArrayElement, Initializer, InitializerKind, Name, VariableKind};
 use stickler_types::Code;
@@ -106,7 +107,7 @@ impl<'m> Lowering<'m> {
             InitializerKind::Array(elements) => {
                 elements
                     .iter()
-                    .filter_map(|element| element.value.as_ref())
+                    .flat_map(|element| &element.values)
                     .for_each(|value| self.lower_initializer(value));
             }
             InitializerKind::Structure(fields) => {
@@ -115,55 +116,97 @@ impl<'m> Lowering<'m> {
         }
     }
 
-    /// Sets elements of an array, one behind the other. Where a list of elements stands for one of several
-    /// dimensions, it is the next row.
+    /// Sets elements of an array, one behind the other. Values that find no element any more are checked and left out.
     fn elements(
         &mut self,
         location: Location,
         element: TypeId,
         lengths: &[u32],
-        values: &'m [ArrayElement<'m>],
+        entries: &'m [ArrayElement<'m>],
         span: Span,
     ) {
         let total = lengths.iter().product::<u32>();
         let size = self.model.types.extent(element).size;
         let mut position = 0_u32;
         let mut too_many = false;
-        for value in values {
-            let row = match value.value.as_ref().map(|value| &value.kind) {
-                Some(InitializerKind::Array(row)) if !self.is_array(element) && lengths.len() > 1 => {
-                    Some(row)
+        for entry in entries {
+            let widths = entry
+                .values
+                .iter()
+                .map(|value| self.width(value, element, lengths));
+            let width = widths.fold(0, u32::saturating_add).max(1);
+            let count = self.repetition(entry);
+            let whole = count.min((total - position) / width);
+            too_many |= whole < count;
+            if whole > 0 {
+                self.in_a_row(location, element, lengths, &entry.values, position..total);
+                if whole > 1 && !entry.values.is_empty() {
+                    let block = self.shifted(location, position.saturating_mul(size));
+                    self.push_address(block);
+                    self.emit(Instruction::Replicate {
+                        stride: width.saturating_mul(size),
+                        count: whole,
+                    });
                 }
-                _ => None,
-            };
-            let width = if row.is_some() {
-                lengths[1..].iter().product::<u32>()
-            } else {
-                1
-            };
-            let count = self.repetition(value);
-            let end = u64::from(position) + u64::from(count) * u64::from(width);
-            let fits = end <= u64::from(total);
-            too_many |= !fits;
-            let here = self.shifted(location, if fits { position.saturating_mul(size) } else { 0 });
-            match (row, &value.value) {
-                (Some(row), _) => self.elements(here, element, &lengths[1..], row, span),
-                (None, Some(value)) => self.initialize(here, element, Some(value)),
-                (None, None) => {}
+                position += whole * width;
             }
-            if fits && count > 1 && value.value.is_some() {
-                self.push_address(here);
-                self.emit(Instruction::Replicate {
-                    stride: width.saturating_mul(size),
-                    count,
-                });
+            if whole < count || count == 0 {
+                let muted = (whole > 0).then(|| self.reporter.mute(true));
+                let room = position..if count > 0 { total } else { position };
+                position = self.in_a_row(location, element, lengths, &entry.values, room);
+                muted.map(|muted| self.reporter.mute(muted));
             }
-            position = u32::try_from(end).unwrap_or(total).min(total);
         }
-        if too_many {
+        if too_many && !self.model.source.dialect.excess_initial_values {
             let message = format!("more than {total} initial values for {total} elements");
             self.report(Code::InitializerTypeMismatch, span, message);
         }
+    }
+
+    /// Sets elements to values, once each, as far as there is room. Returns the position behind them. Where a list of
+    /// elements stands for one of several dimensions, it is the next row.
+    fn in_a_row(
+        &mut self,
+        location: Location,
+        element: TypeId,
+        lengths: &[u32],
+        values: &'m [Initializer<'m>],
+        room: Range<u32>,
+    ) -> u32 {
+        let size = self.model.types.extent(element).size;
+        let mut position = room.start;
+        for value in values {
+            let width = self.width(value, element, lengths);
+            let fits = width <= room.end - position;
+            let here = self.shifted(location, if fits { position.saturating_mul(size) } else { 0 });
+            let before = self.emitter.position();
+            match &value.kind {
+                InitializerKind::Array(row) if self.is_row(value, element, lengths) => {
+                    self.elements(here, element, &lengths[1..], row, value.span);
+                }
+                _ => self.initialize(here, element, Some(value)),
+            }
+            if fits {
+                position += width;
+            } else {
+                self.emitter.truncate(before);
+            }
+        }
+        position
+    }
+
+    /// Returns how many elements an initial value stands for.
+    fn width(&self, value: &Initializer<'_>, element: TypeId, lengths: &[u32]) -> u32 {
+        if self.is_row(value, element, lengths) {
+            lengths[1..].iter().product()
+        } else {
+            1
+        }
+    }
+
+    /// Returns whether a list stands for a row of an array with several dimensions.
+    fn is_row(&self, value: &Initializer<'_>, element: TypeId, lengths: &[u32]) -> bool {
+        matches!(value.kind, InitializerKind::Array(_)) && !self.is_array(element) && lengths.len() > 1
     }
 
     fn is_array(&self, ty: TypeId) -> bool {

@@ -27,7 +27,7 @@ impl<'m> Lowering<'m> {
         &mut self,
         span: Span,
         pou: u32,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
         used: bool,
     ) -> LoweredValue {
         self.note_call(pou, span);
@@ -77,7 +77,7 @@ impl<'m> Lowering<'m> {
         span: Span,
         instance: ExpressionId,
         pou: u32,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
     ) {
         self.note_call(pou, span);
         let Some(place) = self.place(instance) else {

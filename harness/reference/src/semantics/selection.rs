@@ -1,7 +1,7 @@
 //! Lowers CASE.
 //!
 //! Basis: ironplc-problem-codes: P4051 (reversed range), P4053 (selector neither integer nor enumeration),
-//! P4010 (a label is a constant), P2026 (a label that the selector's type does not have).
+//! P4010 (a label is a constant), P2026 (a label that the selector's type does not have), P4041 (a number in another base).
 
 use super::contexts::{Fit, ValueContext, fit};
 use super::emitter::Jump;
@@ -9,7 +9,7 @@ use super::inferred::Inferred;
 use super::lowering::Lowering;
 use super::types::{TypeId, TypeKind};
 use crate::instruction::{ComparisonOperator, Instruction, LogicOperator};
-use stickler_syntax::tree::{CaseBranch, CaseLabel, ExpressionId, Statement};
+use stickler_syntax::tree::{CaseBranch, CaseLabel, ExpressionId, ExpressionKind, LiteralKind, Statement};
 use stickler_types::{Code, ElementaryType};
 
 /// The selector, which labels are compared with.
@@ -116,6 +116,14 @@ impl<'m> Lowering<'m> {
 
     /// The number of a label, which is a constant of the selector's type. No code is left of it.
     fn label_value(&mut self, selector: CaseSelector, id: ExpressionId) -> Option<i128> {
+        if let ExpressionKind::Literal(literal) = self.expression(id).kind
+            && literal.kind == LiteralKind::BasedInteger
+            && !self.model.source.dialect.based_case_labels
+        {
+            let message = "a number in another base is no label of CASE here";
+            self.report(Code::BitStringCaseLabelNotAllowed, self.span(id), message);
+            return None;
+        }
         let start = self.emitter.position();
         let number = self.label_number(selector, id, start);
         self.emitter.truncate(start);

@@ -104,7 +104,7 @@ impl<'m> Lowering<'m> {
         &mut self,
         call: ExpressionId,
         signature: &'static StandardSignature,
-        arguments: &'m [Argument<'m>],
+        arguments: &[Argument<'m>],
         wanted: Option<TypeId>,
     ) -> LoweredValue {
         let values = match signature.parameters.ordered(arguments, self.span(call)) {

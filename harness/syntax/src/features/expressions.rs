@@ -92,7 +92,9 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let span = call.span;
         let mut given = 0;
         for argument in arguments {
-            given += usize::from(!matches!(argument, Argument::Output { .. }));
+            let controls = self.controls_execution(argument);
+            self.note_if(controls, "execution-control", span);
+            given += usize::from(!controls && !matches!(argument, Argument::Output { .. }));
             match argument {
                 Argument::Positional(_) => {}
                 Argument::Named { .. } => self.note("named-argument", span),
@@ -111,6 +113,17 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         }
         let inputs = self.inputs_of(block.or(name).unwrap_or_default());
         self.note_if(given < inputs, "input-left-out", span);
+    }
+
+    /// Returns whether an argument is EN or ENO, which the program does not declare.
+    fn controls_execution(&self, argument: &Argument<'s>) -> bool {
+        let name = match argument {
+            Argument::Positional(_) => return false,
+            Argument::Named { name, .. } if name.text.eq_ignore_ascii_case("EN") => name,
+            Argument::Output { name, .. } if name.text.eq_ignore_ascii_case("ENO") => name,
+            _ => return false,
+        };
+        self.declared(name.text).is_none()
     }
 
     /// Notes the call of a function that the program does not declare.

@@ -37,28 +37,29 @@ impl<'s> Parser<'s, '_> {
         Ok(InitializerKind::Array(elements))
     }
 
-    /// A value, or `3(value)` or `3()`.
+    /// A value, or `3(value)`, `3(value, value)` or `3()`.
     fn array_element(&mut self) -> ParseResult<ArrayElement<'s>> {
         if !matches!(self.kind(), TokenKind::Integer | TokenKind::Based)
             || self.nth(1) != TokenKind::LeftParen
         {
             return Ok(ArrayElement {
                 repetition: None,
-                value: Some(self.initializer()?),
+                values: vec![self.initializer()?],
             });
         }
         let repetition = Some(self.literal());
         self.bump();
         self.open += 1;
-        let empty = self.kind() == TokenKind::RightParen;
-        let value = if empty {
-            None
-        } else {
-            Some(self.nested(Self::initializer)?)
-        };
+        let mut values = Vec::new();
+        if self.kind() != TokenKind::RightParen {
+            values.push(self.nested(Self::initializer)?);
+            while self.eat(TokenKind::Comma) {
+                values.push(self.nested(Self::initializer)?);
+            }
+        }
         self.require(TokenKind::RightParen)?;
         self.open -= 1;
-        Ok(ArrayElement { repetition, value })
+        Ok(ArrayElement { repetition, values })
     }
 
     /// `(x := 1, y := 2)`.

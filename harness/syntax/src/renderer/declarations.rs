@@ -196,9 +196,7 @@ impl<'u, 's> Writer<'u, 's> {
             self.expression(repetition);
             self.put("(");
         }
-        if let Some(value) = &entry.value {
-            self.initializer(value, of);
-        }
+        self.list(&entry.values, |writer, value| writer.initializer(value, of));
         self.put(if entry.repetition.is_some() { ")" } else { "" });
     }
 

@@ -178,6 +178,6 @@ pub enum InitializerKind<'s> {
 pub struct ArrayElement<'s> {
     /// `3` of `3(0)`.
     pub repetition: Option<ExpressionId>,
-    /// The value; `None` for `3()`, which leaves the default.
-    pub value: Option<Initializer<'s>>,
+    /// The value, or the values that are repeated together: `2(1, 2)`; none for `3()`, which leaves the default.
+    pub values: Vec<Initializer<'s>>,
 }

@@ -82,7 +82,7 @@ pub enum ExpressionKind<'s> {
 }
 
 /// An argument of a call.
-#[derive(PartialEq, Debug)]
+#[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Argument<'s> {
     /// `value`.
     Positional(ExpressionId),

@@ -1,8 +1,8 @@
 //! Writes the C++ program that runs a translated program and prints its observed values.
 //!
 //! Basis: strucpp: the C++ that it writes, and its run-time headers: a class for each program, its variables in upper case,
-//! each with `get` but those of an alias or a subrange type; durations and times of day are nanoseconds, dates days, both together
-//! nanoseconds.
+//! each with `get` but those of an alias or a subrange type, and the value of an enumeration with `to_int`; durations and
+//! times of day are nanoseconds, dates days, both together nanoseconds.
 
 use crate::RunRequest;
 use crate::adapters::Compiler;
@@ -16,7 +16,8 @@ use stickler_types::ElementaryType;
 /// The headers that every translated program includes; they are compiled once.
 pub(super) const HEADER: &str = include_str!("driver/headers.hpp");
 
-/// The C++ functions that read a variable: a class with `get`, or where its type is an alias or a subrange, a plain value.
+/// The C++ functions that read a variable: a class with `get`, or where its type is an alias or a subrange, a plain value. The
+/// value of an enumeration is its number.
 const VALUE_OF: &str = include_str!("driver/value_of.cpp");
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.

@@ -28,6 +28,9 @@ function translated(source) {
     }
 }
 
+// A message that quotes half of a character would be no valid JSON.
+const whole = (_, value) => (typeof value === "string" ? value.toWellFormed?.() ?? value : value);
+
 for await (const line of createInterface({ input: process.stdin })) {
-    process.stdout.write(JSON.stringify(translated(JSON.parse(line).source)) + "\n");
+    process.stdout.write(JSON.stringify(translated(JSON.parse(line).source), whole) + "\n");
 }
