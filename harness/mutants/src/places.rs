@@ -27,6 +27,7 @@ use explained::{ExplainedSaboteurs, Explanation};
 use saboteur::Saboteur;
 use std::path::PathBuf;
 use stickler_suite::Suite;
+use stickler_types::DialectName;
 use table::Judged;
 
 /// Breaks one claim in one place after the other, and lets the cases of the suite say whether anything is wrong.
@@ -41,6 +42,9 @@ pub struct PlacesArguments {
     /// Only places whose names contain this text: `target.argument`, `source.`, `from SINT`.
     #[arg(long, value_name = "TEXT", default_value = "")]
     place: String,
+    /// Only the cases of this dialect, and the rules that it has; may be repeated.
+    #[arg(long, value_name = "DIALECT")]
+    dialect: Vec<DialectName>,
     /// A line for each saboteur: rule, place, how many cases have it, see it, see it and assert nothing, and fail, and one of them.
     #[arg(long)]
     each: bool,
@@ -54,23 +58,28 @@ pub struct PlacesArguments {
 
 /// Runs the cases against the saboteurs, and prints what came of it.
 pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
-    let suite = Suite::load(&arguments.cases);
+    let mut suite = Suite::load(&arguments.cases);
     if let Some(error) = suite.errors.first() {
         let error =
             anyhow::anyhow!("{error}; `cargo run -- lint` lists all that is wrong with the case files");
         return Err(ends_with(2)(error));
+    }
+    let mut dialects = DialectName::ALL.to_vec();
+    if !arguments.dialect.is_empty() {
+        dialects.clone_from(&arguments.dialect);
+        suite.cases.retain(|case| dialects.contains(&case.dialect));
     }
     let is_wanted = |saboteur: &Saboteur| {
         saboteur.rule.to_string().contains(&arguments.rule)
             && saboteur.place.to_string().contains(&arguments.place)
     };
     let mut tallies = measure::measure(&suite.cases, arguments.jobs, is_wanted).map_err(ends_with(2))?;
-    for saboteur in matrix::required(&suite).into_iter().filter(is_wanted) {
+    for saboteur in matrix::required(&suite, &dialects).into_iter().filter(is_wanted) {
         tallies.entry(saboteur).or_default();
     }
     let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
     let judged = table::judge(tallies, &explained);
-    let whole = arguments.rule.is_empty() && arguments.place.is_empty();
+    let whole = arguments.rule.is_empty() && arguments.place.is_empty() && arguments.dialect.is_empty();
     let stale = match whole {
         true => explained.stale(
             &saboteurs(&judged, |one| one.kind.is_some() && !one.is_recorded()),

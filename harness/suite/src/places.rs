@@ -199,7 +199,7 @@ impl Places {
     pub(crate) fn unnamed(&self, role: Role) -> Vec<usize> {
         let places = self.of(role);
         (0..places.len())
-            .filter(|&index| !places[index].key.only_named)
+            .filter(|&index| !places[index].is_only_named())
             .collect()
     }
 
@@ -229,6 +229,11 @@ impl ProgramPlace {
     /// Returns the name of the place.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Returns whether the place stands only in probes that name it or a group of it.
+    pub fn is_only_named(&self) -> bool {
+        self.key.only_named
     }
 
     /// Returns the bases that promise the place.

@@ -107,10 +107,22 @@ impl Forms<'_, '_> {
             ExpressionKind::Name(name) => {
                 let variable = self.names.variable(&self.variables, name.text);
                 let derived = variable.is_some_and(|variable| self.names.has_derived_elements(variable));
-                Some(if derived { "alias-element" } else { place })
+                let in_out = variable.is_some_and(|variable| variable.kind == VariableKind::InOut);
+                Some(match place {
+                    _ if derived => "alias-element",
+                    "field" if in_out => "field-of-in-out",
+                    _ => place,
+                })
+            }
+            ExpressionKind::Index { base, .. } if place == "field" && self.is_name(*base) => {
+                Some("field-of-array-element")
             }
             _ => Some("path"),
         }
+    }
+
+    fn is_name(&self, id: ExpressionId) -> bool {
+        matches!(self.unit.expressions[id.0 as usize].kind, ExpressionKind::Name(_))
     }
 
     /// Returns the place of a variable of a user-defined type, which is both a source and a target; `None` for other variables.

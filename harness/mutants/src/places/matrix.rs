@@ -14,14 +14,19 @@ use stickler_types::{DialectName, ElementaryType};
 /// A value that goes from one type to another in a dialect.
 type ValueFlow = (DialectName, ElementaryType, ElementaryType);
 
-/// Returns every rule in every place in which some dialect has it.
-pub fn required(suite: &Suite) -> BTreeSet<Saboteur> {
-    let dialects = DialectName::ALL.map(|name| (name, Dialect::of(name)));
+/// Returns every rule in every place in which one of the dialects has it.
+pub fn required(suite: &Suite, dialects: &[DialectName]) -> BTreeSet<Saboteur> {
+    let dialects: Vec<_> = dialects.iter().map(|name| (*name, Dialect::of(*name))).collect();
     let mut required = BTreeSet::new();
     for rule in Rule::all() {
         let flows = flows(rule, &dialects);
         for role in [Role::Source, Role::Target, Role::Surrounding] {
-            let places = suite.places.of(role).iter();
+            // A place that stands only where a probe names it has the rules of these probes.
+            let places = suite
+                .places
+                .of(role)
+                .iter()
+                .filter(|place| !place.is_only_named());
             for place in places.filter(|place| fits(rule, role, place)) {
                 let rejected = rule.fault == ClaimBreach::Admitted;
                 let stands = |&(dialect, from, to): &ValueFlow| {

@@ -264,7 +264,7 @@ fn the_list_names_rules_and_places_that_there_are() {
     assert_eq!(names.len(), known.len(), "each rule has a name of its own");
     let explained = ExplainedSaboteurs::read().expect("the list is readable");
     assert_eq!(explained.unknown_rules(&known), [""; 0]);
-    let all = required(&SAMPLE);
+    let all = required(&SAMPLE, &DialectName::ALL);
     assert!(
         all.iter()
             .any(|saboteur| saboteur.place == BrokenPlace::Source("in-out"))
