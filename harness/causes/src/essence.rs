@@ -135,6 +135,17 @@ fn needs(
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
+        // Who lacks the conversions of durations lacks those of dates and times of day by the same work.
+        Symptom::Rejected(reason) if lacks_function(&normal.deviation.got) => {
+            let features = line.of_rejection().into_iter();
+            let moments = ["dateandtime", "timeofday", "date", "duration"];
+            let features = features.map(|feature| {
+                moments
+                    .iter()
+                    .fold(feature, |name, one| name.replace(one, "moment"))
+            });
+            (rejected(reason, &sign.at), features.collect(), true)
+        }
         Symptom::Rejected(reason) => (rejected(reason, &sign.at), line.of_rejection(), true),
         Symptom::NotImplemented(words) => {
             let features = line.of_missing(&normal.deviation.got);
@@ -250,6 +261,12 @@ fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
 
 fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
     BTreeSet::from(words.map(str::to_owned))
+}
+
+/// Returns whether an engine says, in a code that Stickler knows, that a function is not declared.
+fn lacks_function(got: &[Fact]) -> bool {
+    let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
+    codes.any(|code| code == Code::FunctionCallUndeclared)
 }
 
 fn rejected(reason: &str, at: &str) -> String {

@@ -78,6 +78,7 @@ impl GrowingCause {
         }
         let basis = promised.unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none();
+        shown.deviation.forget_codes(&engine.lacks);
         let shown = &shown;
         let mut types = types_of(&shown.program);
         types.sort_unstable();

@@ -9,7 +9,7 @@ use stickler_run::{
     AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored, question,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
-use stickler_types::{DialectName, NamedValue, Observation, Outcome, RunRequest, Value};
+use stickler_types::{Code, DialectName, NamedValue, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
@@ -79,6 +79,19 @@ impl Deviation {
     ) -> Deviation {
         let sign = Sign::of(program, verdict, (&expected, &got), strict);
         Deviation { sign, expected, got }
+    }
+
+    /// Removes the codes that the engine does not have from what it must report.
+    pub(crate) fn forget_codes(&mut self, lacked: &[Code]) {
+        for fact in &mut self.expected {
+            if let Fact::Diagnostic(diagnostic) | Fact::Warning(diagnostic) = fact
+                && diagnostic
+                    .registered_code()
+                    .is_some_and(|code| lacked.contains(&code))
+            {
+                diagnostic.code = None;
+            }
+        }
     }
 
     /// Removes the promise from what the engine did, of a program of which the claim does not speak.
