@@ -60,7 +60,7 @@ fn expand(context: &FileContext<'_>, header: &FileHeader, program_start: usize, 
     let lines = &context.lines;
     let mistakes = &mut harvest.mistakes;
     let dialects = context.resolve(&header.dialects, "dialects", mistakes);
-    if header.dialects.is_empty() {
+    if dialects.is_empty() && mistakes.is_empty() {
         mistakes.push(Mistake::new(1, "a case needs at least one dialect").key("dialects"));
     }
     let frame = ProbeFrame {

@@ -124,9 +124,6 @@ fn check_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
         if case.line == 0 || case.line as usize > lines {
             return wrong("case:place", "the case does not lie in the file");
         }
-        if case.source.trim().is_empty() {
-            return wrong("case:source", "the case has no program");
-        }
         if case.basis.trim().is_empty() {
             return wrong("case:basis", "the case has no basis");
         }

@@ -254,6 +254,10 @@ fn takes(context: ExpressionContext, ty: ElementaryType, dialect: DialectName) -
         }
         (S::Mux, 0) | (S::Shl | S::Shr | S::Rol | S::Ror, 1) => Some(ty.is_integer()),
         (S::Shl | S::Shr | S::Rol | S::Ror, 0) if ty == ElementaryType::Bool => None,
+        // Where functions promote integers, they shift their bits too.
+        (S::Shl | S::Shr | S::Rol | S::Ror, 0) if ty.is_integer() && dialect.rules().functions_promote => {
+            None
+        }
         (S::Shl | S::Shr | S::Rol | S::Ror, 0) => Some(ty.is_bit_string()),
         (S::Len, 0) | (S::Concat, _) if ty.is_text() || ty.is_character() => None,
         (S::Len, 0) | (S::Concat, _) => Some(false),
