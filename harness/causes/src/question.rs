@@ -81,13 +81,12 @@ impl Deviation {
         Deviation { sign, expected, got }
     }
 
-    /// Removes the codes that the engine does not have from what it must report.
+    /// Removes the codes that the engine does not have from what it must report; those that begin with S are Stickler's own.
     pub(crate) fn forget_codes(&mut self, lacked: &[Code]) {
+        let is_lacked = |code: Code| code.as_str().starts_with('S') || lacked.contains(&code);
         for fact in &mut self.expected {
             if let Fact::Diagnostic(diagnostic) | Fact::Warning(diagnostic) = fact
-                && diagnostic
-                    .registered_code()
-                    .is_some_and(|code| lacked.contains(&code))
+                && diagnostic.registered_code().is_some_and(is_lacked)
             {
                 diagnostic.code = None;
             }
