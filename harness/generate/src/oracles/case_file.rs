@@ -124,6 +124,10 @@ fn check_cases(cases: &[Case], lines: usize) -> Result<(), OracleFailure> {
         if case.line == 0 || case.line as usize > lines {
             return wrong("case:place", "the case does not lie in the file");
         }
+        // Marks become blanks, so that a text without a program has its lines all the same.
+        if case.source.is_empty() {
+            return wrong("case:source", "the case has no text");
+        }
         if case.basis.trim().is_empty() {
             return wrong("case:basis", "the case has no basis");
         }

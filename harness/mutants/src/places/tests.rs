@@ -113,9 +113,11 @@ fn the_places_of_a_program_that_is_put_together_are_those_of_its_case() {
             standing.source == Some(&placement.source)
                 && standing.target == Some(&placement.target)
                 && (standing.surrounding == Some(&placement.surrounding)
-                    // A declaration stands in the unit that it belongs to, the condition of UNTIL and a subscript a line behind.
+                    // A declaration stands in the unit that it belongs to, and the condition of UNTIL a line behind; so does a subscript, before
+                    // which an element is set.
                     || placement.target.ends_with("initial-value")
-                    || matches!(&*placement.target, "until-condition" | "subscript"))
+                    || &*placement.target == "until-condition"
+                    || (&*placement.target, &*placement.surrounding) == ("subscript", "second-on-a-line"))
         });
         assert!(found, "{}: {placement:?}\n{}", case.key(), case.source);
     }
