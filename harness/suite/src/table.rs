@@ -10,6 +10,7 @@ mod inputs;
 mod key_reader;
 mod keys;
 mod matrix;
+mod neighbours;
 mod probe;
 mod probes;
 mod read;

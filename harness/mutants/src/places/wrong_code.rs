@@ -43,7 +43,7 @@ pub fn wrong_code(
         | PairKind::IntegerToBitString => without_highest_bit(to),
         PairKind::RealToInteger | PairKind::RealToBitString => rounded_otherwise(performed?),
         PairKind::BoolToNumber => negative(to),
-        PairKind::NumberToBool => lowest_bit(performed?),
+        PairKind::NumberToBool => other_truth(performed?),
         PairKind::ToText | PairKind::FromText if to.is_text() => {
             behind([Instruction::DropText, Instruction::PushText(nothing)])
         }
@@ -133,8 +133,12 @@ fn negative(to: ElementaryType) -> Option<WrongCode> {
     ])
 }
 
-/// Looks at the lowest bit only, where every number but zero is TRUE.
-fn lowest_bit(Conversion { from, to, .. }: Conversion) -> Option<WrongCode> {
+/// Looks at the lowest bit only where every number but zero is TRUE, and the other way round.
+fn other_truth(Conversion { from, to, rule }: Conversion) -> Option<WrongCode> {
+    if rule == ConversionRule::Wrap {
+        let rule = ConversionRule::NonZero;
+        return instead([Instruction::Convert(Conversion { from, to, rule })]);
+    }
     let integer = if from.is_real() {
         ElementaryType::Lint
     } else {

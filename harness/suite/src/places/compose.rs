@@ -13,6 +13,8 @@ pub(crate) struct Wording<'a> {
     pub(crate) typed: &'a str,
     /// The value that the target takes, as an untyped literal.
     pub(crate) arriving: &'a str,
+    /// A smaller value and a greater one of the target's type, as untyped literals.
+    pub(crate) beside: [&'a str; 2],
     /// The expression that stands for `{source}`, itself with `{source}`.
     pub(crate) expression: &'a str,
     /// The variable that stands for `{target}`, itself with `{target}`.
@@ -102,6 +104,8 @@ pub(crate) fn compose(places: &Places, arrangement: &Arrangement, wording: &Word
         ("value", wording.value),
         ("typed", wording.typed),
         ("arriving", wording.arriving),
+        ("below", wording.beside[0]),
+        ("above", wording.beside[1]),
     ];
     let source = tidied(&fill(&text, &words));
     Composed { source, observe }

@@ -18,12 +18,14 @@ use crate::{Dialects, Source, Sources, files, ident};
 const PLACES: &str = "places.toml";
 
 /// The words in braces that the texts of a place may use.
-const WORDS: [&str; 10] = [
+const WORDS: [&str; 12] = [
     "from",
     "to",
     "value",
     "typed",
     "arriving",
+    "below",
+    "above",
     "source",
     "target",
     "observe",

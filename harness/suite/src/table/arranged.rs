@@ -190,6 +190,10 @@ fn wording(key: &PlacesKey, is_matrix: bool) -> Wording<'_> {
             true => value,
             false => "{arriving}",
         },
+        beside: match !is_matrix && key.error.is_some() {
+            true => [value; 2],
+            false => ["{below}", "{above}"],
+        },
         expression: key.expression.as_deref().unwrap_or("{source}"),
         variable: key.variable.as_deref().unwrap_or("{target}"),
         declarations: key.declarations.as_deref().unwrap_or_default(),

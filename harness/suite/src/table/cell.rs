@@ -17,8 +17,8 @@ use crate::table::probe::{Probe, Target};
 use crate::table::types::{RowInput, TypeInfo};
 
 /// The placeholders of a matrix, by index.
-pub(crate) const PLACEHOLDERS: [&str; 8] = [
-    "row", "column", "cell", "types", "value", "typed", "expected", "other",
+pub(crate) const PLACEHOLDERS: [&str; 10] = [
+    "row", "column", "cell", "types", "value", "typed", "expected", "other", "below", "above",
 ];
 const CELL: usize = 2;
 pub(crate) const TYPES: usize = 3;
@@ -26,6 +26,8 @@ pub(crate) const VALUE: usize = 4;
 pub(crate) const TYPED: usize = 5;
 pub(crate) const EXPECTED: usize = 6;
 pub(crate) const OTHER: usize = 7;
+pub(crate) const BELOW: usize = 8;
+pub(crate) const ABOVE: usize = 9;
 
 /// The number of placeholders that conditions may test: the row, the column and the cell.
 const TESTABLE: usize = 3;

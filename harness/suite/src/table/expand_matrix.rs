@@ -18,14 +18,15 @@ use crate::ident;
 use crate::model::MatrixCell;
 use crate::program::Remarks;
 use crate::table::cell::{
-    CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE, declarations,
-    one_of,
+    ABOVE, BELOW, CaseGroup, CellTexts, EXPECTED, OTHER, PLACEHOLDERS, PlacedCell, TYPED, TYPES, VALUE,
+    declarations, one_of,
 };
 use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
 use crate::table::inputs;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::MatrixKey;
 use crate::table::matrix::{Matrix, MatrixRow};
+use crate::table::neighbours::beside;
 use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 use crate::table::section::{self, Section};
@@ -327,6 +328,13 @@ impl MatrixExpander<'_, '_> {
         texts[TYPED] = input.map_or(UNKNOWN, |input| &input.typed);
         texts[EXPECTED] = expected_text.as_deref().unwrap_or(UNKNOWN);
         texts[OTHER] = other.as_deref().unwrap_or(UNKNOWN);
+        let value = input.and_then(|input| input.value.as_ref());
+        let beside = value
+            .filter(|_| program.uses(BELOW) || program.uses(ABOVE))
+            .map(beside);
+        if let Some([below, above]) = &beside {
+            (texts[BELOW], texts[ABOVE]) = (below, above);
+        }
         let assembly = match self.assemble(of, input, &texts) {
             Ok(assembly) => assembly,
             Err(mistake) => {

@@ -16,11 +16,15 @@ use crate::mark::MarkWord;
 use crate::program::Remarks;
 use crate::table::expansion::{CaseMaker, CaseParts, TableExpansion};
 use crate::table::keys::TableRow;
+use crate::table::neighbours::{self, BESIDE};
 use crate::table::probe::Probe;
 use crate::table::probes::{self, ProbePrograms};
 
 /// The placeholder that follows the columns: the value that must arrive, as an untyped literal.
 pub(crate) const ARRIVING: &str = "arriving";
+
+/// The number of placeholders that follow the columns.
+const UNWRITTEN: usize = 1 + BESIDE.len();
 
 /// The indices of the columns that have a meaning of their own.
 #[derive(Default)]
@@ -165,13 +169,13 @@ impl RowExpander<'_, '_> {
         let CaseMaker { table, .. } = self.maker;
         let context = table.context;
         let cells: Vec<Box<str>> = row.get_ref().iter().map(|cell| context.spelling(cell)).collect();
-        let columns = table.names.len() - 1;
+        let columns = table.names.len() - UNWRITTEN;
         if cells.len() != columns {
             let message = format!("the row has {} cells for {columns} columns", cells.len());
             self.maker.wrong(Mistake::new(line, message).key("rows"));
             return Ok(());
         }
-        let mut texts: Vec<&str> = cells.iter().map(|cell| &**cell).chain([""]).collect();
+        let mut texts: Vec<&str> = cells.iter().map(|cell| &**cell).chain([""; UNWRITTEN]).collect();
         let probe = &programs.probe;
         if !probe.only.holds(&texts) {
             return Ok(());
@@ -193,6 +197,13 @@ impl RowExpander<'_, '_> {
         };
         let arriving = expect.untyped();
         texts[columns] = &arriving;
+        let beside = match &expect {
+            Expect::Value(value) => neighbours::beside(value),
+            _ => [String::new(), String::new()],
+        };
+        for (text, neighbour) in texts[columns + 1..].iter_mut().zip(&beside) {
+            *text = neighbour;
+        }
         for (index, dialects) in programs.chosen(context.places, number, dialects, &texts) {
             if let Some(probe) = programs.at(index, context, self.maker.harvest) {
                 if arriving.is_empty() && probe.program.used[columns] {
@@ -328,7 +339,7 @@ impl RowExpander<'_, '_> {
             None => probe.program.used[column] && ![title, basis, dialects].contains(&Some(column)),
         };
         let mut separator = '(';
-        for column in (0..texts.len() - 1).filter(|&column| shown(column)) {
+        for column in (0..texts.len() - UNWRITTEN).filter(|&column| shown(column)) {
             id.push(separator);
             ident::push_cell(&mut id, texts[column]);
             separator = ',';

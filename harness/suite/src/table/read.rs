@@ -7,7 +7,7 @@ use crate::program::Remarks;
 use crate::table::expansion::TableExpansion;
 use crate::table::key_reader::KeyReader;
 use crate::table::keys::TableFile;
-use crate::table::{cell, expand_matrix, expand_rows};
+use crate::table::{cell, expand_matrix, expand_rows, neighbours};
 use crate::toml_text;
 
 /// The largest number of columns of a table; placeholders are searched linearly among them.
@@ -34,6 +34,7 @@ fn read_file(context: &FileContext<'_>, file: &TableFile, harvest: &mut Harvest)
             .iter()
             .map(|column| column.get_ref().as_str())
             .chain([expand_rows::ARRIVING])
+            .chain(neighbours::BESIDE)
             .map(Into::into)
             .collect(),
         _ => {
