@@ -77,9 +77,9 @@ pub fn run(arguments: &PlacesArguments) -> Result<u8, RunFailure> {
     for saboteur in matrix::required(&suite, &dialects).into_iter().filter(is_wanted) {
         tallies.entry(saboteur).or_default();
     }
-    let explained = ExplainedSaboteurs::read().map_err(ends_with(2))?;
+    let explained = ExplainedSaboteurs::read(&arguments.dialect).map_err(ends_with(2))?;
     let judged = table::judge(tallies, &explained);
-    let whole = arguments.rule.is_empty() && arguments.place.is_empty() && arguments.dialect.is_empty();
+    let whole = arguments.rule.is_empty() && arguments.place.is_empty();
     let stale = match whole {
         true => explained.stale(
             &saboteurs(&judged, |one| one.kind.is_some() && !one.is_recorded()),

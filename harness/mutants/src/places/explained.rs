@@ -3,11 +3,16 @@
 use super::saboteur::{BrokenPlace, Saboteur};
 use anyhow::Context as _;
 use serde::Deserialize;
+use stickler_types::DialectName;
 
 const TEXT: &str = include_str!("../../unnoticed.toml");
 
 /// The saboteurs that nothing notices, by the reason.
-pub struct ExplainedSaboteurs(Vec<UnnoticedReason>);
+pub struct ExplainedSaboteurs {
+    reasons: Vec<UnnoticedReason>,
+    /// Whether the run is one of some dialects alone, so that reasons of all of them may be those of others.
+    narrowed: bool,
+}
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -21,6 +26,9 @@ struct UnnoticedFile {
 struct UnnoticedReason {
     kind: Explanation,
     text: String,
+    /// The dialects by whose cases alone nothing notices; without them the cases of all dialects together.
+    #[serde(default)]
+    dialects: Vec<String>,
     unnoticed: Vec<UnnoticedEntry>,
 }
 
@@ -51,15 +59,16 @@ pub enum Explanation {
 }
 
 impl ExplainedSaboteurs {
-    /// Reads the list that is built into this program.
+    /// Reads the list that is built into this program: what it says of the cases of all dialects together, and where only some are
+    /// run what it says of these.
     ///
     /// # Errors
     /// An error where the list cannot be read.
-    pub fn read() -> anyhow::Result<ExplainedSaboteurs> {
-        ExplainedSaboteurs::from_text(TEXT).context("harness/mutants/unnoticed.toml")
+    pub fn read(dialects: &[DialectName]) -> anyhow::Result<ExplainedSaboteurs> {
+        ExplainedSaboteurs::from_text(TEXT, dialects).context("harness/mutants/unnoticed.toml")
     }
 
-    pub(super) fn from_text(text: &str) -> anyhow::Result<ExplainedSaboteurs> {
+    pub(super) fn from_text(text: &str, dialects: &[DialectName]) -> anyhow::Result<ExplainedSaboteurs> {
         let file: UnnoticedFile = toml::from_str(text)?;
         for reason in &file.reason {
             anyhow::ensure!(!reason.text.trim().is_empty(), "a reason has no text");
@@ -68,11 +77,27 @@ impl ExplainedSaboteurs {
                 anyhow::bail!("`{wrong}`: pairs are written `LDT to DT`, with `*` for any type");
             }
         }
-        Ok(ExplainedSaboteurs(file.reason))
+        let mut named = file.reason.iter().flat_map(|reason| &reason.dialects);
+        if let Some(wrong) = named.find(|name| name.parse::<DialectName>().is_err()) {
+            anyhow::bail!("no dialect `{wrong}`");
+        }
+        let mut reasons = file.reason;
+        reasons.retain(|reason| {
+            let own = &reason.dialects;
+            let speaks_for = |dialect: &DialectName| own.iter().any(|name| name == dialect.as_str());
+            own.is_empty() || (!dialects.is_empty() && dialects.iter().all(speaks_for))
+        });
+        let narrowed = !dialects.is_empty();
+        Ok(ExplainedSaboteurs { reasons, narrowed })
     }
 
+    /// Returns the entries that the run can prove wrong: of some dialects alone, those that name them.
     fn entries(&self) -> impl Iterator<Item = &UnnoticedEntry> {
-        self.0.iter().flat_map(|reason| &reason.unnoticed)
+        let told = |reason: &&UnnoticedReason| reason.dialects.is_empty() != self.narrowed;
+        self.reasons
+            .iter()
+            .filter(told)
+            .flat_map(|reason| &reason.unnoticed)
     }
 
     /// Returns the names of rules that stand for none of these.
@@ -87,7 +112,7 @@ impl ExplainedSaboteurs {
     pub fn kind(&self, saboteur: &Saboteur) -> Option<Explanation> {
         let explains =
             |reason: &&UnnoticedReason| reason.unnoticed.iter().any(|entry| entry.explains(saboteur));
-        Some(self.0.iter().find(explains)?.kind)
+        Some(self.reasons.iter().find(explains)?.kind)
     }
 
     /// Returns what is wrong with the list, of which `unnoticed` are the saboteurs that it explains and `noticed` all that are noticed.

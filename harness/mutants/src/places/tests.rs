@@ -202,10 +202,14 @@ fn saboteur(rule: &str, place: BrokenPlace) -> Saboteur {
     }
 }
 
+fn dialect(name: &str) -> DialectName {
+    name.parse().expect("the dialect is known")
+}
+
 #[test]
 fn a_star_stands_for_any_text_but_for_the_exceptions() {
     use stickler_types::ElementaryType::{Date, Lreal, Real, Time, Tod};
-    let list = ExplainedSaboteurs::from_text(LIST).expect("it is readable");
+    let list = ExplainedSaboteurs::from_text(LIST, &[]).expect("it is readable");
     let (refused, wrong) = ("implicit.lreal-to-real.refused", "implicit.from-time.wrong");
     for (rule, place, is_explained) in [
         (refused, BrokenPlace::Target("field"), true),
@@ -231,7 +235,7 @@ fn a_star_stands_for_any_text_but_for_the_exceptions() {
 #[test]
 fn an_entry_that_explains_too_much_or_nothing_is_stale() {
     use stickler_types::ElementaryType::{Date, Lreal, Real, Time};
-    let list = ExplainedSaboteurs::from_text(LIST).expect("it is readable");
+    let list = ExplainedSaboteurs::from_text(LIST, &[]).expect("it is readable");
     let refused = |place| saboteur("implicit.lreal-to-real.refused", place);
     let in_field = refused(BrokenPlace::Target("field"));
     let assigned = refused(BrokenPlace::Target("assignment"));
@@ -260,12 +264,34 @@ fn an_entry_that_explains_too_much_or_nothing_is_stale() {
 }
 
 #[test]
+fn a_reason_of_a_dialect_explains_and_is_stale_by_its_cases_alone() {
+    let of_a_dialect = LIST.replacen("kind =", "dialects = [\"codesys\"]\nkind =", 1);
+    let place = BrokenPlace::Target("field");
+    let refused = saboteur("implicit.lreal-to-real.refused", place);
+    let read = |dialects: &[DialectName]| ExplainedSaboteurs::from_text(&of_a_dialect, dialects);
+    for (dialects, explained) in [
+        (&[][..], false),
+        (&[dialect("codesys")], true),
+        (&[dialect("iec-ed3")], false),
+        (&[dialect("codesys"), dialect("iec-ed3")], false),
+    ] {
+        let list = read(dialects).expect("it is readable");
+        assert_eq!(list.kind(&refused).is_some(), explained, "{dialects:?}");
+        assert_eq!(!list.stale(&[], &[]).is_empty(), explained, "{dialects:?}");
+    }
+    let unknown = LIST.replacen("kind =", "dialects = [\"codsys\"]\nkind =", 1);
+    assert!(ExplainedSaboteurs::from_text(&unknown, &[]).is_err());
+}
+
+#[test]
 fn the_list_names_rules_and_places_that_there_are() {
     let known: Vec<String> = Rule::all().iter().map(Rule::to_string).collect();
     let names: BTreeSet<&String> = known.iter().collect();
     assert_eq!(names.len(), known.len(), "each rule has a name of its own");
-    let explained = ExplainedSaboteurs::read().expect("the list is readable");
-    assert_eq!(explained.unknown_rules(&known), [""; 0]);
+    for dialects in [&[][..], &[dialect("iec-ed3")], &[dialect("codesys")]] {
+        let explained = ExplainedSaboteurs::read(dialects).expect("the list is readable");
+        assert_eq!(explained.unknown_rules(&known), [""; 0]);
+    }
     let all = required(&SAMPLE, &DialectName::ALL);
     assert!(
         all.iter()
