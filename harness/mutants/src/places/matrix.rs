@@ -93,7 +93,7 @@ fn speaks_of(rule: Rule, dialect: &Dialect, from: ElementaryType, to: Elementary
                     dialect.partial_access,
                     PartialAccess::BitsOnly | PartialAccess::UpToDoubleWords
                 ),
-                PartForm::Wider => false,
+                PartForm::Wider => dialect.partial_access == PartialAccess::UpToDoubleWords,
             };
             match claim {
                 BitClaim::Selected | BitClaim::Outside | BitClaim::Rendered => {
