@@ -18,7 +18,7 @@ pub(crate) fn beside(value: &Value) -> [String; 2] {
         _ if ty.is_real() => real(ty, value),
         _ => None,
     };
-    neighbours.map_or_else(|| [value.literal(), value.literal()], |found| found)
+    neighbours.unwrap_or_else(|| [value.literal(), value.literal()])
 }
 
 /// Returns the numbers before and behind a number, as far as the type has them.
