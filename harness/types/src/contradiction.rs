@@ -30,7 +30,7 @@ pub struct Contradiction {
     pub only: Vec<String>,
     /// What the section says, as the rest of a sentence.
     pub says: String,
-    /// Whether the claims bind all the same, since they are newer or about less.
+    /// Whether the claims bind all the same, since they are newer or more specific.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub outweighed: bool,
 }

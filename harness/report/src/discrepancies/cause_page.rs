@@ -250,7 +250,7 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
             inline(&other.says),
         );
         let binds = match other.outweighed {
-            true => "The claim is newer or about less, and binds it all the same.",
+            true => "The claim is newer or more specific, and binds it all the same.",
             false => "So the claim does not bind it.",
         };
         let _ = write!(
