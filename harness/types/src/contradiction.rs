@@ -25,7 +25,7 @@ pub struct Contradiction {
     pub section: String,
     /// The claims: source and section.
     pub claims: Vec<String>,
-    /// Texts of which the id or the program of a case contains one; none where all cases of the claims are meant.
+    /// Texts of which the id or the program of a case contains one, in capital or small letters; none where all cases of the claims are meant.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<String>,
     /// What the section says, as the rest of a sentence.
@@ -39,8 +39,16 @@ impl Contradiction {
     /// Returns whether a claim is contradicted, of a case with this id or of a program that shows it.
     #[must_use]
     pub fn is_of(&self, basis: &str, (case, program): (&str, &str)) -> bool {
-        let is_in = |text: &String| case.contains(&**text) || program.contains(&**text);
-        self.claims.iter().any(|claim| claim == basis)
-            && (self.only.is_empty() || self.only.iter().any(is_in))
+        let is_claimed = self.claims.iter().any(|claim| claim == basis);
+        if !is_claimed || self.only.is_empty() {
+            return is_claimed;
+        }
+        let texts = [case, program].map(str::to_ascii_uppercase);
+        let is_in = |text: &String| {
+            texts
+                .iter()
+                .any(|within| within.contains(&text.to_ascii_uppercase()))
+        };
+        self.only.iter().any(is_in)
     }
 }
