@@ -260,13 +260,13 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
     }
 }
 
-/// Adds the rule of Stickler on which the expectation rests.
+/// Adds the rule of Stickler on which the expectation rests; that nothing is stated is none.
 fn rule(text: &mut String, shown: &Reproducer, overview: &Overview) {
     let Basis { source, section } = Basis::of(&shown.basis);
     let paragraph = overview
         .source(source)
         .and_then(|source| source.paragraphs.get(section));
-    if let Some(paragraph) = paragraph {
+    if let Some(paragraph) = paragraph.filter(|_| section != "not-stated") {
         let _ = write!(
             text,
             "The rule is Stickler's own, since no document of the compiler says it: {}\n\n",
