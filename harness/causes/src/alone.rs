@@ -2,13 +2,17 @@
 //! asked before the operation around it is blamed.
 
 use crate::program::{Part, ReadProgram};
+use crate::question::all_values;
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
+use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind};
+use stickler_syntax::tree::{
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind,
+};
 use stickler_syntax::visitor::Place;
-use stickler_types::ElementaryType;
+use stickler_types::{DialectName, ElementaryType};
 
 /// A program that does with one operand what another program does with it among other things. Its variable `into` shows the value.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -68,13 +72,76 @@ impl Alone {
 /// The beginning of each program with an operand alone.
 const HEAD: &str = "PROGRAM main\nVAR\n";
 
+/// Returns the FOR loops of a program whose last value is the first one, each alone with that value; and then one that counts from 1
+/// to 1. The reference says where a loop ends.
+pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<Alone> {
+    let loops = program.at(Place::From).filter_map(|part| {
+        let statement = part.statement?;
+        let StatementKind::For { control, to, .. } = statement.kind else {
+            return None;
+        };
+        let (ty, section) = (
+            program.type_of(control)?,
+            part.pou?.blocks.last()?.span.end as usize,
+        );
+        let [from, to] = [part.id, to].map(|limit| program.text(limit));
+        let name = ty.name();
+        let limits = format!("\nVAR\nloop_from : {name};\nloop_to : {name} := 1;\nEND_VAR\n");
+        let mut edits = Edits::new();
+        edits.replace(section..section, limits);
+        let start = statement.span.start as usize;
+        edits.replace(start..start, format!("loop_from := {from}; loop_to := {to};\n"));
+        let (_, values) = all_values(&edits.apply(program.text), dialect);
+        let value = |own: &str| {
+            let mut values = values.iter().flatten();
+            let value = values.find(|(name, _)| name.rsplit('.').next() == Some(own));
+            value.map(|(_, value)| value.to_string())
+        };
+        let only = value("loop_from").filter(|from| Some(from) == value("loop_to").as_ref())?;
+        Some((ty, only.rsplit_once('#')?.1.to_owned()))
+    });
+    let loops: Vec<_> = loops.collect();
+    let plain = (!loops.is_empty()).then(|| (ElementaryType::Int, "1".to_owned()));
+    // What was never assigned is 0.
+    let shown = loops.into_iter().filter(|(_, only)| only != "0").chain(plain);
+    let alone = |(ty, only): (ElementaryType, String)| {
+        let name = ty.name();
+        let variables = format!("    count : {name};\n    into : {name};\nEND_VAR\n");
+        let body = format!("    FOR count := {only} TO {only} DO\n        into := count;\n    END_FOR;\n");
+        Alone {
+            program: format!("{HEAD}{variables}{body}END_PROGRAM\n"),
+            ty,
+            is_initial: false,
+            literal: None,
+        }
+    };
+    let found: Vec<Alone> = shown.map(alone).collect();
+    match found.iter().any(|one| one.program.trim() == program.text.trim()) {
+        true => Vec::new(),
+        false => found,
+    }
+}
+
+/// Returns whether a program is one of those that [`loops_alone`] makes.
+pub(crate) fn is_loop_alone(program: &str) -> bool {
+    let head = program
+        .strip_prefix(HEAD)
+        .and_then(|rest| rest.strip_prefix("    count : "));
+    let header = head.and_then(|rest| rest.split_once("END_VAR\n    FOR count := "));
+    let limits = header.and_then(|(_, rest)| rest.split_once(" DO\n        into := count;\n    END_FOR;\n"));
+    limits.is_some_and(|(limits, _)| {
+        let limits = limits.split_once(" TO ");
+        limits.is_some_and(|(from, to)| from == to)
+    })
+}
+
 /// Returns how far a program is from one with an operand alone: 0 for a value without a variable, 1 for a variable, 2 for others.
 pub(crate) fn distance(program: &str) -> u64 {
     let is_alone = program.starts_with(HEAD)
         && program.contains("\nEND_VAR\n    into := ")
         && program.lines().count() < 8;
     match program.contains("    data : ") {
-        _ if program == BEGINNING_BLOCK => 0,
+        _ if program == BEGINNING_BLOCK || is_loop_alone(program) => 0,
         _ if !is_alone => 2,
         true => 1,
         false => 0,
@@ -117,7 +184,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
-        calls.extend(conversion(program, part));
+        calls.extend(conversion(program, part).or_else(|| standard_call(program, part)));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -184,6 +251,23 @@ fn conversion(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alon
         _ => None,
     });
     let operand = operand.map(str::to_owned).or_else(|| program.some_value(from));
+    Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
+}
+
+/// Returns a call of another function that the program does not declare with one operand, where an expression is one.
+fn standard_call(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
+    let (callee, arguments) = program
+        .call(part.id)
+        .filter(|(callee, _)| !program.declares(callee))?;
+    let (ty, [Argument::Positional(value)]) = (program.target(part)?, arguments) else {
+        return None;
+    };
+    if let Some(literal) = program.literal(*value) {
+        return Some(Alone::new(None, ty, &format!("{callee}({literal})")));
+    }
+    let from = program.type_of(*value)?;
+    let operand = program.initial(program.text(*value)).map(str::to_owned);
+    let operand = operand.or_else(|| program.some_value(from));
     Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
 }
 

@@ -4,6 +4,7 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
+use crate::alone::is_loop_alone;
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::normal_form::Normal;
@@ -44,6 +45,8 @@ impl Essence {
         let line = ProgramAndLine::new(&read, normal);
         let sign = &normal.deviation.sign;
         let pattern = match sign.symptom {
+            // Nothing is computed of what never arrives.
+            Symptom::Value if line.loses_value_of_type(&normal.deviation) => None,
             Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
@@ -60,6 +63,11 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
+        // What fails whatever the values are.
+        let is_whole = pattern.is_some()
+            || normal.is_beginning()
+            || line.loses_value_of_type(&normal.deviation)
+            || is_loop_alone(&normal.program);
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None => needs(&line, sign, smallest, normal),
@@ -71,7 +79,7 @@ impl Essence {
         Essence {
             symptom: named(&symptom),
             constructs: features,
-            labels: match is_value && pattern.is_none() && !normal.is_beginning() {
+            labels: match is_value && !is_whole {
                 true => labels(&read),
                 false => BTreeSet::new(),
             },
@@ -135,17 +143,12 @@ fn needs(
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
-        // Who lacks the conversions of durations lacks those of dates and times of day by the same work.
-        Symptom::Rejected(reason) if lacks_function(&normal.deviation.got) => {
-            let features = line.of_rejection().into_iter();
-            let moments = ["dateandtime", "timeofday", "date", "duration"];
-            let features = features.map(|feature| {
-                moments
-                    .iter()
-                    .fold(feature, |name, one| name.replace(one, "moment"))
-            });
-            (rejected(reason, &sign.at), features.collect(), true)
-        }
+        // The types of the parameters of standard functions are one table.
+        Symptom::Rejected(reason) if refuses_argument(&normal.deviation.got) && line.calls_standard() => (
+            rejected(reason, ""),
+            words(["parameter of a standard function"]),
+            true,
+        ),
         Symptom::Rejected(reason) => (rejected(reason, &sign.at), line.of_rejection(), true),
         Symptom::NotImplemented(words) => {
             let features = line.of_missing(&normal.deviation.got);
@@ -167,6 +170,12 @@ fn needs(
             words(["FUNCTION_BLOCK", "initial value"]),
             false,
         ),
+        Symptom::Value if is_loop_alone(&normal.program) => {
+            (sign.symptom.word(), words(["FOR loop to its first value"]), false)
+        }
+        Symptom::Value if line.loses_value_of_type(&normal.deviation) => {
+            (sign.symptom.word(), words(["initial value of a type"]), false)
+        }
         Symptom::Value | Symptom::Missing => {
             let is_initial = shows_initial_value(&smallest.program, &smallest.deviation);
             let (features, converts) = line.of_value(is_initial);
@@ -190,6 +199,12 @@ fn needs(
             // What a compiler of C says of a header that was written for it depends on what follows.
             let symptom = match unusable_header(&normal.deviation.got) {
                 Some(header) => format!("unusable {header}"),
+                // What it says of a global variable depends on what is done with it.
+                None if is_unusable && line.uses_external() => {
+                    let mut features = line.of_use();
+                    features.insert("VAR_EXTERNAL".to_owned());
+                    return ("unusable".to_owned(), features, false);
+                }
                 // What it says of one function it says of every other.
                 None if is_unusable => return (format!("unusable {words}"), line.of_use(), false),
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
@@ -215,8 +230,8 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {
-        features.remove(LITERAL);
-        features.insert(line.place().to_owned());
+        // Where it stands does not matter.
+        features.retain(|feature| feature != LITERAL && !LINE_PLACES.contains(&feature.as_str()));
         features.extend(forms);
     }
     features
@@ -263,10 +278,10 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
     BTreeSet::from(words.map(str::to_owned))
 }
 
-/// Returns whether an engine says, in a code that Stickler knows, that a function is not declared.
-fn lacks_function(got: &[Fact]) -> bool {
+/// Returns whether an engine says, in a code that Stickler knows, that an argument has not the type of its parameter.
+fn refuses_argument(got: &[Fact]) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
-    codes.any(|code| code == Code::FunctionCallUndeclared)
+    codes.any(|code| code == Code::FunctionCallArgTypeMismatch)
 }
 
 fn rejected(reason: &str, at: &str) -> String {

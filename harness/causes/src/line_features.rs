@@ -24,14 +24,16 @@ use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
 use crate::malformed::forms_of_literals;
 use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
+use crate::question::{Deviation, wrong_values};
 use crate::suspect::unimplemented;
-use crate::words::{LOOPS, has_word, kind, type_of_word, valued_types, words};
+use crate::words::{LOOPS, converted, has_word, kind, type_of_word, valued_types, words};
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
+use stickler_types::Value;
 
 /// The feature of a line that stands among the types.
 const IN_TYPES: &str = "type";
@@ -131,10 +133,13 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
             // Where a literal stands is told by the diagnostic code, if it matters at all.
-            features.insert(match is_untyped && !is_unchecked {
-                true => LITERAL.to_owned(),
-                false => self.place().to_owned(),
-            });
+            let feature = match self.place() {
+                _ if is_untyped && !is_unchecked => LITERAL,
+                // What begins with a value does not matter.
+                IN_TYPES if is_unchecked => IN_DECLARATIONS,
+                place => place,
+            };
+            features.insert(feature.to_owned());
         }
         features
     }
@@ -298,6 +303,26 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         kinds.map(str::to_owned).collect()
     }
 
+    /// Returns whether the line calls a standard function other than a conversion.
+    pub(crate) fn calls_standard(&self) -> bool {
+        let is_standard = |name: &str| !self.program.declares(name) && converted(name).is_none();
+        self.callees().any(is_standard)
+    }
+
+    /// Returns whether the line uses a variable of VAR_EXTERNAL.
+    pub(crate) fn uses_external(&self) -> bool {
+        let mut parts = self.program.parts.iter();
+        let is_external = |name: &str| self.program.section(name, None) == Some(VariableKind::External);
+        parts.any(|part| part.name().is_some_and(is_external))
+    }
+
+    /// Returns whether a variable begins with nothing, although its type begins with a value.
+    pub(crate) fn loses_value_of_type(&self, deviation: &Deviation) -> bool {
+        let first = wrong_values(&deviation.expected, &deviation.got).next();
+        let is_lost = |value: &Value| matches!(value, Value::Plain { raw: 0, .. });
+        first.is_some_and(|(name, (_, got))| is_lost(got) && self.program.begins_by_type(name))
+    }
+
     /// Returns whether the line calls a function that the program does not declare.
     fn calls_library(&self) -> bool {
         self.callees().any(|name| !self.program.declares(name))
@@ -309,7 +334,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             let written = work.span.text(self.program.text);
             is_here(work.span) && !self.innocent.contains(written)
         };
-        words_of(self.works.iter().filter(is_suspect), Role::Literal)
+        let mut found = words_of(self.works.iter().filter(is_suspect), Role::Literal);
+        let mut numbers = self.program.literals();
+        let is_long = numbers.any(|(part, literal)| is_here(part.expression.span) && is_long(literal));
+        found.extend(is_long.then(|| "integer of more than 64 bits".to_owned()));
+        found
     }
 
     /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
@@ -382,6 +411,17 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     }
 }
 
+/// Returns whether a literal is an integer that 64 bits do not hold.
+fn is_long(literal: &str) -> bool {
+    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
+    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
+    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
+    let base: u32 = base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10);
+    !digits.is_empty()
+        && digits.chars().all(|digit| digit.is_digit(base))
+        && u64::from_str_radix(&digits, base).is_err()
+}
+
 /// Returns whether an argument is passed to a variable of VAR_IN_OUT by its name, in a call at one of some places.
 pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span) -> bool) -> bool {
     let is_in_out = |argument: &Argument<'_>| match argument {
@@ -396,6 +436,7 @@ pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span
 
 /// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
 /// work, and numbers that one family does not have are properties of the value.
+/// What is left of a date and time without its date is found with it.
 fn of_numbers(operation: &str) -> String {
     let side = |side: &str| match side {
         "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
@@ -403,15 +444,21 @@ fn of_numbers(operation: &str) -> String {
     };
     match operation.split_once("_TO_") {
         Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
+        Some(("dateandtime", "date" | "timeofday")) => "parts of a date and time".to_owned(),
         _ => operation.to_owned(),
     }
 }
 
 /// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
-/// types, and one that lacks some of those from and to texts lacks them all.
+/// types, and one that lacks some of those from and to texts, or of those of durations, dates and times of day, lacks them all.
 fn either_way(operation: &str) -> String {
+    let moments = ["duration", "date", "timeofday", "dateandtime"];
     match operation.split_once("_TO_") {
         Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
+        Some((from, into)) if from == "BCD" || into == "BCD" => "conversion of BCD".to_owned(),
+        Some((from, into)) if moments.contains(&from) || moments.contains(&into) => {
+            "conversion of durations, dates and times".to_owned()
+        }
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
         None => operation.to_owned(),
     }

@@ -41,7 +41,8 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         let section = section.map_or(String::new(), |head| format!(" in {head}"));
         let entry = declared
             .filter(|_| !is_own)
-            .and_then(|one| declared_as(program, one));
+            .and_then(|one| declared_as(program, one))
+            .or_else(|| type_declared_as(program, word).filter(|_| !is_own));
         if let Some(entry) = entry.map(|entry| entry + &section)
             && types.len() < MAX_TYPES
             && !types.contains(&entry)
@@ -75,6 +76,19 @@ fn declared_as(program: &ReadProgram<'_, '_>, declared: &DeclaredName<'_, '_>) -
         .map_or(String::new(), |place| format!(" AT {}", place.text));
     let ty = clipped(&format!("{}{value}", group.specification.span.text(text)));
     (!ty.is_empty()).then(|| format!("{}{location} : {ty}", declared.name.text))
+}
+
+/// Returns a type with what it is declared as, and its initial value; nothing of a structure.
+fn type_declared_as(program: &ReadProgram<'_, '_>, name: &str) -> Option<String> {
+    let declared = program.declared_type(name)?;
+    if let TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error = declared.specification.kind {
+        return None;
+    }
+    let text = |span: Span| span.text(program.text);
+    let value = declared.initializer.as_ref();
+    let value = value.map_or(String::new(), |value| format!(" := {}", text(value.span)));
+    let ty = text(declared.specification.span);
+    Some(clipped(&format!("{} : {ty}{value}", declared.name.text)))
 }
 
 /// Where a line of a program stands.

@@ -16,6 +16,7 @@ use crate::words::tokens;
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise};
+use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::Observation;
@@ -109,13 +110,22 @@ pub(crate) fn normal_form(
     if now == Symptom::Value && symptom != Symptom::Value {
         search.minimise(&structure_method(&now))?;
     }
-    search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
+    if matches!(&now, Symptom::NotRejected(code) if is_of_a_value(code)) {
+        search.unchecked_place(smallest)?;
+    }
+    search.note_operand(smallest);
     match now {
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
             search.other_forms()?;
             // The types and values of such an operation do not matter.
             if search.normal.way.is_none() {
+                let former = search.normal.program.clone();
                 search.minimise(&plain_method(true))?;
+                // With plainer types an operand may be one of a valid program.
+                if search.normal.program != former {
+                    search.minimise(&structure_method(&now))?;
+                    search.note_operand(smallest);
+                }
             }
         }
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
@@ -178,7 +188,7 @@ impl NormalSearch<'_, '_> {
         // either.
         let is_read = !is_unread(&former.deviation.got);
         if !(is_read || literals(text).is_subset(&literals(&former.program)))
-            || !is_as_standard(self.case, text)
+            || !(former.deviation.sign.accepts() || is_as_standard(self.case, text))
         {
             return Ok(Interestingness::Invalid);
         }
@@ -186,8 +196,7 @@ impl NormalSearch<'_, '_> {
             return Ok(Interestingness::Invalid);
         };
         // A value of another type that is right there says nothing.
-        let accepts = matches!(former.deviation.sign.symptom, Symptom::NotRejected(_));
-        if accepts && case.expectation.accepted != Acceptance::Rejected {
+        if former.deviation.sign.accepts() && case.expectation.accepted != Acceptance::Rejected {
             return Ok(Interestingness::Invalid);
         }
         self.left = self.left.saturating_sub(1);
@@ -203,6 +212,30 @@ impl NormalSearch<'_, '_> {
             self.normal.deviation = deviation;
         }
         Ok(Interestingness::from(is_same))
+    }
+
+    /// Notes whether the normal form is an operand or a statement of the small program.
+    fn note_operand(&mut self, smallest: &Smallest) {
+        self.normal.is_operand = self.normal.program != smallest.program && !self.normal.is_unchecked();
+    }
+
+    /// Takes quite another type in the place of the value of the mistake, where the engine takes that too: in the normal form, or else in
+    /// the small program, since a place of its own may be checked where that of the small one is not.
+    fn unchecked_place(&mut self, smallest: &Smallest) -> Result<(), EngineError> {
+        let dialect = self.case.dialect;
+        for text in [self.normal.program.clone(), smallest.program.clone()] {
+            let other = read(&text, |program| {
+                let line = errors(program.text, dialect).iter().find_map(|error| error.line);
+                let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
+                let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
+                others.into_iter().find(is_mistaken)
+            });
+            let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
+            if let Some(other) = other.filter(|_| is_asked) {
+                self.judge(&other)?;
+            }
+        }
+        Ok(())
     }
 
     /// Returns the observations that show what is wrong with a program: those of the case and of an operand alone, or of all variables

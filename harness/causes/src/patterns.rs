@@ -3,7 +3,7 @@
 use crate::forms::named_types;
 use crate::program::ReadProgram;
 use crate::question::{Deviation, wrong_values};
-use crate::words::{converted, elementary, kind, type_of_word, valued_types, words};
+use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeSet;
 use stickler_syntax::visitor::Place;
@@ -17,6 +17,12 @@ const MILLISECONDS: f64 = 1000.0;
 pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
     let wrong = WrongNumber { program, deviation };
     let patterns = [
+        (wrong.rereads_bits(), "bits of a value read in another type"),
+        (
+            wrong.extends_sign(),
+            "unsigned number that is widened with a sign",
+        ),
+        (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
             wrong.converts_out_of_range(),
@@ -152,6 +158,55 @@ impl WrongNumber<'_, '_, '_> {
         self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
     }
 
+    /// Returns whether the wrong value has the bits that a literal of the program has in another type, and no function converts it.
+    fn rereads_bits(&self) -> bool {
+        let Some((ty, _, got)) = self.bits().filter(|(ty, _, got)| is_number(*ty) && *got != 0) else {
+            return false;
+        };
+        let types = valued_types(self.program.text).into_iter();
+        let mut others = types.filter(|other| *other != ty && (other.is_real() || ty.is_real()));
+        let has_bits = |other: ElementaryType| {
+            let mut values = self.amounts().flat_map(|amount| [amount, -amount]);
+            values.any(|value| {
+                let bits = match other {
+                    ElementaryType::Real => u64::from((value as f32).to_bits()),
+                    ElementaryType::Lreal => value.to_bits(),
+                    _ if value < 0.0 => (value as i64).cast_unsigned(),
+                    _ => value as u64,
+                };
+                mask(ty) & bits == mask(ty) & got
+            })
+        };
+        self.conversions().next().is_none() && others.any(has_bits)
+    }
+
+    /// Returns whether the first bit of an unsigned number was taken for a sign where the number became a wider one.
+    fn extends_sign(&self) -> bool {
+        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
+            return false;
+        };
+        valued_types(self.program.text).into_iter().any(|narrow| {
+            let first = 1_u64 << (narrow.bits() - 1);
+            kind(narrow) == Some("integer")
+                && narrow.family() != Family::Signed
+                && narrow.bits() < ty.bits()
+                && raw & first != 0
+                && raw & !mask(narrow) & mask(ty) == 0
+                && (raw | !mask(narrow)) & mask(ty) == got & mask(ty)
+        })
+    }
+
+    /// Returns whether a literal of the type LREAL has no more digits than a REAL has.
+    fn rounds_to_real(&self) -> bool {
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Lreal);
+        let is_rounded = |(_, raw, got): (ElementaryType, u64, u64)| {
+            let (expected, got) = (f64::from_bits(raw), f64::from_bits(got));
+            let mut literals = self.amounts();
+            f64::from(expected as f32) == got && literals.any(|literal| literal == expected.abs())
+        };
+        self.conversions().next().is_none() && bits.is_some_and(is_rounded)
+    }
+
     /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
     /// before them.
     fn keeps_range(&self) -> bool {
@@ -204,6 +259,11 @@ impl WrongNumber<'_, '_, '_> {
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
     }
+}
+
+/// Returns the bits that the values of a type have.
+fn mask(ty: ElementaryType) -> u64 {
+    u64::MAX >> u64::BITS.saturating_sub(ty.bits() as u32)
 }
 
 /// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.

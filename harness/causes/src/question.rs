@@ -227,22 +227,24 @@ pub(crate) fn known(case: &Case, program: &str) -> Vec<Observation> {
 
 /// Returns observations of all variables of a program.
 pub(crate) fn all_variables(case: &Case, program: &str) -> Vec<Observation> {
-    let names = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    match all_values(program, case.dialect) {
+        (_, Some(values)) => {
+            let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
+            values.iter().map(of).collect()
+        }
+        (all, None) => all,
+    }
+}
+
+/// Returns the variables of a program, and the values that they have after one scan; `None` where the program has no end of its own.
+pub(crate) fn all_values(program: &str, dialect: DialectName) -> (Vec<Observation>, Option<Vec<NamedValue>>) {
+    let names = stickler_reference::variables(program, dialect, MAX_VARIABLES);
     let all: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
-    let request = RunRequest {
-        source: program,
-        observe: &all,
-        scans: 1,
-        clock: &[],
-        set: &[],
-        ..case.request()
-    };
-    let outcome = stickler_reference::run(&request, Limits::default());
-    let Ok(Outcome::Executed { values, .. }) = outcome else {
-        return all;
-    };
-    let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
-    values.iter().map(of).collect()
+    let request = RunRequest::once(dialect, program, &all);
+    match stickler_reference::run(&request, Limits::default()) {
+        Ok(Outcome::Executed { values, .. }) => (all, Some(values)),
+        _ => (all, None),
+    }
 }
 
 /// Returns a case with another program, held to what the reference does with it. `None` where that is neither a rejection nor

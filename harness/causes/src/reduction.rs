@@ -1,6 +1,6 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::alone::alone;
+use crate::alone::{alone, loops_alone};
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
@@ -209,7 +209,11 @@ fn operand_alone(
         return Ok(None);
     }
     // What a variable begins with is shown by a program that does nothing else.
-    let operands = read(&unreduced.program, alone).into_iter();
+    let operands = read(&unreduced.program, |program| {
+        let mut found = loops_alone(program, case.dialect);
+        found.extend(alone(program));
+        found.into_iter()
+    });
     for operand in operands.filter(|one| !one.is_initial && is_as_standard(case, &one.program)) {
         if stop() {
             return Ok(None);

@@ -201,7 +201,15 @@ impl Titled<'_, '_> {
             text => clipped(&text),
         };
         let computed = self.program.computation(name);
-        let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));
+        // A line that only copies a value is not at fault where a loop decides whether it does.
+        let loops = |line: u32| {
+            let code = self.program.line_text(line).unwrap_or_default();
+            let around = self.program.loop_around(line);
+            around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty())
+        };
+        let decides = computed.map_or(Some(declared), |line| {
+            condition(&self.program, line).or_else(|| loops(line))
+        });
         match (decides, computed) {
             // A line computes the value: the title tells what it gives.
             (None, Some(line)) => format!("{} gives {other}, not {value}", described(line)),
