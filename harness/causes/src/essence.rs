@@ -13,7 +13,7 @@ use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
-use crate::words::valued_types;
+use crate::words::{elementary, valued_types};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::Code;
@@ -76,13 +76,18 @@ impl Essence {
         // Every program has statements.
         let hidden = hidden(&line, sign, normal);
         let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != IN_STATEMENTS));
+        let mut labels = match is_value && !is_whole {
+            true => labels(&read),
+            false => BTreeSet::new(),
+        };
+        // Bits of another number are those of the operator, whichever the types are.
+        if features.contains("bitwise operator") {
+            labels.retain(|label| elementary(label).is_none());
+        }
         Essence {
             symptom: named(&symptom),
             constructs: features,
-            labels: match is_value && !is_whole {
-                true => labels(&read),
-                false => BTreeSet::new(),
-            },
+            labels,
             is_contained,
             hidden: hidden.map(|(symptom, features)| (named(&symptom), features)),
         }
@@ -285,5 +290,6 @@ fn refuses_argument(got: &[Fact]) -> bool {
 }
 
 fn rejected(reason: &str, at: &str) -> String {
-    format!("rejected {reason} {at}")
+    // A number is one whether it has a prefix or not.
+    format!("rejected {reason} {}", at.trim_start_matches("type#"))
 }

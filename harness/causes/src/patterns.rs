@@ -22,6 +22,14 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             wrong.extends_sign(),
             "unsigned number that is widened with a sign",
         ),
+        (
+            wrong.rounds_twice(),
+            "REAL literal that is rounded to LREAL before",
+        ),
+        (
+            wrong.exceeds_milliseconds(),
+            "duration of more milliseconds than 32 bits hold",
+        ),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
@@ -133,17 +141,19 @@ impl WrongNumber<'_, '_, '_> {
     fn converts_out_of_range(&self) -> bool {
         let written = words(self.program.text);
         let is_negative = written.iter().any(|word| *word == "-" || word.contains("#-"));
-        let leaves = |into: ElementaryType| {
+        let leaves = |from: ElementaryType, into: ElementaryType| {
             // Of an unsigned type the least number is 0, and a minus stands before a number.
             let is_outside = |number: f64| {
-                let most = into.integer_range().is_some_and(|(_, most)| number > most as f64);
+                let most = into.integer_range();
+                let most = most.is_some_and(|(_, most)| rounded(from, number) >= most as f64 + 1.0);
                 most || number != 0.0 && is_negative && into.family() != Family::Signed
             };
             self.leaves_range() || self.amounts().any(is_outside)
         };
         let mut conversions = self.conversions();
         self.computed() == 1
-            && conversions.any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(into))
+            && conversions
+                .any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(from, into))
     }
 
     /// Returns whether the program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
@@ -174,7 +184,7 @@ impl WrongNumber<'_, '_, '_> {
                     _ if value < 0.0 => (value as i64).cast_unsigned(),
                     _ => value as u64,
                 };
-                mask(ty) & bits == mask(ty) & got
+                mask(ty) & bits == mask(ty) & got || is_nan(ty, bits) && is_nan(ty, got)
             })
         };
         self.conversions().next().is_none() && others.any(has_bits)
@@ -194,6 +204,25 @@ impl WrongNumber<'_, '_, '_> {
                 && raw & !mask(narrow) & mask(ty) == 0
                 && (raw | !mask(narrow)) & mask(ty) == got & mask(ty)
         })
+    }
+
+    /// Returns whether a literal of the type REAL is the one that its nearest LREAL is nearest to.
+    fn rounds_twice(&self) -> bool {
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Real);
+        bits.is_some_and(|(_, raw, got)| {
+            let has_bits = |amount: f64| u64::from((amount as f32).to_bits());
+            let is_near = raw.abs_diff(got) == 1;
+            is_near
+                && self.conversions().next().is_none()
+                && self.amounts().any(|amount| has_bits(amount) == got)
+        })
+    }
+
+    /// Returns whether a duration must have more milliseconds than 32 bits hold, and has not.
+    fn exceeds_milliseconds(&self) -> bool {
+        let fits = |nanoseconds: u64| i32::try_from(nanoseconds.cast_signed() / 1_000_000).is_ok();
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Time);
+        bits.is_some_and(|(_, raw, got)| !fits(raw) && fits(got))
     }
 
     /// Returns whether a literal of the type LREAL has no more digits than a REAL has.
@@ -258,6 +287,23 @@ impl WrongNumber<'_, '_, '_> {
         let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
+    }
+}
+
+/// Returns a number as a value of a type of real numbers.
+fn rounded(ty: ElementaryType, number: f64) -> f64 {
+    match ty {
+        ElementaryType::Real => f64::from(number as f32),
+        _ => number,
+    }
+}
+
+/// Returns whether bits are no number of a type.
+fn is_nan(ty: ElementaryType, bits: u64) -> bool {
+    match ty {
+        ElementaryType::Real => f32::from_bits(bits as u32).is_nan(),
+        ElementaryType::Lreal => f64::from_bits(bits).is_nan(),
+        _ => false,
     }
 }
 

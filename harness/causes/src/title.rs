@@ -204,8 +204,10 @@ impl Titled<'_, '_> {
         // A line that only copies a value is not at fault where a loop decides whether it does.
         let loops = |line: u32| {
             let code = self.program.line_text(line).unwrap_or_default();
+            let begins = LOOPS.iter().any(|word| code.trim_start().starts_with(word));
             let around = self.program.loop_around(line);
-            around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty())
+            let around = around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty());
+            if begins { Some(line) } else { around }
         };
         let decides = computed.map_or(Some(declared), |line| {
             condition(&self.program, line).or_else(|| loops(line))
