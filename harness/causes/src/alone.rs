@@ -267,7 +267,6 @@ fn standard_call(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<A
     }
     let from = program.type_of(*value)?;
     let operand = program.initial(program.text(*value)).map(str::to_owned);
-    let operand = operand.or_else(|| program.some_value(from));
     Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
 }
 

@@ -6,7 +6,7 @@
 
 use crate::alone::is_loop_alone;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
 use crate::normal_form::Normal;
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
@@ -154,7 +154,10 @@ fn needs(
             words(["parameter of a standard function"]),
             true,
         ),
-        Symptom::Rejected(reason) => (rejected(reason, &sign.at), line.of_rejection(), true),
+        Symptom::Rejected(reason) => {
+            let (symptom, features) = rejection(line, reason, &sign.at);
+            (symptom, features, true)
+        }
         Symptom::NotImplemented(words) => {
             let features = line.of_missing(&normal.deviation.got);
             (format!("not implemented {words}"), features, true)
@@ -246,14 +249,14 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
 fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option<(String, BTreeSet<String>)> {
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
-            Some((rejected(reported, &sign.at), line.of_rejection()))
+            Some(rejection(line, reported, &sign.at))
         }
         // What is reported elsewhere may be said of a program without the mistake too.
         Symptom::OtherLine(_) => {
             let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
             let valid = Sign::of(&normal.program, Verdict::Fail, facts, Grade::Line);
             match valid.symptom {
-                Symptom::Rejected(reason) => Some((rejected(&reason, &valid.at), line.of_rejection())),
+                Symptom::Rejected(reason) => Some(rejection(line, &reason, &valid.at)),
                 _ => None,
             }
         }
@@ -289,7 +292,16 @@ fn refuses_argument(got: &[Fact]) -> bool {
     codes.any(|code| code == Code::FunctionCallArgTypeMismatch)
 }
 
+/// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large to
+/// be read is that in every form.
+fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, BTreeSet<String>) {
+    let features = line.of_rejection();
+    match is_of_reading(reason) && features.contains(LONG_INTEGER) {
+        true => (rejected(reason, ""), words([LONG_INTEGER])),
+        false => (rejected(reason, at), features),
+    }
+}
+
 fn rejected(reason: &str, at: &str) -> String {
-    // A number is one whether it has a prefix or not.
-    format!("rejected {reason} {}", at.trim_start_matches("type#"))
+    format!("rejected {reason} {at}")
 }

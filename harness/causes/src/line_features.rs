@@ -46,6 +46,9 @@ pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEME
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
 
+/// The feature of an integer literal that 64 bits do not hold.
+pub(crate) const LONG_INTEGER: &str = "integer of more than 64 bits";
+
 /// A set of words.
 type Words = BTreeSet<String>;
 
@@ -133,13 +136,10 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 value.starts_with(|first: char| first.is_ascii_digit() || matches!(first, '\'' | '"'))
             });
             // Where a literal stands is told by the diagnostic code, if it matters at all.
-            let feature = match self.place() {
-                _ if is_untyped && !is_unchecked => LITERAL,
-                // What begins with a value does not matter.
-                IN_TYPES if is_unchecked => IN_DECLARATIONS,
-                place => place,
-            };
-            features.insert(feature.to_owned());
+            features.insert(match is_untyped && !is_unchecked {
+                true => LITERAL.to_owned(),
+                false => self.place().to_owned(),
+            });
         }
         features
     }
@@ -152,7 +152,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
 
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
+        let mut initial = self.program.at(Place::InitialValue);
+        let begins = initial.any(|part| self.is_on_line(part.expression.span));
         match self.line.map(|line| place_of(self.program, line)) {
+            // What begins with a value does not matter.
+            Some(LinePlace::Types) if begins => IN_DECLARATIONS,
             Some(LinePlace::Types) => IN_TYPES,
             Some(LinePlace::Section(_)) => IN_DECLARATIONS,
             Some(LinePlace::Statement) | None => IN_STATEMENTS,
@@ -337,7 +341,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         let mut found = words_of(self.works.iter().filter(is_suspect), Role::Literal);
         let mut numbers = self.program.literals();
         let is_long = numbers.any(|(part, literal)| is_here(part.expression.span) && is_long(literal));
-        found.extend(is_long.then(|| "integer of more than 64 bits".to_owned()));
+        found.extend(is_long.then(|| LONG_INTEGER.to_owned()));
         found
     }
 

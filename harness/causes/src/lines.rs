@@ -1,11 +1,12 @@
 //! The lines of a small program: which one matters, and how it is told.
 
-use crate::program::ReadProgram;
+use crate::program::{Part, ReadProgram};
 use crate::words::{tokens, words};
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, TypeSpecificationKind, VariableBlock};
+use stickler_syntax::tree::{Declaration, Pou, PouKind, StatementKind, TypeSpecificationKind, VariableBlock};
+use stickler_syntax::visitor::Place;
 
 /// The maximum number of characters that are shown of a line, a message or a value.
 const MAX_LENGTH: usize = 90;
@@ -21,6 +22,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         "" => code.trim(),
         code => code,
     };
+    let code = &whole_statement(program, number, code);
     let is_here = |one: &&DeclaredName<'_, '_>| program.line(one.name.span) == number;
     let own: Vec<&str> = program
         .names
@@ -58,6 +60,23 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     match types.is_empty() {
         true => format!("`{}`{section}", clipped(code)),
         false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
+    }
+}
+
+/// Returns the code of a line with what it says nothing without: the selector of a CASE label, and the end of what has no statements.
+fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> String {
+    let is_here = |part: &&Part<'_, '_>| program.line(part.expression.span) == number;
+    let label = program.at(Place::Label).find(is_here);
+    if let Some(StatementKind::Case { selector, .. }) = label.and_then(|part| Some(&part.statement?.kind))
+        && !code.contains(" OF ")
+    {
+        return format!("CASE {} OF {code}", program.text(*selector));
+    }
+    let next = program.line_text(number + 1).unwrap_or_default().trim();
+    let opens = [" DO", " THEN", "ELSE"].iter().any(|word| code.ends_with(word));
+    match next.split(';').next() {
+        Some(end) if opens && end.starts_with("END_") => format!("{code} {end}"),
+        _ => code.to_owned(),
     }
 }
 

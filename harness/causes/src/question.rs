@@ -1,7 +1,7 @@
 //! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
 
 use crate::failure_sign::Sign;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
@@ -17,11 +17,15 @@ const MAX_VARIABLES: usize = 1000;
 /// The answers of an engine in a search, by the digest of the question, because groups with one cause ask for the same small
 /// programs.
 #[derive(Default)]
-pub(crate) struct SearchAnswers(Mutex<HashMap<String, Answers>>);
+pub(crate) struct SearchAnswers {
+    answers: Mutex<HashMap<String, Answers>>,
+    /// The questions that got the same answer each time.
+    steady: Mutex<HashSet<String>>,
+}
 
 impl SearchAnswers {
     fn get(&self, question: &str) -> Option<Answers> {
-        let answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let answered = self.answers.lock().unwrap_or_else(PoisonError::into_inner);
         answered.get(question).cloned()
     }
 
@@ -30,7 +34,7 @@ impl SearchAnswers {
     fn keep(&self, question: String, answers: &Answers) {
         let by_the_machine = |outcome: &Outcome| matches!(outcome, Outcome::Error { .. });
         if !answers.outcomes().any(by_the_machine) {
-            let mut answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut answered = self.answers.lock().unwrap_or_else(PoisonError::into_inner);
             answered.insert(question, answers.clone());
         }
     }
@@ -125,6 +129,26 @@ impl Questioner<'_> {
     /// Returns whether the engine answered a case in this search.
     pub(crate) fn has_answered(&self, case: &Case) -> bool {
         self.answered.get(&question(case)).is_some()
+    }
+
+    /// Returns whether the engine gave the same answer about a case each time in this search.
+    pub(crate) fn is_steady(&self, case: &Case) -> bool {
+        let steady = self
+            .answered
+            .steady
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        steady.contains(&question(case))
+    }
+
+    /// Notes that the engine gives the same answer about a case each time.
+    pub(crate) fn note_steady(&self, case: &Case) {
+        let mut steady = self
+            .answered
+            .steady
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
+        steady.insert(question(case));
     }
 
     /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.

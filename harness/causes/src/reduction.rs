@@ -127,6 +127,15 @@ pub(crate) fn reduce(
     let smallest = without_filling(asked, (case, sign), smallest)?;
     let smaller = with_program(case, sign, &smallest.program);
     match smaller.filter(|_| reduction != Reduced::Not) {
+        // Nobody waits for what is made smaller later.
+        Some(smaller) if found.ended == StopReason::OutOfTries => {
+            let seen = asked.deviation(&smaller)?;
+            let deviation = seen.unwrap_or_else(|| smallest.deviation.clone());
+            Ok(Smallest {
+                deviation,
+                ..smallest
+            })
+        }
         Some(smaller) => repeated(asked, &smaller, sign, smallest, stop),
         // Without its marks the program does not show it.
         None => {
@@ -272,6 +281,15 @@ fn repeated(
     let mut found = None;
     let mut repeats = Repeats::default();
     let mut unanswered = 0;
+    // What was shown several times is no chance.
+    if asked.is_steady(case)
+        && let Some(deviation) = asked.deviation(case)?.filter(|seen| sign.is_kept_by(&seen.sign))
+    {
+        return Ok(Smallest {
+            deviation,
+            ..smallest
+        });
+    }
     let is_by_chance_so_far = |repeats: &Repeats| is_by_chance(repeats) && repeats.of < REPEATS_OF_CHANCE;
     while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() {
         let (got, deviation) = asked.again(case)?;
@@ -308,6 +326,9 @@ fn repeated(
             ..smallest
         });
     };
+    if !is_by_chance(&repeats) {
+        asked.note_steady(case);
+    }
     Ok(Smallest {
         deviation,
         flaky: is_by_chance(&repeats).then_some(repeats),

@@ -87,7 +87,12 @@ impl Titled<'_, '_> {
                 let (line, message) = (self.line(extra.line), said(&extra));
                 format!("{line} is accepted with a warning: {message}")
             }
-            Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", self.reason(words)),
+            // What is wrong with a program may be what the engine does not bear.
+            Symptom::Crash(words) => format!(
+                "{} makes it crash: {}",
+                self.line(wanted.line),
+                self.reason(words)
+            ),
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
             Symptom::Hang => {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
