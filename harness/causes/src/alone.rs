@@ -292,10 +292,17 @@ fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
             .map(str::to_owned)
             .or_else(|| program.some_value(ty))
     };
-    vec![
+    let mut found = vec![
         Alone::copied(first, second, value(left, first)),
         Alone::copied(second, first, value(right, second)),
-    ]
+    ];
+    // Not every integer may become a REAL, but each does where it is an exponent.
+    if let Some(real) = [first, second].into_iter().find(|ty| ty.is_real())
+        && (first.is_integer() || second.is_integer())
+    {
+        found.push(Alone::copied(ElementaryType::Int, real, Some("1".to_owned())));
+    }
+    found
 }
 
 /// Returns the conversions of the operands of a calculation to the type of what is assigned.

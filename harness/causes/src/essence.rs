@@ -44,9 +44,10 @@ impl Essence {
         let read = program.read();
         let line = ProgramAndLine::new(&read, normal);
         let sign = &normal.deviation.sign;
+        let is_loop = is_loop_alone(&normal.program);
         let pattern = match sign.symptom {
             // Nothing is computed of what never arrives.
-            Symptom::Value if line.loses_value_of_type(&normal.deviation) => None,
+            Symptom::Value if is_loop || line.loses_value_of_type(&normal.deviation) => None,
             Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
@@ -67,7 +68,7 @@ impl Essence {
         let is_whole = pattern.is_some()
             || normal.is_beginning()
             || line.loses_value_of_type(&normal.deviation)
-            || is_loop_alone(&normal.program);
+            || is_loop;
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None => needs(&line, sign, smallest, normal),

@@ -152,11 +152,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
 
     /// Returns where the line that matters stands.
     pub(crate) fn place(&self) -> &'static str {
-        let mut initial = self.program.at(Place::InitialValue);
-        let begins = initial.any(|part| self.is_on_line(part.expression.span));
         match self.line.map(|line| place_of(self.program, line)) {
-            // What begins with a value does not matter.
-            Some(LinePlace::Types) if begins => IN_DECLARATIONS,
             Some(LinePlace::Types) => IN_TYPES,
             Some(LinePlace::Section(_)) => IN_DECLARATIONS,
             Some(LinePlace::Statement) | None => IN_STATEMENTS,
@@ -195,6 +191,15 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         let mut features: Words = kinds.map(str::to_owned).collect();
         let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
+        // A variable that is only declared may be what is missing.
+        if features.is_empty() && !operations.iter().any(|one| !is_common(one)) {
+            let names = self.program.names.iter().map(|one| one.name.text);
+            features.extend(
+                names
+                    .filter_map(|name| self.variable_kind(name))
+                    .map(str::to_owned),
+            );
+        }
         if features.is_empty() {
             return match operations.is_empty() {
                 true => Words::from([IN_STATEMENTS.to_owned()]),
@@ -264,8 +269,15 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         // An unknown literal is refused in every place; so is an unknown function by an engine that stopped at parsing.
         let is_unknown_anywhere = self.is_unread && self.calls_library();
         if literals.is_empty() && !is_unknown_anywhere {
-            let is_anywhere = !operators.is_empty();
-            features.insert(if is_anywhere { IN_STATEMENTS } else { self.place() }.to_owned());
+            features.insert(
+                match self.place() {
+                    _ if !operators.is_empty() => IN_STATEMENTS,
+                    // What begins with a value that is not taken does not matter.
+                    _ if self.initial_values().next().is_some() => IN_DECLARATIONS,
+                    place => place,
+                }
+                .to_owned(),
+            );
         }
         if !operators.is_empty() {
             features.remove("sign");
@@ -273,15 +285,19 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             features.extend(self.operand_kinds());
         }
         features.extend(literals);
-        let mut initial = self.program.at(Place::InitialValue);
-        let by_name = |part: &Part<'_, '_>| self.is_on_line(part.expression.span) && part.name().is_some();
-        if features.contains(IN_DECLARATIONS) && initial.any(by_name) {
+        if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());
         }
         if !self.is_unread {
             features.extend(words_of(&self.works, Role::Declaration));
         }
         features
+    }
+
+    /// Returns the initial values on the line.
+    fn initial_values(&self) -> impl Iterator<Item = &Part<'t, 's>> {
+        let initial = self.program.at(Place::InitialValue);
+        initial.filter(|part| self.is_on_line(part.expression.span))
     }
 
     /// Returns the operators among the features of the line; the sign of a number is one that calculates.
@@ -413,6 +429,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         features.extend(declarations);
         (features, false)
     }
+}
+
+/// Returns whether every compiler has an operation.
+fn is_common(operation: &str) -> bool {
+    matches!(operation, "arithmetic" | "comparison" | "condition")
 }
 
 /// Returns whether a literal is an integer that 64 bits do not hold.

@@ -184,7 +184,9 @@ impl WrongNumber<'_, '_, '_> {
                     _ if value < 0.0 => (value as i64).cast_unsigned(),
                     _ => value as u64,
                 };
-                mask(ty) & bits == mask(ty) & got || is_nan(ty, bits) && is_nan(ty, got)
+                // The amounts of literals have 53 bits.
+                let near = if value.abs() < 2_f64.powi(53) { 0 } else { 2048 };
+                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near || is_nan(ty, bits) && is_nan(ty, got)
             })
         };
         self.conversions().next().is_none() && others.any(has_bits)
