@@ -2,7 +2,7 @@
 //! asked before the operation around it is blamed.
 
 use crate::program::{Part, ReadProgram};
-use crate::question::all_values;
+use crate::question::{Deviation, all_values, wrong_values};
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
@@ -12,7 +12,7 @@ use stickler_syntax::tree::{
     Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::{DialectName, ElementaryType};
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// A program that does with one operand what another program does with it among other things. Its variable `into` shows the value.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -80,17 +80,13 @@ pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -
         let StatementKind::For { control, to, .. } = statement.kind else {
             return None;
         };
-        let (ty, section) = (
-            program.type_of(control)?,
-            part.pou?.blocks.last()?.span.end as usize,
-        );
+        let ty = program.type_of(control)?;
+        let (section, start) = (part.pou?.blocks.last()?.span.end, statement.span.start);
         let [from, to] = [part.id, to].map(|limit| program.text(limit));
-        let name = ty.name();
-        let limits = format!("\nVAR\nloop_from : {name};\nloop_to : {name} := 1;\nEND_VAR\n");
-        let mut edits = Edits::new();
-        edits.replace(section..section, limits);
-        let start = statement.span.start as usize;
-        edits.replace(start..start, format!("loop_from := {from}; loop_to := {to};\n"));
+        let limits = format!("\nVAR loop_from : {0}; loop_to : {0} := 1; END_VAR\n", ty.name());
+        let mut edits = Edits::replacing(section as usize..section as usize, limits);
+        let given = format!("loop_from := {from}; loop_to := {to};\n");
+        edits.replace(start as usize..start as usize, given);
         let (_, values) = all_values(&edits.apply(program.text), dialect);
         let value = |own: &str| {
             let mut values = values.iter().flatten();
@@ -115,24 +111,24 @@ pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -
             literal: None,
         }
     };
-    let found: Vec<Alone> = shown.map(alone).collect();
-    match found.iter().any(|one| one.program.trim() == program.text.trim()) {
-        true => Vec::new(),
-        false => found,
-    }
+    shown.map(alone).collect()
 }
 
 /// Returns whether a program is one of those that [`loops_alone`] makes.
 pub(crate) fn is_loop_alone(program: &str) -> bool {
-    let head = program
-        .strip_prefix(HEAD)
-        .and_then(|rest| rest.strip_prefix("    count : "));
-    let header = head.and_then(|rest| rest.split_once("END_VAR\n    FOR count := "));
-    let limits = header.and_then(|(_, rest)| rest.split_once(" DO\n        into := count;\n    END_FOR;\n"));
-    limits.is_some_and(|(limits, _)| {
-        let limits = limits.split_once(" TO ");
-        limits.is_some_and(|(from, to)| from == to)
-    })
+    let header = program
+        .lines()
+        .nth(5)
+        .and_then(|line| line.strip_prefix("    FOR count := "));
+    let limits = header.and_then(|rest| rest.strip_suffix(" DO")?.split_once(" TO "));
+    program.starts_with("PROGRAM main\nVAR\n    count : ") && limits.is_some_and(|(from, to)| from == to)
+}
+
+/// Returns whether what an engine does with a program shows something: of a loop alone only that it does not run.
+pub(crate) fn shows(program: &str, seen: &Deviation) -> bool {
+    let wrong = wrong_values(&seen.expected, &seen.got).next();
+    let is_begun = wrong.is_some_and(|(_, (_, got))| matches!(got, Value::Plain { raw: 0, .. }));
+    is_begun || !is_loop_alone(program)
 }
 
 /// Returns how far a program is from one with an operand alone: 0 for a value without a variable, 1 for a variable, 2 for others.
@@ -184,7 +180,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
-        calls.extend(conversion(program, part).or_else(|| standard_call(program, part)));
+        calls.extend(call_alone(program, part));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -240,33 +236,26 @@ fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<E
     target.filter(|ty| is_number(*ty))
 }
 
-/// Returns a call of a conversion function with a variable, where an expression is one.
-fn conversion(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
+/// Returns a call of a conversion function with a variable, or of another function that the program does not declare with its one operand,
+/// where an expression is one.
+fn call_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
     let (callee, arguments) = program.call(part.id)?;
-    let (from, ty) = converted(callee).filter(|_| !program.declares(callee))?;
-    let operand = arguments.first().and_then(|argument| match argument {
-        Argument::Positional(value) => program
-            .literal(*value)
-            .or_else(|| program.initial(program.text(*value))),
-        _ => None,
-    });
-    let operand = operand.map(str::to_owned).or_else(|| program.some_value(from));
-    Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
-}
-
-/// Returns a call of another function that the program does not declare with one operand, where an expression is one.
-fn standard_call(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
-    let (callee, arguments) = program
-        .call(part.id)
-        .filter(|(callee, _)| !program.declares(callee))?;
-    let (ty, [Argument::Positional(value)]) = (program.target(part)?, arguments) else {
+    let Some(Argument::Positional(value)) = arguments.first().filter(|_| !program.declares(callee)) else {
         return None;
     };
-    if let Some(literal) = program.literal(*value) {
-        return Some(Alone::new(None, ty, &format!("{callee}({literal})")));
-    }
-    let from = program.type_of(*value)?;
-    let operand = program.initial(program.text(*value)).map(str::to_owned);
+    let (literal, initial) = (program.literal(*value), program.initial(program.text(*value)));
+    let operand = literal.or(initial).map(str::to_owned);
+    let (from, ty, operand) = match converted(callee) {
+        Some((from, ty)) => (from, ty, operand.or_else(|| program.some_value(from))),
+        None if arguments.len() > 1 => return None,
+        None => {
+            let ty = program.target(part)?;
+            if let Some(literal) = literal {
+                return Some(Alone::new(None, ty, &format!("{callee}({literal})")));
+            }
+            (program.type_of(*value)?, ty, operand)
+        }
+    };
     Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
 }
 

@@ -44,10 +44,11 @@ impl Essence {
         let read = program.read();
         let line = ProgramAndLine::new(&read, normal);
         let sign = &normal.deviation.sign;
-        let is_loop = is_loop_alone(&normal.program);
+        // What fails whatever the values are.
         let pattern = match sign.symptom {
-            // Nothing is computed of what never arrives.
-            Symptom::Value if is_loop || line.loses_value_of_type(&normal.deviation) => None,
+            Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
+            Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
+            Symptom::Value if line.loses_value_of_type(&normal.deviation) => Some("initial value of a type"),
             Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
@@ -64,11 +65,6 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
-        // What fails whatever the values are.
-        let is_whole = pattern.is_some()
-            || normal.is_beginning()
-            || line.loses_value_of_type(&normal.deviation)
-            || is_loop;
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None => needs(&line, sign, smallest, normal),
@@ -77,7 +73,7 @@ impl Essence {
         // Every program has statements.
         let hidden = hidden(&line, sign, normal);
         let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != IN_STATEMENTS));
-        let mut labels = match is_value && !is_whole {
+        let mut labels = match is_value && pattern.is_none() {
             true => labels(&read),
             false => BTreeSet::new(),
         };
@@ -174,17 +170,6 @@ fn needs(
             }
             (format!("{code} as {reported}"), features, false)
         }
-        Symptom::Value if normal.is_beginning() => (
-            sign.symptom.word(),
-            words(["FUNCTION_BLOCK", "initial value"]),
-            false,
-        ),
-        Symptom::Value if is_loop_alone(&normal.program) => {
-            (sign.symptom.word(), words(["FOR loop to its first value"]), false)
-        }
-        Symptom::Value if line.loses_value_of_type(&normal.deviation) => {
-            (sign.symptom.word(), words(["initial value of a type"]), false)
-        }
         Symptom::Value | Symptom::Missing => {
             let is_initial = shows_initial_value(&smallest.program, &smallest.deviation);
             let (features, converts) = line.of_value(is_initial);
@@ -214,8 +199,11 @@ fn needs(
                     features.insert("VAR_EXTERNAL".to_owned());
                     return ("unusable".to_owned(), features, false);
                 }
-                // What it says of one function it says of every other.
-                None if is_unusable => return (format!("unusable {words}"), line.of_use(), false),
+                // What it says of one function it says of every other. What it proposes does not matter.
+                None if is_unusable => {
+                    let words = words.split(';').next().unwrap_or_default();
+                    return (format!("unusable {words}"), line.of_use(), false);
+                }
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
             };
@@ -303,6 +291,16 @@ fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, 
     }
 }
 
+/// Returns the symptom of a rejection, whichever elementary types its reason names.
 fn rejected(reason: &str, at: &str) -> String {
+    let part = |part| elementary(part).map_or(part, |_| "type");
+    let reason: Vec<&str> = reason
+        .split_inclusive([' ', '_'])
+        .flat_map(|word| {
+            let end = word.len() - usize::from(word.ends_with([' ', '_']));
+            [part(&word[..end]), &word[end..]]
+        })
+        .collect();
+    let reason = reason.concat();
     format!("rejected {reason} {at}")
 }

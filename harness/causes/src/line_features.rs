@@ -10,6 +10,7 @@
 //! | `call of a block` | the line calls an instance of a function block |
 //! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
 //! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
+//! | `integer of more than 64 bits` | a literal that no type holds |
 //! | `result of a function`, `field or element` | what the line assigns |
 //! | `array`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
@@ -192,7 +193,8 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
         // A variable that is only declared may be what is missing.
-        if features.is_empty() && !operations.iter().any(|one| !is_common(one)) {
+        let is_common = |one: &String| matches!(one.as_str(), "arithmetic" | "comparison" | "condition");
+        if features.is_empty() && operations.iter().all(is_common) {
             let names = self.program.names.iter().map(|one| one.name.text);
             features.extend(
                 names
@@ -332,8 +334,10 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns whether the line uses a variable of VAR_EXTERNAL.
     pub(crate) fn uses_external(&self) -> bool {
         let mut parts = self.program.parts.iter();
-        let is_external = |name: &str| self.program.section(name, None) == Some(VariableKind::External);
-        parts.any(|part| part.name().is_some_and(is_external))
+        parts.any(|part| {
+            let section = part.name().and_then(|name| self.program.section(name, part.pou));
+            section == Some(VariableKind::External)
+        })
     }
 
     /// Returns whether a variable begins with nothing, although its type begins with a value.
@@ -429,11 +433,6 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         features.extend(declarations);
         (features, false)
     }
-}
-
-/// Returns whether every compiler has an operation.
-fn is_common(operation: &str) -> bool {
-    matches!(operation, "arithmetic" | "comparison" | "condition")
 }
 
 /// Returns whether a literal is an integer that 64 bits do not hold.

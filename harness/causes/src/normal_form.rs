@@ -4,7 +4,7 @@
 //! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
-use crate::alone::{BEGINNING_BLOCK, alone};
+use crate::alone::{BEGINNING_BLOCK, alone, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
@@ -205,7 +205,7 @@ impl NormalSearch<'_, '_> {
         // A value that wraps is another defect than one that is within the range of its type.
         let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
         let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
-        let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
+        let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen) && shows(text, seen));
         let is_same = same.is_some();
         if let Some(deviation) = same {
             self.normal.program = text.to_owned();

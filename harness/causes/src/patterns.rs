@@ -18,18 +18,9 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
     let wrong = WrongNumber { program, deviation };
     let patterns = [
         (wrong.rereads_bits(), "bits of a value read in another type"),
-        (
-            wrong.extends_sign(),
-            "unsigned number that is widened with a sign",
-        ),
-        (
-            wrong.rounds_twice(),
-            "REAL literal that is rounded to LREAL before",
-        ),
-        (
-            wrong.exceeds_milliseconds(),
-            "duration of more milliseconds than 32 bits hold",
-        ),
+        (wrong.extends_sign(), "unsigned number widened with a sign"),
+        (wrong.rounds_twice(), "REAL literal that is rounded twice"),
+        (wrong.exceeds_milliseconds(), "milliseconds beyond 32 bits"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
@@ -144,8 +135,12 @@ impl WrongNumber<'_, '_, '_> {
         let leaves = |from: ElementaryType, into: ElementaryType| {
             // Of an unsigned type the least number is 0, and a minus stands before a number.
             let is_outside = |number: f64| {
+                let number = match from {
+                    ElementaryType::Real => f64::from(number as f32),
+                    _ => number,
+                };
                 let most = into.integer_range();
-                let most = most.is_some_and(|(_, most)| rounded(from, number) >= most as f64 + 1.0);
+                let most = most.is_some_and(|(_, most)| number >= most as f64 + 1.0);
                 most || number != 0.0 && is_negative && into.family() != Family::Signed
             };
             self.leaves_range() || self.amounts().any(is_outside)
@@ -175,6 +170,10 @@ impl WrongNumber<'_, '_, '_> {
         };
         let types = valued_types(self.program.text).into_iter();
         let mut others = types.filter(|other| *other != ty && (other.is_real() || ty.is_real()));
+        let is_nan = |bits: u64| match ty.bits() {
+            32 => f32::from_bits(bits as u32).is_nan(),
+            _ => f64::from_bits(bits).is_nan(),
+        };
         let has_bits = |other: ElementaryType| {
             let mut values = self.amounts().flat_map(|amount| [amount, -amount]);
             values.any(|value| {
@@ -186,7 +185,8 @@ impl WrongNumber<'_, '_, '_> {
                 };
                 // The amounts of literals have 53 bits.
                 let near = if value.abs() < 2_f64.powi(53) { 0 } else { 2048 };
-                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near || is_nan(ty, bits) && is_nan(ty, got)
+                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near
+                    || ty.is_real() && is_nan(bits) && is_nan(got)
             })
         };
         self.conversions().next().is_none() && others.any(has_bits)
@@ -211,13 +211,10 @@ impl WrongNumber<'_, '_, '_> {
     /// Returns whether a literal of the type REAL is the one that its nearest LREAL is nearest to.
     fn rounds_twice(&self) -> bool {
         let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Real);
-        bits.is_some_and(|(_, raw, got)| {
-            let has_bits = |amount: f64| u64::from((amount as f32).to_bits());
-            let is_near = raw.abs_diff(got) == 1;
-            is_near
-                && self.conversions().next().is_none()
-                && self.amounts().any(|amount| has_bits(amount) == got)
-        })
+        let mut rounded = self.amounts().map(|amount| u64::from((amount as f32).to_bits()));
+        let is_near =
+            |(_, raw, got): (_, u64, u64)| raw.abs_diff(got) == 1 && rounded.any(|bits| bits == got);
+        self.conversions().next().is_none() && bits.is_some_and(is_near)
     }
 
     /// Returns whether a duration must have more milliseconds than 32 bits hold, and has not.
@@ -232,8 +229,7 @@ impl WrongNumber<'_, '_, '_> {
         let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Lreal);
         let is_rounded = |(_, raw, got): (ElementaryType, u64, u64)| {
             let (expected, got) = (f64::from_bits(raw), f64::from_bits(got));
-            let mut literals = self.amounts();
-            f64::from(expected as f32) == got && literals.any(|literal| literal == expected.abs())
+            f64::from(expected as f32) == got && self.amounts().any(|amount| amount == expected.abs())
         };
         self.conversions().next().is_none() && bits.is_some_and(is_rounded)
     }
@@ -289,23 +285,6 @@ impl WrongNumber<'_, '_, '_> {
         let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
-    }
-}
-
-/// Returns a number as a value of a type of real numbers.
-fn rounded(ty: ElementaryType, number: f64) -> f64 {
-    match ty {
-        ElementaryType::Real => f64::from(number as f32),
-        _ => number,
-    }
-}
-
-/// Returns whether bits are no number of a type.
-fn is_nan(ty: ElementaryType, bits: u64) -> bool {
-    match ty {
-        ElementaryType::Real => f32::from_bits(bits as u32).is_nan(),
-        ElementaryType::Lreal => f64::from_bits(bits).is_nan(),
-        _ => false,
     }
 }
 

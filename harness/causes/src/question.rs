@@ -1,7 +1,7 @@
 //! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
 
 use crate::failure_sign::Sign;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
@@ -17,25 +17,29 @@ const MAX_VARIABLES: usize = 1000;
 /// The answers of an engine in a search, by the digest of the question, because groups with one cause ask for the same small
 /// programs.
 #[derive(Default)]
-pub(crate) struct SearchAnswers {
-    answers: Mutex<HashMap<String, Answers>>,
-    /// The questions that got the same answer each time.
-    steady: Mutex<HashSet<String>>,
+pub(crate) struct SearchAnswers(Mutex<HashMap<String, KnownAnswer>>);
+
+/// What an engine answered, and whether it answered so each of several times.
+#[derive(Clone)]
+struct KnownAnswer {
+    answers: Answers,
+    is_steady: bool,
 }
 
 impl SearchAnswers {
-    fn get(&self, question: &str) -> Option<Answers> {
-        let answered = self.answers.lock().unwrap_or_else(PoisonError::into_inner);
+    fn get(&self, question: &str) -> Option<KnownAnswer> {
+        let answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         answered.get(question).cloned()
     }
 
     /// Keeps answers, but an error, which the machine may have caused. A program that hangs is asked about once, since each time costs
     /// the whole time limit.
-    fn keep(&self, question: String, answers: &Answers) {
+    fn keep(&self, question: String, answers: &Answers, is_steady: bool) {
         let by_the_machine = |outcome: &Outcome| matches!(outcome, Outcome::Error { .. });
         if !answers.outcomes().any(by_the_machine) {
-            let mut answered = self.answers.lock().unwrap_or_else(PoisonError::into_inner);
-            answered.insert(question, answers.clone());
+            let answers = answers.clone();
+            let mut answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+            answered.insert(question, KnownAnswer { answers, is_steady });
         }
     }
 }
@@ -116,10 +120,10 @@ impl Questioner<'_> {
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let question = question(case);
         let answers = match self.answered.get(&question) {
-            Some(answers) => answers,
+            Some(known) => known.answers,
             None => {
                 let answers = ask_stored(&mut self.session, case, self.store)?;
-                self.answered.keep(question, &answers);
+                self.answered.keep(question, &answers, false);
                 answers
             }
         };
@@ -133,22 +137,17 @@ impl Questioner<'_> {
 
     /// Returns whether the engine gave the same answer about a case each time in this search.
     pub(crate) fn is_steady(&self, case: &Case) -> bool {
-        let steady = self
-            .answered
-            .steady
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        steady.contains(&question(case))
+        self.answered
+            .get(&question(case))
+            .is_some_and(|known| known.is_steady)
     }
 
     /// Notes that the engine gives the same answer about a case each time.
     pub(crate) fn note_steady(&self, case: &Case) {
-        let mut steady = self
-            .answered
-            .steady
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        steady.insert(question(case));
+        let question = question(case);
+        if let Some(known) = self.answered.get(&question) {
+            self.answered.keep(question, &known.answers, true);
+        }
     }
 
     /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.

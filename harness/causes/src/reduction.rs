@@ -1,6 +1,6 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::alone::{alone, loops_alone};
+use crate::alone::{alone, loops_alone, shows};
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
@@ -235,7 +235,8 @@ fn operand_alone(
         let is_known = asked.has_answered(&operand);
         questions += u64::from(!is_known);
         let seen = asked.deviation(&operand)?;
-        let Some(deviation) = seen.filter(|seen| has_same_values(event, seen)) else {
+        let Some(deviation) = seen.filter(|seen| has_same_values(event, seen) && shows(&program, seen))
+        else {
             continue;
         };
         let found = Smallest {
