@@ -35,6 +35,10 @@ use std::process::ExitCode;
 #[cfg(unix)]
 use std::sync::Arc;
 
+/// The allocator of the whole program.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
+
 /// Makes a file that must not grow any more (`ulimit -f`) an ordinary error instead of a signal that ends the process.
 #[cfg(unix)]
 fn ignore_file_size_signal() {

@@ -2,6 +2,7 @@
 //! with them, and takes them from here.
 
 use crate::basis::Basis;
+use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Verdict};
 
@@ -114,13 +115,20 @@ impl Row<'_> {
 /// All claims of a run, by engine, document and section.
 #[derive(Debug, Default)]
 pub struct Claims {
-    engines: BTreeMap<String, BTreeMap<String, Standing>>,
+    engines: BTreeMap<String, FxHashMap<String, Standing>>,
 }
 
 impl Claims {
     /// Adds the result of a case.
     pub fn take(&mut self, event: &CaseEvent) {
-        entry(entry(&mut self.engines, &event.engine), &event.basis).count(event);
+        let bases = entry(&mut self.engines, &event.engine);
+        if !bases.contains_key(&event.basis) {
+            bases.insert(event.basis.clone(), Standing::default());
+        }
+        bases
+            .get_mut(&event.basis)
+            .expect("it is there or was just put there")
+            .count(event);
     }
 
     /// Returns every claim, sorted by engine, document and section.
@@ -137,7 +145,7 @@ impl Claims {
 
     /// Returns the claims with these engines side by side: each document, followed by its sections.
     pub fn rows(&self, engines: &[&str]) -> Vec<Row<'_>> {
-        let bases: BTreeSet<&String> = self.engines.values().flat_map(BTreeMap::keys).collect();
+        let bases: BTreeSet<&String> = self.engines.values().flat_map(FxHashMap::keys).collect();
         let mut rows: Vec<Row<'_>> = Vec::new();
         let mut document = 0;
         for (basis, Basis { source, section }) in in_order(bases) {
@@ -171,7 +179,7 @@ impl Claims {
     /// Returns the sum of all claims for an engine.
     pub fn of_engine(&self, engine: &str) -> Standing {
         let mut sum = Standing::default();
-        let claims = self.engines.get(engine).into_iter().flat_map(BTreeMap::values);
+        let claims = self.engines.get(engine).into_iter().flat_map(FxHashMap::values);
         claims.for_each(|standing| sum.add(*standing));
         sum
     }

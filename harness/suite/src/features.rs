@@ -100,8 +100,8 @@ impl Features {
     /// Returns the dialects that lack a feature of a program.
     pub(crate) fn lacking(&self, source: &str) -> DialectSet {
         let mut lacking = DialectSet::default();
-        for used in stickler_syntax::features::features(source, &Dialect::DEFAULT) {
-            if let Some(dialects) = self.lacked.get(&*used) {
+        for used in stickler_syntax::features::feature_uses(source, &Dialect::DEFAULT) {
+            if let Some(dialects) = self.lacked.get(&*used.key) {
                 lacking.extend(dialects);
             }
         }

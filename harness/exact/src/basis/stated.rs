@@ -20,14 +20,16 @@ impl UnaryCall<'_> {
         dialect: &'static Dialect,
         choices: &ConversionChoices,
     ) -> Option<&'static str> {
-        let (stated, left): (Vec<&str>, Vec<&str>) = ConversionChoices::keys()
-            .iter()
-            .filter(|key| self.is_decided_by(key, operand, choices))
-            .partition(|key| stated_by(key, dialect).is_some());
+        let of = |is_stated: bool| {
+            let keys = ConversionChoices::keys().iter().copied();
+            keys.filter(move |key| stated_by(key, dialect).is_some() == is_stated)
+                .filter(|key| self.is_decided_by(key, operand, choices))
+        };
+        let stated: Vec<&str> = of(true).collect();
         let Some(first) = stated.first() else {
             return self.basis(operand);
         };
-        let is_said = stated.iter().all(|key| self.speaks(key)) && left.iter().all(|key| self.documents(key));
+        let is_said = stated.iter().all(|key| self.speaks(key)) && of(false).all(|key| self.documents(key));
         stated_by(first, dialect).filter(|_| is_said)
     }
 

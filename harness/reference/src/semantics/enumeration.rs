@@ -17,8 +17,8 @@ impl<'u> Declarer<'u, '_> {
     ) -> TypeId {
         let range = self.range_of(base);
         let mut list = NamedList::new();
+        let mut numbers = Vec::with_capacity(values.len());
         let mut next = Some(0_i128);
-        let mut first = None;
         for (value, written) in values {
             let number = written.map_or(next, |id| self.constant(id));
             next = number.map(|number| number.saturating_add(1));
@@ -29,20 +29,17 @@ impl<'u> Declarer<'u, '_> {
             }
             // Numbers outside the range have just been refused.
             let number = i64::try_from(number).unwrap_or(0);
-            first.get_or_insert(number);
-            if !list.push(value.text, number) {
+            if list.push(value.text, number) {
+                numbers.push((value.text, number));
+            } else {
                 let message = format!("`{}` is already a value of this enumeration", value.text);
                 self.report(Code::EnumTypeDeclDuplicateItem, value.span, message);
             }
         }
-        let default = match first {
-            None | Some(0) => DefaultValue::Zero,
-            Some(number) => DefaultValue::Constant(number.cast_unsigned()),
+        let default = match numbers.first() {
+            None | Some((_, 0)) => DefaultValue::Zero,
+            Some((_, number)) => DefaultValue::Constant(number.cast_unsigned()),
         };
-        let numbers: Vec<_> = values
-            .iter()
-            .map(|(value, _)| (value.text, list.find(value.text).copied().unwrap_or(0)))
-            .collect();
         let enumeration = Enumeration {
             name: name.into(),
             values: list,

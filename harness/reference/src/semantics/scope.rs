@@ -2,18 +2,20 @@
 //!
 //! Basis: iec-61131-3: 6.1.2 (identifiers).
 
-use rustc_hash::FxHashMap;
+use hashbrown::HashTable;
+use rustc_hash::{FxBuildHasher, FxHashMap};
+use std::hash::BuildHasher;
 use stickler_syntax::tree::CaseFolded;
 
 /// A table of names.
 pub(super) type Scope<'u, T> = FxHashMap<CaseFolded<'u>, T>;
 
 /// A list of named things in their order, in which a name is found without regard to case: by looking through
-/// it while it is short, and by a table once it is not.
+/// it while it is short, and by a table of places once it is not.
 #[derive(Debug)]
 pub(super) struct NamedList<T> {
     list: Vec<(Box<str>, T)>,
-    index: FxHashMap<Box<str>, u32>,
+    places: HashTable<u32>,
 }
 
 /// The most names that are looked through one by one.
@@ -24,40 +26,40 @@ impl<T> NamedList<T> {
     pub(super) fn new() -> NamedList<T> {
         NamedList {
             list: Vec::new(),
-            index: FxHashMap::default(),
+            places: HashTable::new(),
         }
     }
 
     /// Adds a name behind the others, unless it is there already: then nothing happens, and it gives `false`.
     pub(super) fn push(&mut self, name: &str, value: T) -> bool {
-        if self.find(name).is_some() {
+        if self.place(name).is_some() {
             return false;
         }
-        if self.list.len() == MAX_LINEAR {
-            self.index = (0..)
-                .zip(&self.list)
-                .map(|(at, (name, _))| (fold(name), at))
-                .collect();
-        }
-        if self.list.len() >= MAX_LINEAR {
-            // Lists are bounded by the size of a source text, which has 32 bits.
-            self.index
-                .insert(fold(name), u32::try_from(self.list.len()).unwrap_or(u32::MAX));
-        }
         self.list.push((name.into(), value));
+        if self.list.len() > MAX_LINEAR {
+            let list = &self.list;
+            let hash = |place: &u32| hash(&list[*place as usize].0);
+            // Lists are bounded by the size of a source text, which has 32 bits.
+            let places = u32::try_from(self.places.len()).unwrap_or(u32::MAX)..;
+            for (place, (name, _)) in places.zip(&list[self.places.len()..]) {
+                self.places.insert_unique(self::hash(name), place, hash);
+            }
+        }
         true
     }
 
     /// The thing of this name.
     pub(super) fn find(&self, name: &str) -> Option<&T> {
-        let at = if self.list.len() <= MAX_LINEAR {
-            self.list
-                .iter()
-                .position(|(other, _)| other.eq_ignore_ascii_case(name))?
-        } else {
-            *self.index.get(&*fold(name))? as usize
-        };
-        self.list.get(at).map(|(_, value)| value)
+        self.list.get(self.place(name)?).map(|(_, value)| value)
+    }
+
+    fn place(&self, name: &str) -> Option<usize> {
+        let is_named = |(other, _): &(Box<str>, T)| other.eq_ignore_ascii_case(name);
+        if self.list.len() <= MAX_LINEAR {
+            return self.list.iter().position(is_named);
+        }
+        let named = |place: &u32| is_named(&self.list[*place as usize]);
+        self.places.find(hash(name), named).map(|place| *place as usize)
     }
 
     /// All of them with their names as declared.
@@ -66,8 +68,8 @@ impl<T> NamedList<T> {
     }
 }
 
-fn fold(name: &str) -> Box<str> {
-    name.to_ascii_lowercase().into()
+fn hash(name: &str) -> u64 {
+    FxBuildHasher.hash_one(CaseFolded(name))
 }
 
 #[cfg(test)]
