@@ -5,7 +5,10 @@ use crate::words::{tokens, words};
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, StatementKind, TypeSpecificationKind, VariableBlock};
+use stickler_syntax::tree::{
+    Declaration, Initializer, Pou, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
+    VariableBlock,
+};
 use stickler_syntax::visitor::Place;
 
 /// The maximum number of characters that are shown of a line, a message or a value.
@@ -44,7 +47,11 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         let entry = declared
             .filter(|_| !is_own)
             .and_then(|one| declared_as(program, one))
-            .or_else(|| type_declared_as(program, word).filter(|_| !is_own));
+            .or_else(|| {
+                let ty = program.declared_type(word).filter(|_| !is_own)?;
+                let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
+                Some(format!("{} : {written}", ty.name.text))
+            });
         if let Some(entry) = entry.map(|entry| entry + &section)
             && types.len() < MAX_TYPES
             && !types.contains(&entry)
@@ -83,31 +90,28 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
 /// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is
 /// no plain variable the type alone, and nothing of a structure.
 fn declared_as(program: &ReadProgram<'_, '_>, declared: &DeclaredName<'_, '_>) -> Option<String> {
-    let (text, group) = (program.text, declared.group?);
-    let value = match &group.specification.kind {
-        TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error => return None,
-        TypeSpecificationKind::Named(_) => group.initializer.as_ref(),
-        _ => None,
-    };
-    let value = value.map_or(String::new(), |value| format!(" := {}", value.span.text(text)));
+    let group = declared.group?;
+    let is_plain = matches!(group.specification.kind, TypeSpecificationKind::Named(_));
     let location = group
         .location
         .map_or(String::new(), |place| format!(" AT {}", place.text));
-    let ty = clipped(&format!("{}{value}", group.specification.span.text(text)));
-    (!ty.is_empty()).then(|| format!("{}{location} : {ty}", declared.name.text))
+    let value = group.initializer.as_ref().filter(|_| is_plain);
+    let ty = written_type(program, &group.specification, value)?;
+    Some(format!("{}{location} : {ty}", declared.name.text))
 }
 
-/// Returns a type with what it is declared as, and its initial value; nothing of a structure.
-fn type_declared_as(program: &ReadProgram<'_, '_>, name: &str) -> Option<String> {
-    let declared = program.declared_type(name)?;
-    if let TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error = declared.specification.kind {
+/// Returns a type with an initial value, as they are written; nothing of a structure.
+fn written_type(
+    program: &ReadProgram<'_, '_>,
+    ty: &TypeSpecification<'_>,
+    value: Option<&Initializer<'_>>,
+) -> Option<String> {
+    if let TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error = ty.kind {
         return None;
     }
     let text = |span: Span| span.text(program.text);
-    let value = declared.initializer.as_ref();
     let value = value.map_or(String::new(), |value| format!(" := {}", text(value.span)));
-    let ty = text(declared.specification.span);
-    Some(clipped(&format!("{} : {ty}{value}", declared.name.text)))
+    Some(clipped(&format!("{}{value}", text(ty.span)))).filter(|ty| !ty.is_empty())
 }
 
 /// Where a line of a program stands.

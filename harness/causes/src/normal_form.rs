@@ -113,19 +113,13 @@ pub(crate) fn normal_form(
     if matches!(&now, Symptom::NotRejected(code) if is_of_a_value(code)) {
         search.unchecked_place(smallest)?;
     }
-    search.note_operand(smallest);
+    search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
     match now {
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
             search.other_forms()?;
             // The types and values of such an operation do not matter.
             if search.normal.way.is_none() {
-                let former = search.normal.program.clone();
                 search.minimise(&plain_method(true))?;
-                // With plainer types an operand may be one of a valid program.
-                if search.normal.program != former {
-                    search.minimise(&structure_method(&now))?;
-                    search.note_operand(smallest);
-                }
             }
         }
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
@@ -212,11 +206,6 @@ impl NormalSearch<'_, '_> {
             self.normal.deviation = deviation;
         }
         Ok(Interestingness::from(is_same))
-    }
-
-    /// Notes whether the normal form is an operand or a statement of the small program.
-    fn note_operand(&mut self, smallest: &Smallest) {
-        self.normal.is_operand = self.normal.program != smallest.program && !self.normal.is_unchecked();
     }
 
     /// Takes quite another type in the place of the value of the mistake, where the engine takes that too: in the normal form, or else in

@@ -95,8 +95,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the line that declares a variable, or the field that a path ends with.
     pub(crate) fn declaration(&self, path: &str) -> u32 {
-        let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
-        let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
+        let name = last_name(path);
         let declared = self
             .names
             .iter()
@@ -106,8 +105,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns whether nothing assigns a variable, and it begins with the value that its type declares.
     pub(crate) fn begins_by_type(&self, path: &str) -> bool {
-        let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
-        let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
+        let name = last_name(path);
         let Some(group) = self.group(name).filter(|_| self.computation(path).is_none()) else {
             return false;
         };
@@ -179,6 +177,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
         };
         lines.filter(is_statement).last().map_or(1, |(_, number)| number)
     }
+}
+
+/// Returns the name of the variable or the field that a path ends with.
+fn last_name(path: &str) -> &str {
+    let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
+    last.and_then(|last| last.split('[').next()).unwrap_or(path)
 }
 
 /// Returns whether the first value that a small program has wrong is one that a variable begins with, and nothing assigns.
