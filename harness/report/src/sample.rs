@@ -182,6 +182,7 @@ pub(crate) fn with_sources(mut events: Vec<Event>) -> Vec<Event> {
         read: "0.239".to_owned(),
         engines: vec!["reference".to_owned()],
         limitations: [("P9999".to_owned(), "arrays".to_owned())].into(),
+        ..SourceHeader::default()
     }];
     events
 }

@@ -1,8 +1,8 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
 use stickler_engines::{Compiler, Identity, Reference};
-use stickler_suite::{Acceptance, Case, Feature, FeatureKey, SourceKind, Suite};
-use stickler_types::{Dialect, DialectName};
+use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Source, SourceKind, Suite};
+use stickler_types::{Contradiction, DialectName};
 
 /// A claim: that a program of a dialect does what a source states.
 #[derive(Clone, Copy, Debug)]
@@ -13,6 +13,8 @@ pub struct Claim<'c> {
     pub dialect: DialectName,
     /// The program.
     pub program: &'c str,
+    /// The id of the case that makes the claim; empty where none does.
+    pub case: &'c str,
 }
 
 /// The reason why a claim binds the compilers of its dialect, or does not.
@@ -28,6 +30,8 @@ pub enum Binding {
     Rule,
     /// A document, a recording or a measurement of another system.
     OtherSystem,
+    /// A claim of which a source of the system itself says otherwise: its basis.
+    Contradicted(String),
 }
 
 impl Binding {
@@ -37,7 +41,7 @@ impl Binding {
         match self {
             Binding::Own | Binding::Standard => true,
             Binding::Rule => strict_rules,
-            Binding::Undeclared(_) | Binding::OtherSystem => false,
+            Binding::Undeclared(_) | Binding::OtherSystem | Binding::Contradicted(_) => false,
         }
     }
 }
@@ -46,7 +50,7 @@ impl Binding {
 ///
 /// The source is the one that binds most closely of those that the case file names: what the documents of the system or recordings of
 /// it state, then the standard, which binds in the features that the system declares, then what other systems document, where a miss
-/// is only a difference. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
+/// is only a difference. A claim that a source of the system itself contradicts binds nobody. The reference is bound by all of them. An engine for which Stickler has no adapter is bound by the sources
 /// [that are about](stickler_suite::Sources::are_about) the dialects that it lists, since its author declared that it follows them.
 #[must_use]
 pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Binding {
@@ -57,19 +61,29 @@ pub fn binding(claim: Claim<'_>, engine: Option<&Identity>, suite: &Suite) -> Bi
         return Binding::Own;
     };
     let compiler = engine.filter(|engine| Compiler::from_name(&engine.name).is_some());
-    let is_own = match compiler {
+    let is_own = |source: &Source, section: &str| match compiler {
         Some(compiler) => source.speaks_of(section, &compiler.name),
         None => suite
             .sources
             .are_about(source.dialects_of(section), claim.dialect),
     };
+    for other in suite.sources.iter() {
+        let is_of = |contradiction: &&Contradiction| {
+            !contradiction.outweighed
+                && contradiction.is_of(claim.basis, (claim.case, claim.program))
+                && is_own(other, &contradiction.section)
+        };
+        if let Some(contradiction) = other.contradicts.iter().find(is_of) {
+            return Binding::Contradicted(format!("{}: {}", other.key, contradiction.section));
+        }
+    }
     match source.kind {
         SourceKind::Standard => match suite.features.undeclared(claim.program, claim.dialect) {
             Some(feature) => Binding::Undeclared(feature),
             None => Binding::Standard,
         },
         SourceKind::Rule => Binding::Rule,
-        _ if is_own => Binding::Own,
+        _ if is_own(source, section) => Binding::Own,
         _ => Binding::OtherSystem,
     }
 }
@@ -100,6 +114,7 @@ impl<'c> Claim<'c> {
             basis: &case.basis,
             dialect: case.dialect,
             program: &case.source,
+            case: &case.id,
         }
     }
 }
@@ -119,6 +134,7 @@ pub fn promise<'f>(
             basis,
             dialect,
             program,
+            case: "",
         };
         source.is_some_and(|(source, section)| source.speaks_for(section, dialect))
             && binding(claim, Some(engine), suite).binds(false)
@@ -126,13 +142,22 @@ pub fn promise<'f>(
     promised.into_iter().find(speaks)
 }
 
-/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of its edition is about
-/// the feature.
-pub(crate) fn declared_by(feature: &Feature, dialect: DialectName, suite: &Suite) -> Option<String> {
-    // No table of the fourth edition is public; its features are those of the third.
-    let edition = Dialect::of(dialect).features.edition?.min(3);
-    let row = feature.tables.get(&edition)?;
-    let is_declared = suite.features.undeclared(&feature.program, dialect).is_none();
+/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of the third edition,
+/// which is the one that is cited, is about the feature.
+pub(crate) fn declared_by(
+    feature: &Feature,
+    dialect: DialectName,
+    engine: &Identity,
+    suite: &Suite,
+) -> Option<String> {
+    let row = feature.tables.get(&3)?;
     let table = row.split(',').next().unwrap_or(row);
-    is_declared.then(|| format!("iec-61131-3: {table}"))
+    let basis = format!("iec-61131-3: {table}");
+    let claim = Claim {
+        basis: &basis,
+        dialect,
+        program: &feature.program,
+        case: "",
+    };
+    (binding(claim, Some(engine), suite) == Binding::Standard).then_some(basis)
 }

@@ -12,7 +12,7 @@ mod sections;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use stickler_types::{DialectName, RecordingOrigin};
+use stickler_types::{Contradiction, DialectName, RecordingOrigin, Relation};
 
 use crate::near::suggestion;
 use crate::place::Lines;
@@ -43,6 +43,8 @@ pub struct Source {
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
+    /// The relation of the publisher to the compilers for which the source speaks; `None` of their makers.
+    pub relation: Option<Relation>,
     /// The kind, which decides whom a claim of the source binds.
     pub kind: SourceKind,
     /// The address as the file gives it, in which `{section}` and `{anchor}` stand for a section, and a path is one below the
@@ -59,6 +61,10 @@ pub struct Source {
     pub(crate) recorded: BTreeMap<String, Result<RecordedOrigin, String>>,
     /// By section, the constructs that the section says are not there yet, though other sections may promise them.
     pub limitations: BTreeMap<String, String>,
+    /// The claims of other sources that the source contradicts.
+    pub contradicts: Vec<Contradiction>,
+    /// The first paragraph of each rule; empty for every other source.
+    pub paragraphs: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
     pub(crate) line: u32,
 }

@@ -15,6 +15,7 @@
 //! | a diagnostic code, explained in `harness/types/codes` | [`Code`] |
 //! | what is asked of an engine, and what it answers | [`RunRequest`], [`Observation`]; [`Outcome`], [`Diagnostic`], [`Fault`] |
 //! | what a program asks a compiler about its conversions | [`Question`], [`ConversionCall`] |
+//! | what a source says against the claims of others, and who publishes it | [`Contradiction`], [`Relation`] |
 //! | what answered when a compiler was recorded | [`RecordingOrigin`] |
 //! | hashes and random numbers that are the same in every version | [`Fnv1a`], [`SplitMix64`] |
 
@@ -22,6 +23,7 @@ pub mod boundaries;
 mod choice;
 pub mod choices;
 pub mod code;
+mod contradiction;
 mod declared_features;
 pub mod diagnostic;
 pub mod dialect;
@@ -55,6 +57,7 @@ pub use choices::{
     OutOfRange, RealText, Rounding, TextReading,
 };
 pub use code::{Code, UnknownCode};
+pub use contradiction::{Contradiction, Relation};
 pub use declared_features::DeclaredFeatures;
 pub use diagnostic::{Diagnostic, Severity};
 pub use dialect::{Dialect, DialectKind, Stated};

@@ -104,6 +104,9 @@ fn bound(case: &Case, suite: &Suite) -> String {
         Binding::OtherSystem => {
             format!("no compiler of {dialect}: the source speaks for another system, and a miss differs")
         }
+        Binding::Contradicted(by) => {
+            format!("no compiler of {dialect}: `{by}` says otherwise of this system, and a miss differs")
+        }
     }
 }
 

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
-    Reproducer, SourceHeader, Verdict,
+    Reproducer, SourceHeader, Symptom, Verdict,
 };
-use stickler_types::{counted, grouped};
+use stickler_types::{Relation, counted, grouped};
 
 /// The maximum number of lines in the table of cases; the others are counted.
 const MAX_LISTED: usize = 40;
@@ -170,6 +170,8 @@ pub(crate) fn page(
     };
     expected_and_got(&mut text, &by, (&shown.basis, &shown.expected, &shown.got), &told);
     limitation(&mut text, cause, overview);
+    contradiction(&mut text, cause, overview);
+    rule(&mut text, shown, overview);
     if let Some(repeats) = &cause.flaky {
         by_chance(&mut text, repeats);
     }
@@ -177,7 +179,7 @@ pub(crate) fn page(
         let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
         let _ = write!(text, "{}\n\n", lines.trim_end());
     }
-    second(&mut text, cause, &told);
+    second(&mut text, cause, told.strict);
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
@@ -223,6 +225,52 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
             text,
             "{claim} lists what may give this answer: {lacks}. Where a page promises one of these, the two pages contradict each \
              other.\n\n"
+        );
+    }
+}
+
+/// Adds what other sources of the makers of a compiler say against the claim.
+fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
+    let Reproducer {
+        basis, case, program, ..
+    } = &cause.shown;
+    let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    for source in overview.sources().iter().filter(own) {
+        let mut contradicts = source.contradicts.iter();
+        let Some(other) = contradicts.find(|other| other.is_of(basis, (case, program))) else {
+            continue;
+        };
+        let section = linked(
+            &format!("{}: {}", source.key, other.section),
+            &source.address_of(&other.section),
+        );
+        let (publisher, title, says) = (
+            inline(&source.publisher),
+            inline(&source.title),
+            inline(&other.says),
+        );
+        let binds = match other.outweighed {
+            true => "The claim is newer or more specific, and binds it all the same.",
+            false => "So the claim does not bind it.",
+        };
+        let _ = write!(
+            text,
+            "{publisher} itself says otherwise: {section} ({title}) {says}. {binds}\n\n"
+        );
+    }
+}
+
+/// Adds the rule of Stickler on which the expectation rests; that nothing is stated is none.
+fn rule(text: &mut String, shown: &Reproducer, overview: &Overview) {
+    let Basis { source, section } = Basis::of(&shown.basis);
+    let paragraph = overview
+        .source(source)
+        .and_then(|source| source.paragraphs.get(section));
+    if let Some(paragraph) = paragraph.filter(|_| section != "not-stated") {
+        let _ = write!(
+            text,
+            "The rule is Stickler's own, since no document of the compiler says it: {}\n\n",
+            paragraph.trim()
         );
     }
 }
@@ -306,36 +354,39 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
     } else {
         format!(", read {}", inline(read))
     };
-    format!(
-        "{claim} ({}: {}, {}{read})",
-        inline(publisher),
-        inline(title),
-        inline(kind)
-    )
+    let publisher = inline(publisher);
+    let by = match source.relation {
+        None => publisher,
+        Some(Relation::Restatement) => format!("{publisher}, in a restatement"),
+        Some(Relation::ThirdParty) => format!("{publisher}, a third party"),
+        Some(Relation::Integrator) => format!(
+            "as {publisher}, an integrator and not the maker, documents {}",
+            source.engines.join(" and ")
+        ),
+    };
+    format!("{claim} ({by}: {}, {}{read})", inline(title), inline(kind))
 }
 
-/// Adds the second witness, and the types that were seen.
-fn second(text: &mut String, cause: &Cause, told: &Told<'_>) {
-    if let Some(second) = &cause.second {
-        let same = second.expected == cause.shown.expected && second.got == cause.shown.got;
+/// Adds the second witness where it misses the same claim with the same symptom, and the types that were seen.
+fn second(text: &mut String, cause: &Cause, strict: Grade) {
+    let symptom =
+        |shown: &Reproducer| Symptom::of_facts(Verdict::Fail, (&shown.expected, &shown.got), strict);
+    let is_same =
+        |second: &&Reproducer| second.basis == cause.shown.basis && symptom(second) == symptom(&cause.shown);
+    if let Some(second) = cause.second.as_ref().filter(is_same) {
         block(
             text,
             "Another program shows the same:",
             "iecst",
             &visible(&second.program),
         );
-        if !same {
-            let (expected, got) = (&second.expected, &second.got);
-            let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
-            // Nobody ran the commands with this program, so its codes and lines are told where those of the first one are.
-            let told = Told {
-                printed: "",
-                strict: told.strict,
-            };
-            let line = |facts: String| code(&visible(&facts).replace('\n', "; "));
-            let (wanted, reported) = (line(Fact::text(&wanted)), line(told.text(&reported)));
-            let _ = write!(text, "Expected: {wanted}. Got: {reported}.\n\n");
-        }
+        let (expected, got) = (&second.expected, &second.got);
+        let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
+        // Nobody ran the commands with this program, so its codes and lines are told where those of the first one are.
+        let told = Told { printed: "", strict };
+        let line = |facts: String| code(&visible(&facts).replace('\n', "; "));
+        let (wanted, reported) = (line(Fact::text(&wanted)), line(told.text(&reported)));
+        let _ = write!(text, "Expected: {wanted}. Got: {reported}.\n\n");
     }
     let types: Vec<&str> = cause
         .types

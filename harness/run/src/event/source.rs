@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use stickler_suite::{Source, Sources, address_of};
+use stickler_types::{Contradiction, Relation};
 
 /// A source that cases may cite, or Stickler's own rules.
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
@@ -14,6 +15,9 @@ pub struct SourceHeader {
     pub title: String,
     /// The person or organization that answers for the text.
     pub publisher: String,
+    /// The relation of the publisher to the compilers for which the source speaks; none of their makers.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub relation: Option<Relation>,
     /// The kind, as `sources.toml` spells it: `document`, `standard`, `recording`, `measurement` or `rule`.
     pub kind: String,
     /// The address, in which `{section}` and `{anchor}` stand for a section; [`SourceHeader::address_of`] fills them in.
@@ -27,6 +31,12 @@ pub struct SourceHeader {
     /// By section, the constructs that the section says are not there yet.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub limitations: BTreeMap<String, String>,
+    /// The claims of other sources that it contradicts.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub contradicts: Vec<Contradiction>,
+    /// The first paragraph of each rule; empty of every other source.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub paragraphs: BTreeMap<String, String>,
 }
 
 impl SourceHeader {
@@ -49,11 +59,14 @@ impl From<&Source> for SourceHeader {
             key: source.key.clone(),
             title: source.title.clone(),
             publisher: source.publisher.clone(),
+            relation: source.relation,
             kind: source.kind.as_str().to_owned(),
             address: source.address.clone(),
             read: source.read.clone(),
             engines: source.engines.clone(),
             limitations: source.limitations.clone(),
+            contradicts: source.contradicts.clone(),
+            paragraphs: source.paragraphs.clone(),
         }
     }
 }

@@ -181,7 +181,7 @@ impl<'s> Survey<'_, 's> {
             self.suite,
         )
         .map(Cow::from);
-        let basis = basis.or_else(|| declared_by(feature, case.dialect, self.suite).map(Cow::from));
+        let basis = basis.or_else(|| declared_by(feature, case.dialect, engine, self.suite).map(Cow::from));
         let is_stated = Refusal::of(&answers.run) == Some(Refusal::Stated);
         // Where an adapter cannot ask, that says nothing of the compiler.
         let is_missed = basis.is_some() && !matches!(answers.run, Outcome::Unsupported { .. });

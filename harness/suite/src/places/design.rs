@@ -35,6 +35,16 @@ pub(crate) struct Design {
     of_pair: FxHashMap<(usize, usize, DialectName), [usize; VARIANTS]>,
 }
 
+/// The places that can stand in the programs of a cell or a row, by index.
+struct Standing {
+    sources: Vec<usize>,
+    /// Those of the sources that are literals, which alone stand in initial values.
+    literals: Vec<usize>,
+    direct: Vec<usize>,
+    behind: Vec<usize>,
+    initial: Vec<usize>,
+}
+
 impl Design {
     /// Makes the design of a probe that names these places; says whether its programs claim a rejection, and whether an expression computes
     /// what a target takes.
@@ -101,31 +111,7 @@ impl Design {
         dialect: DialectName,
         types: (&str, &str),
     ) -> Vec<usize> {
-        let standing =
-            |indices: &[usize], all: &[ProgramPlace], types, literal: Option<bool>| -> Vec<usize> {
-                let stands = |&index: &usize| {
-                    let place = &all[index];
-                    place.stands(dialect, types, self.is_rejected)
-                        && literal.is_none_or(|literal| place.key.literal == literal)
-                };
-                indices.iter().copied().filter(stands).collect()
-            };
-        let met = if self.is_computed {
-            (types.1, types.1)
-        } else {
-            types
-        };
-        let sources = standing(&self.sources, &places.sources, types, None);
-        let literals = standing(&self.sources, &places.sources, types, Some(true));
-        let initial = standing(&self.targets, &places.targets, met, Some(true));
-        let others = standing(&self.targets, &places.targets, met, Some(false));
-        let (behind, direct): (Vec<usize>, Vec<usize>) = others
-            .into_iter()
-            .partition(|&target| places.targets[target].is_behind_a_parameter);
-        let mut taken = self.pairs(number, dialect, &sources, &direct, true);
-        taken.extend(self.pairs(number, dialect, &sources, &behind, false));
-        taken.extend(self.pairs(number, dialect, &literals, &initial, false));
-        taken
+        self.taken(&self.standing(places, dialect, types), number, dialect)
     }
 
     /// Returns a number of arrangements for a row, by index, beginning with the one after those of the row before.
@@ -138,13 +124,59 @@ impl Design {
         types: (&str, &str),
     ) -> Vec<usize> {
         let before = number * combinations;
-        let whole = self.of_cell(places, 0, dialect, types).len().max(1);
-        let mut taken = self.of_cell(places, before / whole, dialect, types);
+        let standing = self.standing(places, dialect, types);
+        let whole = self.taken(&standing, 0, dialect).len().max(1);
+        let mut taken = self.taken(&standing, before / whole, dialect);
         if !taken.is_empty() {
             let first = before % whole % taken.len();
             taken.rotate_left(first);
         }
         taken.truncate(combinations);
+        taken
+    }
+
+    /// Returns the places that can stand in the programs of these types in a dialect.
+    fn standing(&self, places: &Places, dialect: DialectName, types: (&str, &str)) -> Standing {
+        let standing = |indices: &[usize], all: &[ProgramPlace], types| -> Vec<usize> {
+            let stands = |&index: &usize| all[index].stands(dialect, types, self.is_rejected);
+            indices.iter().copied().filter(stands).collect()
+        };
+        let met = if self.is_computed {
+            (types.1, types.1)
+        } else {
+            types
+        };
+        let sources = standing(&self.sources, &places.sources, types);
+        let literals = sources.iter().copied();
+        let literals = literals
+            .filter(|&source| places.sources[source].key.literal)
+            .collect();
+        let targets = standing(&self.targets, &places.targets, met).into_iter();
+        let (initial, others): (Vec<usize>, Vec<usize>) =
+            targets.partition(|&target| places.targets[target].key.literal);
+        let (behind, direct) = others
+            .into_iter()
+            .partition(|&target| places.targets[target].is_behind_a_parameter);
+        Standing {
+            sources,
+            literals,
+            direct,
+            behind,
+            initial,
+        }
+    }
+
+    fn taken(&self, standing: &Standing, number: usize, dialect: DialectName) -> Vec<usize> {
+        let Standing {
+            sources,
+            literals,
+            direct,
+            behind,
+            initial,
+        } = standing;
+        let mut taken = self.pairs(number, dialect, sources, direct, true);
+        taken.extend(self.pairs(number, dialect, sources, behind, false));
+        taken.extend(self.pairs(number, dialect, literals, initial, false));
         taken
     }
 

@@ -5,11 +5,13 @@ use std::collections::BTreeSet;
 use super::{Source, SourceKind, Sources};
 use crate::error::{CaseFileError, Mistake};
 use crate::near::suggestion;
+use crate::{Case, Feature, Features};
 
 impl Sources {
-    /// Returns a warning for each source and each rule that none of these bases names.
-    pub(crate) fn unused<'b>(&self, bases: impl Iterator<Item = &'b str>) -> Vec<CaseFileError> {
-        let cited: BTreeSet<&str> = bases.collect();
+    /// Returns a warning for each source and each rule that none of these cases names, and for each contradiction of what neither a
+    /// case claims nor a source promises of a feature.
+    pub(crate) fn unused(&self, cases: &[Case], features: &Features) -> Vec<CaseFileError> {
+        let cited: BTreeSet<&str> = cases.iter().map(|case| &*case.basis).collect();
         let is_cited = |source: &Source| {
             cited
                 .iter()
@@ -17,6 +19,19 @@ impl Sources {
         };
         let mut warnings = Vec::new();
         for source in &self.sources {
+            for contradiction in &source.contradicts {
+                let is_claimed = |case: &Case| contradiction.is_of(&case.basis, (&case.id, &case.source));
+                let is_promised = |feature: &Feature| {
+                    let mut promises = feature.promises();
+                    promises.any(|basis| contradiction.is_of(basis, ("", &feature.program)))
+                };
+                let is_needed = cases.iter().any(is_claimed) || features.iter().any(is_promised);
+                if !is_needed {
+                    let message = format!("`{}` contradicts what no case claims", contradiction.section);
+                    let mistake = Mistake::new(source.line, message).key(source.key.clone());
+                    warnings.push(mistake.in_file(&self.file));
+                }
+            }
             if source.kind == SourceKind::Rule {
                 let unused = source.sections.headings.iter().filter(|(rule, _)| {
                     let basis = format!("{}: {rule}", source.key);
@@ -29,7 +44,7 @@ impl Sources {
                         .in_file(&self.rules)
                 };
                 warnings.extend(unused.map(warning));
-            } else if !source.is_built_in() && !is_cited(source) {
+            } else if !source.is_built_in() && !is_cited(source) && source.contradicts.is_empty() {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());
                 warnings.push(mistake.hint("take it out").in_file(&self.file));
             }

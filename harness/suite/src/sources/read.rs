@@ -3,9 +3,10 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
+use stickler_types::{Contradiction, Relation};
 use toml::Spanned;
 
-use super::sections::{SectionForm, headings};
+use super::sections::{SectionForm, first_paragraphs, headings};
 use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, recordings};
 use crate::error::{CaseFileError, Mistake, in_file};
 use crate::near::suggestion;
@@ -22,6 +23,7 @@ const RULES: &str = "rules.md";
 struct SourceEntry {
     title: String,
     publisher: String,
+    relation: Option<Relation>,
     kind: Spanned<String>,
     address: Option<Spanned<String>>,
     read: String,
@@ -30,6 +32,8 @@ struct SourceEntry {
     sections: Option<Strings>,
     #[serde(default)]
     limitations: BTreeMap<Spanned<String>, String>,
+    #[serde(default)]
+    contradicts: Vec<Spanned<Contradiction>>,
 }
 
 /// The sources of a suite, and what is wrong with their files.
@@ -86,15 +90,16 @@ pub(crate) fn read(root: &files::Root, dialects: &Dialects) -> SourcesRead {
 
 /// Returns Stickler's own rules as a source, whose sections are the rules.
 fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
-    let (headings, errors) = root.read_own(RULES, |text| {
+    let ((headings, paragraphs), errors) = root.read_own(RULES, |text| {
         let headings = headings(text);
         let mistakes = unfit_rules(&headings);
-        (headings, mistakes)
+        ((headings, first_paragraphs(text)), mistakes)
     });
     let source = Source {
         key: RULE.to_owned(),
         title: "Rules".to_owned(),
         publisher: "Stickler".to_owned(),
+        relation: None,
         kind: SourceKind::Rule,
         address: format!("{}#{{section}}", root.shown(RULES)),
         read: String::new(),
@@ -106,6 +111,8 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         },
         recorded: BTreeMap::new(),
         limitations: BTreeMap::new(),
+        contradicts: Vec::new(),
+        paragraphs,
         line: 1,
     };
     (source, errors)
@@ -197,10 +204,19 @@ impl SourcesReader<'_> {
             }
             limitations.insert(section.into_inner(), text);
         }
+        for contradiction in &entry.contradicts {
+            let section = &contradiction.get_ref().section;
+            if let Some(expected) = sections.unknown(section) {
+                let message = format!("a contradiction of no section `{section}`; {expected}");
+                self.wrong(contradiction.span().start, name, message);
+            }
+        }
+        let contradicts = entry.contradicts.into_iter().map(Spanned::into_inner);
         Some(Source {
             key: name.to_owned(),
             title: entry.title,
             publisher: entry.publisher,
+            relation: entry.relation,
             kind,
             address,
             read: entry.read,
@@ -209,6 +225,8 @@ impl SourcesReader<'_> {
             sections,
             recorded: BTreeMap::new(),
             limitations,
+            contradicts: contradicts.collect(),
+            paragraphs: BTreeMap::new(),
             line: self.lines.line(at),
         })
     }

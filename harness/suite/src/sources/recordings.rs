@@ -45,6 +45,7 @@ pub(super) fn read(root: &files::Root) -> Source {
         key: RECORDING.to_owned(),
         title: "Recordings of compilers".to_owned(),
         publisher: "Contributors".to_owned(),
+        relation: None,
         kind: SourceKind::Recording,
         address: root.shown(&format!("{RECORDINGS}/{{section}}.toml")),
         read: "as each file says".to_owned(),
@@ -56,6 +57,8 @@ pub(super) fn read(root: &files::Root) -> Source {
         },
         recorded,
         limitations: BTreeMap::new(),
+        contradicts: Vec::new(),
+        paragraphs: BTreeMap::new(),
         line: 1,
     }
 }

@@ -1,5 +1,7 @@
 //! The ways in which the sections of a source are named.
 
+use std::collections::BTreeMap;
+
 use stickler_types::{Code, ElementaryType};
 
 use crate::near::suggestion;
@@ -111,6 +113,17 @@ pub(super) fn headings(markdown: &str) -> Vec<(String, u32)> {
     lines
         .filter_map(|(number, line)| Some((line.strip_prefix("## ")?.trim().to_owned(), number)))
         .collect()
+}
+
+/// Returns the first paragraph below each heading of the second level of a Markdown text, on one line.
+pub(super) fn first_paragraphs(markdown: &str) -> BTreeMap<String, String> {
+    let sections = markdown.split("\n## ").skip(1);
+    let first = sections.filter_map(|section| {
+        let (heading, text) = section.split_once('\n')?;
+        let paragraph = text.trim_start().split("\n\n").next()?;
+        Some((heading.trim().to_owned(), paragraph.trim().replace('\n', " ")))
+    });
+    first.collect()
 }
 
 fn is_cell(section: &str) -> bool {

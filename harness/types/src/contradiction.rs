@@ -1,0 +1,54 @@
+//! What a source says against the claims of others, and the relation of its publisher to the makers.
+
+use serde::{Deserialize, Serialize};
+
+/// The relation of the publisher of a source to a compiler that somebody else makes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum Relation {
+    /// Who ships the compiler in a product.
+    Integrator,
+    /// Who restates a text that is not public.
+    Restatement,
+    /// Anybody else.
+    ThirdParty,
+}
+
+/// Claims of other sources that a section of a source contradicts, so that they bind no compiler for which that source speaks unless
+/// they outweigh it.
+#[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Contradiction {
+    /// The section that says otherwise.
+    pub section: String,
+    /// The claims: source and section.
+    pub claims: Vec<String>,
+    /// Texts of which the id or the program of a case contains one, in capital or small letters; none where all cases of the claims are meant.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub only: Vec<String>,
+    /// What the section says, as the rest of a sentence.
+    pub says: String,
+    /// Whether the claims bind all the same, since they are newer or more specific.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub outweighed: bool,
+}
+
+impl Contradiction {
+    /// Returns whether a claim is contradicted, of a case with this id or of a program that shows it.
+    #[must_use]
+    pub fn is_of(&self, basis: &str, (case, program): (&str, &str)) -> bool {
+        let is_claimed = self.claims.iter().any(|claim| claim == basis);
+        if !is_claimed || self.only.is_empty() {
+            return is_claimed;
+        }
+        let texts = [case, program].map(str::to_ascii_uppercase);
+        let is_in = |text: &String| {
+            texts
+                .iter()
+                .any(|within| within.contains(&text.to_ascii_uppercase()))
+        };
+        self.only.iter().any(is_in)
+    }
+}
