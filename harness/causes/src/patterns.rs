@@ -290,7 +290,7 @@ impl WrongNumber<'_, '_, '_> {
 
 /// Returns the bits that the values of a type have.
 fn mask(ty: ElementaryType) -> u64 {
-    u64::MAX >> u64::BITS.saturating_sub(ty.bits() as u32)
+    u64::MAX >> u64::BITS.saturating_sub(ty.bits())
 }
 
 /// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.
