@@ -2,13 +2,17 @@
 //! asked before the operation around it is blamed.
 
 use crate::program::{Part, ReadProgram};
+use crate::question::{Deviation, all_values, wrong_values};
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
+use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind};
+use stickler_syntax::tree::{
+    Argument, BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind,
+};
 use stickler_syntax::visitor::Place;
-use stickler_types::ElementaryType;
+use stickler_types::{DialectName, ElementaryType, Value};
 
 /// A program that does with one operand what another program does with it among other things. Its variable `into` shows the value.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -68,13 +72,72 @@ impl Alone {
 /// The beginning of each program with an operand alone.
 const HEAD: &str = "PROGRAM main\nVAR\n";
 
+/// Returns the FOR loops of a program whose last value is the first one, each alone with that value; and then one that counts from 1
+/// to 1. The reference says where a loop ends.
+pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<Alone> {
+    let loops = program.at(Place::From).filter_map(|part| {
+        let statement = part.statement?;
+        let StatementKind::For { control, to, .. } = statement.kind else {
+            return None;
+        };
+        let ty = program.type_of(control)?;
+        let (section, start) = (part.pou?.blocks.last()?.span.end, statement.span.start);
+        let [from, to] = [part.id, to].map(|limit| program.text(limit));
+        let limits = format!("\nVAR loop_from : {0}; loop_to : {0} := 1; END_VAR\n", ty.name());
+        let mut edits = Edits::replacing(section as usize..section as usize, limits);
+        let given = format!("loop_from := {from}; loop_to := {to};\n");
+        edits.replace(start as usize..start as usize, given);
+        let (_, values) = all_values(&edits.apply(program.text), dialect);
+        let value = |own: &str| {
+            let mut values = values.iter().flatten();
+            let value = values.find(|(name, _)| name.rsplit('.').next() == Some(own));
+            value.map(|(_, value)| value.to_string())
+        };
+        let only = value("loop_from").filter(|from| Some(from) == value("loop_to").as_ref())?;
+        Some((ty, only.rsplit_once('#')?.1.to_owned()))
+    });
+    let loops: Vec<_> = loops.collect();
+    let plain = (!loops.is_empty()).then(|| (ElementaryType::Int, "1".to_owned()));
+    // What was never assigned is 0.
+    let shown = loops.into_iter().filter(|(_, only)| only != "0").chain(plain);
+    let alone = |(ty, only): (ElementaryType, String)| {
+        let name = ty.name();
+        let variables = format!("    count : {name};\n    into : {name};\nEND_VAR\n");
+        let body = format!("    FOR count := {only} TO {only} DO\n        into := count;\n    END_FOR;\n");
+        Alone {
+            program: format!("{HEAD}{variables}{body}END_PROGRAM\n"),
+            ty,
+            is_initial: false,
+            literal: None,
+        }
+    };
+    shown.map(alone).collect()
+}
+
+/// Returns whether a program is one of those that [`loops_alone`] makes.
+pub(crate) fn is_loop_alone(program: &str) -> bool {
+    let header = program
+        .lines()
+        .nth(5)
+        .and_then(|line| line.strip_prefix("    FOR count := "));
+    let limits = header.and_then(|rest| rest.strip_suffix(" DO")?.split_once(" TO "));
+    program.starts_with("PROGRAM main\nVAR\n    count : ") && limits.is_some_and(|(from, to)| from == to)
+}
+
+/// Returns whether what an engine does with a program shows something: of a loop alone only that it does not run.
+pub(crate) fn shows(program: &str, seen: &Deviation) -> bool {
+    let wrong = wrong_values(&seen.expected, &seen.got).next();
+    let is_begun = wrong.is_some_and(|(_, (_, got))| matches!(got, Value::Plain { raw: 0, .. }));
+    is_begun || !is_loop_alone(program)
+}
+
 /// Returns how far a program is from one with an operand alone: 0 for a value without a variable, 1 for a variable, 2 for others.
 pub(crate) fn distance(program: &str) -> u64 {
     let is_alone = program.starts_with(HEAD)
         && program.contains("\nEND_VAR\n    into := ")
         && program.lines().count() < 8;
     match program.contains("    data : ") {
-        _ if program == BEGINNING_BLOCK => 0,
+        _ if program == BEGINNING_BLOCK || is_loop_alone(program) => 0,
         _ if !is_alone => 2,
         true => 1,
         false => 0,
@@ -117,7 +180,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
-        calls.extend(conversion(program, part));
+        calls.extend(call_alone(program, part));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -173,17 +236,26 @@ fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<E
     target.filter(|ty| is_number(*ty))
 }
 
-/// Returns a call of a conversion function with a variable, where an expression is one.
-fn conversion(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
+/// Returns a call of a conversion function with a variable, or of another function that the program does not declare with its one operand,
+/// where an expression is one.
+fn call_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
     let (callee, arguments) = program.call(part.id)?;
-    let (from, ty) = converted(callee).filter(|_| !program.declares(callee))?;
-    let operand = arguments.first().and_then(|argument| match argument {
-        Argument::Positional(value) => program
-            .literal(*value)
-            .or_else(|| program.initial(program.text(*value))),
-        _ => None,
-    });
-    let operand = operand.map(str::to_owned).or_else(|| program.some_value(from));
+    let Some(Argument::Positional(value)) = arguments.first().filter(|_| !program.declares(callee)) else {
+        return None;
+    };
+    let (literal, initial) = (program.literal(*value), program.initial(program.text(*value)));
+    let operand = literal.or(initial).map(str::to_owned);
+    let (from, ty, operand) = match converted(callee) {
+        Some((from, ty)) => (from, ty, operand.or_else(|| program.some_value(from))),
+        None if arguments.len() > 1 => return None,
+        None => {
+            let ty = program.target(part)?;
+            if let Some(literal) = literal {
+                return Some(Alone::new(None, ty, &format!("{callee}({literal})")));
+            }
+            (program.type_of(*value)?, ty, operand)
+        }
+    };
     Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
 }
 
@@ -209,10 +281,17 @@ fn mixed(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
             .map(str::to_owned)
             .or_else(|| program.some_value(ty))
     };
-    vec![
+    let mut found = vec![
         Alone::copied(first, second, value(left, first)),
         Alone::copied(second, first, value(right, second)),
-    ]
+    ];
+    // Not every integer may become a REAL, but each does where it is an exponent.
+    if let Some(real) = [first, second].into_iter().find(|ty| ty.is_real())
+        && (first.is_integer() || second.is_integer())
+    {
+        found.push(Alone::copied(ElementaryType::Int, real, Some("1".to_owned())));
+    }
+    found
 }
 
 /// Returns the conversions of the operands of a calculation to the type of what is assigned.

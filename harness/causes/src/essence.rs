@@ -4,15 +4,16 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
+use crate::alone::is_loop_alone;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
 use crate::normal_form::Normal;
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
-use crate::words::valued_types;
+use crate::words::{elementary, valued_types};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::Code;
@@ -43,7 +44,11 @@ impl Essence {
         let read = program.read();
         let line = ProgramAndLine::new(&read, normal);
         let sign = &normal.deviation.sign;
+        // What fails whatever the values are.
         let pattern = match sign.symptom {
+            Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
+            Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
+            Symptom::Value if line.loses_value_of_type(&normal.deviation) => Some("initial value of a type"),
             Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
@@ -68,13 +73,18 @@ impl Essence {
         // Every program has statements.
         let hidden = hidden(&line, sign, normal);
         let hidden = hidden.filter(|(_, features)| features.iter().any(|feature| feature != IN_STATEMENTS));
+        let mut labels = match is_value && pattern.is_none() {
+            true => labels(&read),
+            false => BTreeSet::new(),
+        };
+        // Bits of another number are those of the operator, whichever the types are.
+        if features.contains("bitwise operator") {
+            labels.retain(|label| elementary(label).is_none());
+        }
         Essence {
             symptom: named(&symptom),
             constructs: features,
-            labels: match is_value && pattern.is_none() && !normal.is_beginning() {
-                true => labels(&read),
-                false => BTreeSet::new(),
-            },
+            labels,
             is_contained,
             hidden: hidden.map(|(symptom, features)| (named(&symptom), features)),
         }
@@ -135,18 +145,16 @@ fn needs(
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
-        // Who lacks the conversions of durations lacks those of dates and times of day by the same work.
-        Symptom::Rejected(reason) if lacks_function(&normal.deviation.got) => {
-            let features = line.of_rejection().into_iter();
-            let moments = ["dateandtime", "timeofday", "date", "duration"];
-            let features = features.map(|feature| {
-                moments
-                    .iter()
-                    .fold(feature, |name, one| name.replace(one, "moment"))
-            });
-            (rejected(reason, &sign.at), features.collect(), true)
+        // The types of the parameters of standard functions are one table.
+        Symptom::Rejected(reason) if refuses_argument(&normal.deviation.got) && line.calls_standard() => (
+            rejected(reason, ""),
+            words(["parameter of a standard function"]),
+            true,
+        ),
+        Symptom::Rejected(reason) => {
+            let (symptom, features) = rejection(line, reason, &sign.at);
+            (symptom, features, true)
         }
-        Symptom::Rejected(reason) => (rejected(reason, &sign.at), line.of_rejection(), true),
         Symptom::NotImplemented(words) => {
             let features = line.of_missing(&normal.deviation.got);
             (format!("not implemented {words}"), features, true)
@@ -162,11 +170,6 @@ fn needs(
             }
             (format!("{code} as {reported}"), features, false)
         }
-        Symptom::Value if normal.is_beginning() => (
-            sign.symptom.word(),
-            words(["FUNCTION_BLOCK", "initial value"]),
-            false,
-        ),
         Symptom::Value | Symptom::Missing => {
             let is_initial = shows_initial_value(&smallest.program, &smallest.deviation);
             let (features, converts) = line.of_value(is_initial);
@@ -190,8 +193,17 @@ fn needs(
             // What a compiler of C says of a header that was written for it depends on what follows.
             let symptom = match unusable_header(&normal.deviation.got) {
                 Some(header) => format!("unusable {header}"),
-                // What it says of one function it says of every other.
-                None if is_unusable => return (format!("unusable {words}"), line.of_use(), false),
+                // What it says of a global variable depends on what is done with it.
+                None if is_unusable && line.uses_external() => {
+                    let mut features = line.of_use();
+                    features.insert("VAR_EXTERNAL".to_owned());
+                    return ("unusable".to_owned(), features, false);
+                }
+                // What it says of one function it says of every other. What it proposes does not matter.
+                None if is_unusable => {
+                    let words = words.split(';').next().unwrap_or_default();
+                    return (format!("unusable {words}"), line.of_use(), false);
+                }
                 None if words.split(' ').count() > 3 => format!("crash {words}"),
                 None => return (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
             };
@@ -215,8 +227,8 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {
-        features.remove(LITERAL);
-        features.insert(line.place().to_owned());
+        // Where it stands does not matter.
+        features.retain(|feature| feature != LITERAL && !LINE_PLACES.contains(&feature.as_str()));
         features.extend(forms);
     }
     features
@@ -226,14 +238,14 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
 fn hidden(line: &ProgramAndLine<'_, '_>, sign: &Sign, normal: &Normal) -> Option<(String, BTreeSet<String>)> {
     match &sign.symptom {
         Symptom::OtherCode { reported, .. } | Symptom::Surplus(reported) => {
-            Some((rejected(reported, &sign.at), line.of_rejection()))
+            Some(rejection(line, reported, &sign.at))
         }
         // What is reported elsewhere may be said of a program without the mistake too.
         Symptom::OtherLine(_) => {
             let facts = (&[Fact::Accepted][..], &normal.deviation.got[..]);
             let valid = Sign::of(&normal.program, Verdict::Fail, facts, Grade::Line);
             match valid.symptom {
-                Symptom::Rejected(reason) => Some((rejected(&reason, &valid.at), line.of_rejection())),
+                Symptom::Rejected(reason) => Some(rejection(line, &reason, &valid.at)),
                 _ => None,
             }
         }
@@ -263,12 +275,32 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
     BTreeSet::from(words.map(str::to_owned))
 }
 
-/// Returns whether an engine says, in a code that Stickler knows, that a function is not declared.
-fn lacks_function(got: &[Fact]) -> bool {
+/// Returns whether an engine says, in a code that Stickler knows, that an argument has not the type of its parameter.
+fn refuses_argument(got: &[Fact]) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
-    codes.any(|code| code == Code::FunctionCallUndeclared)
+    codes.any(|code| code == Code::FunctionCallArgTypeMismatch)
 }
 
+/// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large to
+/// be read is that in every form.
+fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, BTreeSet<String>) {
+    let features = line.of_rejection();
+    match is_of_reading(reason) && features.contains(LONG_INTEGER) {
+        true => (rejected(reason, ""), words([LONG_INTEGER])),
+        false => (rejected(reason, at), features),
+    }
+}
+
+/// Returns the symptom of a rejection, whichever elementary types its reason names.
 fn rejected(reason: &str, at: &str) -> String {
+    let part = |part| elementary(part).map_or(part, |_| "type");
+    let reason: Vec<&str> = reason
+        .split_inclusive([' ', '_'])
+        .flat_map(|word| {
+            let end = word.len() - usize::from(word.ends_with([' ', '_']));
+            [part(&word[..end]), &word[end..]]
+        })
+        .collect();
+    let reason = reason.concat();
     format!("rejected {reason} {at}")
 }

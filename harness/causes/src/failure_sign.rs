@@ -130,6 +130,7 @@ pub(crate) fn is_of_a_value(code: &str) -> bool {
     matches!(
         code.parse(),
         Ok(Code::ConstantOverflow
+            | Code::RealLiteralOutOfRange
             | Code::InitializerTypeMismatch
             | Code::FunctionCallArgTypeMismatch
             | Code::FunctionCallReturnTypeMismatch

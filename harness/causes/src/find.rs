@@ -21,8 +21,9 @@ use stickler_workers::{Cancellation, WorkerPool};
 /// of threads, so that the same groups are reduced on every machine.
 const WAVE: usize = 32;
 
-/// The number of questions for each group before any group gets more: enough for a program that is nearly as small as it can be.
-const QUESTIONS_FIRST: u64 = 16;
+/// The numbers of questions for each group before any group gets more: one for what an operand shows alone, and then enough for a
+/// program that is nearly as small as it can be.
+const QUESTIONS_FIRST: [u64; 2] = [1, 16];
 
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;
@@ -258,7 +259,11 @@ impl Asking<'_> {
             ..ReducedGroup::unreduced(event, sign)
         });
         let mut found: Vec<ReducedGroup> = unreduced.collect();
-        for tries in [QUESTIONS_FIRST.min(most), most] {
+        for tries in QUESTIONS_FIRST
+            .map(|first| first.min(most))
+            .into_iter()
+            .chain([most])
+        {
             let open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
             for wave in open.chunks(WAVE) {
                 let tries = tries.min(left / wave.len() as u64);

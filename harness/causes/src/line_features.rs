@@ -10,6 +10,7 @@
 //! | `call of a block` | the line calls an instance of a function block |
 //! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
 //! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
+//! | `integer of more than 64 bits` | a literal that no type holds |
 //! | `result of a function`, `field or element` | what the line assigns |
 //! | `array`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
@@ -24,14 +25,16 @@ use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
 use crate::malformed::forms_of_literals;
 use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
+use crate::question::{Deviation, wrong_values};
 use crate::suspect::unimplemented;
-use crate::words::{LOOPS, has_word, kind, type_of_word, valued_types, words};
+use crate::words::{LOOPS, converted, has_word, kind, type_of_word, valued_types, words};
 use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
+use stickler_types::Value;
 
 /// The feature of a line that stands among the types.
 const IN_TYPES: &str = "type";
@@ -43,6 +46,9 @@ pub(crate) const IN_STATEMENTS: &str = "statement";
 pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEMENTS];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
+
+/// The feature of an integer literal that 64 bits do not hold.
+pub(crate) const LONG_INTEGER: &str = "integer of more than 64 bits";
 
 /// A set of words.
 type Words = BTreeSet<String>;
@@ -186,6 +192,16 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         let mut features: Words = kinds.map(str::to_owned).collect();
         let passes = passes_in_out(self.program, is_there);
         features.extend(passes.then(|| "VAR_IN_OUT".to_owned()));
+        // A variable that is only declared may be what is missing.
+        let is_common = |one: &String| matches!(one.as_str(), "arithmetic" | "comparison" | "condition");
+        if features.is_empty() && operations.iter().all(is_common) {
+            let names = self.program.names.iter().map(|one| one.name.text);
+            features.extend(
+                names
+                    .filter_map(|name| self.variable_kind(name))
+                    .map(str::to_owned),
+            );
+        }
         if features.is_empty() {
             return match operations.is_empty() {
                 true => Words::from([IN_STATEMENTS.to_owned()]),
@@ -255,8 +271,15 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         // An unknown literal is refused in every place; so is an unknown function by an engine that stopped at parsing.
         let is_unknown_anywhere = self.is_unread && self.calls_library();
         if literals.is_empty() && !is_unknown_anywhere {
-            let is_anywhere = !operators.is_empty();
-            features.insert(if is_anywhere { IN_STATEMENTS } else { self.place() }.to_owned());
+            features.insert(
+                match self.place() {
+                    _ if !operators.is_empty() => IN_STATEMENTS,
+                    // What begins with a value that is not taken does not matter.
+                    _ if self.initial_values().next().is_some() => IN_DECLARATIONS,
+                    place => place,
+                }
+                .to_owned(),
+            );
         }
         if !operators.is_empty() {
             features.remove("sign");
@@ -264,15 +287,19 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             features.extend(self.operand_kinds());
         }
         features.extend(literals);
-        let mut initial = self.program.at(Place::InitialValue);
-        let by_name = |part: &Part<'_, '_>| self.is_on_line(part.expression.span) && part.name().is_some();
-        if features.contains(IN_DECLARATIONS) && initial.any(by_name) {
+        if features.contains(IN_DECLARATIONS) && self.initial_values().any(|part| part.name().is_some()) {
             features.insert("initial value by name".to_owned());
         }
         if !self.is_unread {
             features.extend(words_of(&self.works, Role::Declaration));
         }
         features
+    }
+
+    /// Returns the initial values on the line.
+    fn initial_values(&self) -> impl Iterator<Item = &Part<'t, 's>> {
+        let initial = self.program.at(Place::InitialValue);
+        initial.filter(|part| self.is_on_line(part.expression.span))
     }
 
     /// Returns the operators among the features of the line; the sign of a number is one that calculates.
@@ -298,6 +325,28 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         kinds.map(str::to_owned).collect()
     }
 
+    /// Returns whether the line calls a standard function other than a conversion.
+    pub(crate) fn calls_standard(&self) -> bool {
+        let is_standard = |name: &str| !self.program.declares(name) && converted(name).is_none();
+        self.callees().any(is_standard)
+    }
+
+    /// Returns whether the line uses a variable of VAR_EXTERNAL.
+    pub(crate) fn uses_external(&self) -> bool {
+        let mut parts = self.program.parts.iter();
+        parts.any(|part| {
+            let section = part.name().and_then(|name| self.program.section(name, part.pou));
+            section == Some(VariableKind::External)
+        })
+    }
+
+    /// Returns whether a variable begins with nothing, although its type begins with a value.
+    pub(crate) fn loses_value_of_type(&self, deviation: &Deviation) -> bool {
+        let first = wrong_values(&deviation.expected, &deviation.got).next();
+        let is_lost = |value: &Value| matches!(value, Value::Plain { raw: 0, .. });
+        first.is_some_and(|(name, (_, got))| is_lost(got) && self.program.begins_by_type(name))
+    }
+
     /// Returns whether the line calls a function that the program does not declare.
     fn calls_library(&self) -> bool {
         self.callees().any(|name| !self.program.declares(name))
@@ -309,7 +358,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             let written = work.span.text(self.program.text);
             is_here(work.span) && !self.innocent.contains(written)
         };
-        words_of(self.works.iter().filter(is_suspect), Role::Literal)
+        let mut found = words_of(self.works.iter().filter(is_suspect), Role::Literal);
+        let mut numbers = self.program.literals();
+        let is_long = numbers.any(|(part, literal)| is_here(part.expression.span) && is_long(literal));
+        found.extend(is_long.then(|| LONG_INTEGER.to_owned()));
+        found
     }
 
     /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,
@@ -382,6 +435,17 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     }
 }
 
+/// Returns whether a literal is an integer that 64 bits do not hold.
+fn is_long(literal: &str) -> bool {
+    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
+    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
+    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
+    let base: u32 = base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10);
+    !digits.is_empty()
+        && digits.chars().all(|digit| digit.is_digit(base))
+        && u64::from_str_radix(&digits, base).is_err()
+}
+
 /// Returns whether an argument is passed to a variable of VAR_IN_OUT by its name, in a call at one of some places.
 pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span) -> bool) -> bool {
     let is_in_out = |argument: &Argument<'_>| match argument {
@@ -396,6 +460,7 @@ pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span
 
 /// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
 /// work, and numbers that one family does not have are properties of the value.
+/// What is left of a date and time without its date is found with it.
 fn of_numbers(operation: &str) -> String {
     let side = |side: &str| match side {
         "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
@@ -403,15 +468,21 @@ fn of_numbers(operation: &str) -> String {
     };
     match operation.split_once("_TO_") {
         Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
+        Some(("dateandtime", "date" | "timeofday")) => "parts of a date and time".to_owned(),
         _ => operation.to_owned(),
     }
 }
 
 /// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
-/// types, and one that lacks some of those from and to texts lacks them all.
+/// types, and one that lacks some of those from and to texts, or of those of durations, dates and times of day, lacks them all.
 fn either_way(operation: &str) -> String {
+    let moments = ["duration", "date", "timeofday", "dateandtime"];
     match operation.split_once("_TO_") {
         Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
+        Some((from, into)) if from == "BCD" || into == "BCD" => "conversion of BCD".to_owned(),
+        Some((from, into)) if moments.contains(&from) || moments.contains(&into) => {
+            "conversion of durations, dates and times".to_owned()
+        }
         Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
         None => operation.to_owned(),
     }

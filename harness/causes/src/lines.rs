@@ -1,11 +1,15 @@
 //! The lines of a small program: which one matters, and how it is told.
 
-use crate::program::ReadProgram;
+use crate::program::{Part, ReadProgram};
 use crate::words::{tokens, words};
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
-use stickler_syntax::tree::{Declaration, Pou, PouKind, TypeSpecificationKind, VariableBlock};
+use stickler_syntax::tree::{
+    Declaration, Initializer, Pou, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
+    VariableBlock,
+};
+use stickler_syntax::visitor::Place;
 
 /// The maximum number of characters that are shown of a line, a message or a value.
 const MAX_LENGTH: usize = 90;
@@ -21,6 +25,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         "" => code.trim(),
         code => code,
     };
+    let code = &whole_statement(program, number, code);
     let is_here = |one: &&DeclaredName<'_, '_>| program.line(one.name.span) == number;
     let own: Vec<&str> = program
         .names
@@ -41,7 +46,12 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         let section = section.map_or(String::new(), |head| format!(" in {head}"));
         let entry = declared
             .filter(|_| !is_own)
-            .and_then(|one| declared_as(program, one));
+            .and_then(|one| declared_as(program, one))
+            .or_else(|| {
+                let ty = program.declared_type(word).filter(|_| !is_own)?;
+                let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
+                Some(format!("{} : {written}", ty.name.text))
+            });
         if let Some(entry) = entry.map(|entry| entry + &section)
             && types.len() < MAX_TYPES
             && !types.contains(&entry)
@@ -60,21 +70,48 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     }
 }
 
+/// Returns the code of a line with what it says nothing without: the selector of a CASE label, and the end of what has no statements.
+fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> String {
+    let is_here = |part: &&Part<'_, '_>| program.line(part.expression.span) == number;
+    let label = program.at(Place::Label).find(is_here);
+    if let Some(StatementKind::Case { selector, .. }) = label.and_then(|part| Some(&part.statement?.kind))
+        && !code.contains(" OF ")
+    {
+        return format!("CASE {} OF {code}", program.text(*selector));
+    }
+    let next = program.line_text(number + 1).unwrap_or_default().trim();
+    let opens = [" DO", " THEN", "ELSE"].iter().any(|word| code.ends_with(word));
+    match next.split(';').next() {
+        Some(end) if opens && end.starts_with("END_") => format!("{code} {end}"),
+        _ => code.to_owned(),
+    }
+}
+
 /// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is
 /// no plain variable the type alone, and nothing of a structure.
 fn declared_as(program: &ReadProgram<'_, '_>, declared: &DeclaredName<'_, '_>) -> Option<String> {
-    let (text, group) = (program.text, declared.group?);
-    let value = match &group.specification.kind {
-        TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error => return None,
-        TypeSpecificationKind::Named(_) => group.initializer.as_ref(),
-        _ => None,
-    };
-    let value = value.map_or(String::new(), |value| format!(" := {}", value.span.text(text)));
+    let group = declared.group?;
+    let is_plain = matches!(group.specification.kind, TypeSpecificationKind::Named(_));
     let location = group
         .location
         .map_or(String::new(), |place| format!(" AT {}", place.text));
-    let ty = clipped(&format!("{}{value}", group.specification.span.text(text)));
-    (!ty.is_empty()).then(|| format!("{}{location} : {ty}", declared.name.text))
+    let value = group.initializer.as_ref().filter(|_| is_plain);
+    let ty = written_type(program, &group.specification, value)?;
+    Some(format!("{}{location} : {ty}", declared.name.text))
+}
+
+/// Returns a type with an initial value, as they are written; nothing of a structure.
+fn written_type(
+    program: &ReadProgram<'_, '_>,
+    ty: &TypeSpecification<'_>,
+    value: Option<&Initializer<'_>>,
+) -> Option<String> {
+    if let TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Error = ty.kind {
+        return None;
+    }
+    let text = |span: Span| span.text(program.text);
+    let value = value.map_or(String::new(), |value| format!(" := {}", text(value.span)));
+    Some(clipped(&format!("{}{value}", text(ty.span)))).filter(|ty| !ty.is_empty())
 }
 
 /// Where a line of a program stands.

@@ -38,28 +38,35 @@ fn form_of_number(word: &str) -> Option<String> {
             form.push(shown);
         }
     }
-    // Whatever it is a digit of, one with an underscore behind the last is read by mistake in one way. The unit of a duration may stand
-    // behind it.
-    let is_digit = |byte: u8| byte.is_ascii_hexdigit() || matches!(byte, b'_' | b'.' | b'#');
-    let ends = form.ends_with('_') && form.trim_start_matches(['-', '+']).bytes().all(is_digit);
-    let value = form.rsplit('#').next().unwrap_or_default();
-    let is_before_unit = |rest: &str| rest.bytes().all(|byte| byte.is_ascii_alphabetic());
-    if ends || value.strip_prefix("0_").is_some_and(is_before_unit) {
-        return Some("0_".to_owned());
-    }
     let is_name = upper.starts_with(|first: char| first.is_ascii_alphabetic()) && prefixed.is_none();
+    // Whatever it is a digit of, an underscore that separates no digits is read by mistake in one way.
+    if !is_name && has_misplaced_underscore(&upper) {
+        return Some("_".to_owned());
+    }
     let moment = ty.and_then(|ty| form_of_moment(ty, form.split_once('#')?.1));
     let form = moment.unwrap_or(form);
     let is_plain = matches!(form.as_str(), "0" | "-0" | "0.0" | "-0.0");
     (!is_name && !is_plain && form.contains(['0', '#'])).then_some(form)
 }
 
+/// Returns whether an underscore of a literal stands elsewhere than between two digits, or between a unit of a duration and a digit.
+fn has_misplaced_underscore(upper: &str) -> bool {
+    let (prefix, value) = upper.rsplit_once('#').unwrap_or(("", upper));
+    let is_hexadecimal = prefix.rsplit('#').next() == Some("16");
+    let is_digit = |byte: u8| byte.is_ascii_digit() || is_hexadecimal && byte.is_ascii_hexdigit();
+    let bytes = value.as_bytes();
+    let separates = |at: usize| {
+        let before = at.checked_sub(1).and_then(|before| bytes.get(before));
+        let behind = bytes.get(at + 1);
+        before.is_some_and(u8::is_ascii_alphanumeric) && behind.is_some_and(|byte| is_digit(*byte))
+    };
+    (0..bytes.len()).any(|at| bytes[at] == b'_' && !separates(at))
+}
+
 /// Returns the form of a duration or a time of day, without what does not matter of it: which units it has and in which order, how its
 /// prefix is written, and the date before the time of day; `None` for other types.
 fn form_of_moment(ty: ElementaryType, value: &str) -> Option<String> {
     match kind(ty)? {
-        // A compiler reads the units by one rule, and the digits before them by another.
-        "duration" if value.contains('_') => Some("T#0_0u".to_owned()),
         "duration" if value.bytes().filter(u8::is_ascii_alphabetic).count() > 1 => Some("T#0u0u".to_owned()),
         "duration" => Some(format!("T#{value}")),
         "date or time" if value.contains(':') => {

@@ -4,7 +4,7 @@
 //! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
-use crate::alone::{BEGINNING_BLOCK, alone};
+use crate::alone::{BEGINNING_BLOCK, alone, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
@@ -16,6 +16,7 @@ use crate::words::tokens;
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise};
+use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
 use stickler_types::Observation;
@@ -109,6 +110,9 @@ pub(crate) fn normal_form(
     if now == Symptom::Value && symptom != Symptom::Value {
         search.minimise(&structure_method(&now))?;
     }
+    if matches!(&now, Symptom::NotRejected(code) if is_of_a_value(code)) {
+        search.unchecked_place(smallest)?;
+    }
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
     match now {
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
@@ -178,7 +182,7 @@ impl NormalSearch<'_, '_> {
         // either.
         let is_read = !is_unread(&former.deviation.got);
         if !(is_read || literals(text).is_subset(&literals(&former.program)))
-            || !is_as_standard(self.case, text)
+            || !(former.deviation.sign.accepts() || is_as_standard(self.case, text))
         {
             return Ok(Interestingness::Invalid);
         }
@@ -186,8 +190,7 @@ impl NormalSearch<'_, '_> {
             return Ok(Interestingness::Invalid);
         };
         // A value of another type that is right there says nothing.
-        let accepts = matches!(former.deviation.sign.symptom, Symptom::NotRejected(_));
-        if accepts && case.expectation.accepted != Acceptance::Rejected {
+        if former.deviation.sign.accepts() && case.expectation.accepted != Acceptance::Rejected {
             return Ok(Interestingness::Invalid);
         }
         self.left = self.left.saturating_sub(1);
@@ -196,13 +199,32 @@ impl NormalSearch<'_, '_> {
         // A value that wraps is another defect than one that is within the range of its type.
         let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
         let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
-        let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen));
+        let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen) && shows(text, seen));
         let is_same = same.is_some();
         if let Some(deviation) = same {
             self.normal.program = text.to_owned();
             self.normal.deviation = deviation;
         }
         Ok(Interestingness::from(is_same))
+    }
+
+    /// Takes quite another type in the place of the value of the mistake, where the engine takes that too: in the normal form, or else in
+    /// the small program, since a place of its own may be checked where that of the small one is not.
+    fn unchecked_place(&mut self, smallest: &Smallest) -> Result<(), EngineError> {
+        let dialect = self.case.dialect;
+        for text in [self.normal.program.clone(), smallest.program.clone()] {
+            let other = read(&text, |program| {
+                let line = errors(program.text, dialect).iter().find_map(|error| error.line);
+                let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
+                let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
+                others.into_iter().find(is_mistaken)
+            });
+            let is_asked = !self.normal.is_unchecked() && self.left > 0 && !(self.stop)();
+            if let Some(other) = other.filter(|_| is_asked) {
+                self.judge(&other)?;
+            }
+        }
+        Ok(())
     }
 
     /// Returns the observations that show what is wrong with a program: those of the case and of an operand alone, or of all variables

@@ -1,7 +1,6 @@
 //! The passes of the reducer that lead to the normal form of a program, and the weights by which one form is plainer than another.
 
-use crate::alone::{alone, beginning_block, distance};
-use crate::failure_sign::is_of_a_value;
+use crate::alone::{alone, beginning_block, distance, loops_alone};
 use crate::forms;
 use crate::plainness::{plainer_numbers, plainness};
 use crate::program::{ReadProgram, read};
@@ -56,11 +55,14 @@ type NormalPass = Pass<Draft>;
 const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
 const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
 const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
-const OTHER_OPERAND: NormalPass = Pass {
-    name: "give quite another type",
+const LOOP_ALONE: NormalPass = Pass {
+    name: "take a loop alone",
     edit: |draft, sites| {
         let dialect = draft.dialect;
-        draft.alternative(sites, |program| with_other_operand(program, dialect));
+        draft.alternative(sites, |program| {
+            let loops = loops_alone(program, dialect).into_iter();
+            loops.map(|one| one.program).collect()
+        });
     },
 };
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
@@ -79,21 +81,12 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
     alone(program).into_iter().map(|one| one.program).collect()
 }
 
-/// Returns the first program with quite another type in the place of a value on the line of the mistake that has a mistake too.
-fn with_other_operand(program: &ReadProgram<'_, '_>, dialect: DialectName) -> Vec<String> {
-    let line = errors(program.text, dialect).iter().find_map(|error| error.line);
-    let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
-    let is_mistaken = |text: &String| !errors(text, dialect).is_empty();
-    others.into_iter().find(is_mistaken).into_iter().collect()
-}
-
 /// Returns the passes that find out what of a program a symptom needs.
 fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
-        Symptom::Value | Symptom::Missing => &[INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
+        Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
-        Symptom::NotRejected(code) if is_of_a_value(code) => &[OPERAND_ALONE, OTHER_OPERAND],
         Symptom::NotRejected(_) | Symptom::Rejected(_) => &[OPERAND_ALONE],
         Symptom::NotImplemented(_) => &[ONE_STATEMENT, WHOLE_OUTPUT],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
@@ -104,20 +97,18 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
 }
 
 /// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer operations,
-/// then with fewer features of the language, then with fewer words. What takes the place of a value to see whether it is checked weighs nothing.
+/// then with fewer features of the language, then with fewer words.
 fn structure(draft: &Draft) -> (u64, u128) {
     let text = draft.text.as_str();
     let has_mistake = !errors(text, draft.dialect).is_empty();
     let form = 3 * u64::from(has_mistake) + distance(text);
     let features = features(text, Dialect::of(draft.dialect)).into_iter();
-    let features = features
-        .filter(|key| !matches!(&**key, "string-literal" | "duration-literal"))
-        .count();
+    let features = features.count();
     let (mut words, mut size) = (0, 0_u128);
     for token in tokens(text) {
         let written = token.span.text(text);
         words += if token.kind.is_literal() { 1 } else { 2 };
-        if token.kind.is_literal() && !matches!(written, "'a'" | "T#1s") || written.starts_with('%') {
+        if token.kind.is_literal() || written.starts_with('%') {
             size += written.bytes().map(u128::from).sum::<u128>();
         }
     }

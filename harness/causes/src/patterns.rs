@@ -3,7 +3,7 @@
 use crate::forms::named_types;
 use crate::program::ReadProgram;
 use crate::question::{Deviation, wrong_values};
-use crate::words::{converted, elementary, kind, type_of_word, valued_types, words};
+use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeSet;
 use stickler_syntax::visitor::Place;
@@ -17,6 +17,11 @@ const MILLISECONDS: f64 = 1000.0;
 pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
     let wrong = WrongNumber { program, deviation };
     let patterns = [
+        (wrong.rereads_bits(), "bits of a value read in another type"),
+        (wrong.extends_sign(), "unsigned number widened with a sign"),
+        (wrong.rounds_twice(), "REAL literal that is rounded twice"),
+        (wrong.exceeds_milliseconds(), "milliseconds beyond 32 bits"),
+        (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
             wrong.converts_out_of_range(),
@@ -127,17 +132,23 @@ impl WrongNumber<'_, '_, '_> {
     fn converts_out_of_range(&self) -> bool {
         let written = words(self.program.text);
         let is_negative = written.iter().any(|word| *word == "-" || word.contains("#-"));
-        let leaves = |into: ElementaryType| {
+        let leaves = |from: ElementaryType, into: ElementaryType| {
             // Of an unsigned type the least number is 0, and a minus stands before a number.
             let is_outside = |number: f64| {
-                let most = into.integer_range().is_some_and(|(_, most)| number > most as f64);
+                let number = match from {
+                    ElementaryType::Real => f64::from(number as f32),
+                    _ => number,
+                };
+                let most = into.integer_range();
+                let most = most.is_some_and(|(_, most)| number >= most as f64 + 1.0);
                 most || number != 0.0 && is_negative && into.family() != Family::Signed
             };
             self.leaves_range() || self.amounts().any(is_outside)
         };
         let mut conversions = self.conversions();
         self.computed() == 1
-            && conversions.any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(into))
+            && conversions
+                .any(|(from, into)| from.is_real() && kind(into) == Some("integer") && leaves(from, into))
     }
 
     /// Returns whether the program does nothing but count in a FOR loop, with numbers of one type and the greatest amount of that type.
@@ -150,6 +161,77 @@ impl WrongNumber<'_, '_, '_> {
             self.amounts().any(|number| Some(number) == most)
         };
         self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
+    }
+
+    /// Returns whether the wrong value has the bits that a literal of the program has in another type, and no function converts it.
+    fn rereads_bits(&self) -> bool {
+        let Some((ty, _, got)) = self.bits().filter(|(ty, _, got)| is_number(*ty) && *got != 0) else {
+            return false;
+        };
+        let types = valued_types(self.program.text).into_iter();
+        let mut others = types.filter(|other| *other != ty && (other.is_real() || ty.is_real()));
+        let is_nan = |bits: u64| match ty.bits() {
+            32 => f32::from_bits(bits as u32).is_nan(),
+            _ => f64::from_bits(bits).is_nan(),
+        };
+        let has_bits = |other: ElementaryType| {
+            let mut values = self.amounts().flat_map(|amount| [amount, -amount]);
+            values.any(|value| {
+                let bits = match other {
+                    ElementaryType::Real => u64::from((value as f32).to_bits()),
+                    ElementaryType::Lreal => value.to_bits(),
+                    _ if value < 0.0 => (value as i64).cast_unsigned(),
+                    _ => value as u64,
+                };
+                // The amounts of literals have 53 bits.
+                let near = if value.abs() < 2_f64.powi(53) { 0 } else { 2048 };
+                (mask(ty) & bits).abs_diff(mask(ty) & got) <= near
+                    || ty.is_real() && is_nan(bits) && is_nan(got)
+            })
+        };
+        self.conversions().next().is_none() && others.any(has_bits)
+    }
+
+    /// Returns whether the first bit of an unsigned number was taken for a sign where the number became a wider one.
+    fn extends_sign(&self) -> bool {
+        let Some((ty, raw, got)) = self.bits().filter(|(ty, ..)| kind(*ty) == Some("integer")) else {
+            return false;
+        };
+        valued_types(self.program.text).into_iter().any(|narrow| {
+            let first = 1_u64 << (narrow.bits() - 1);
+            kind(narrow) == Some("integer")
+                && narrow.family() != Family::Signed
+                && narrow.bits() < ty.bits()
+                && raw & first != 0
+                && raw & !mask(narrow) & mask(ty) == 0
+                && (raw | !mask(narrow)) & mask(ty) == got & mask(ty)
+        })
+    }
+
+    /// Returns whether a literal of the type REAL is the one that its nearest LREAL is nearest to.
+    fn rounds_twice(&self) -> bool {
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Real);
+        let mut rounded = self.amounts().map(|amount| u64::from((amount as f32).to_bits()));
+        let is_near =
+            |(_, raw, got): (_, u64, u64)| raw.abs_diff(got) == 1 && rounded.any(|bits| bits == got);
+        self.conversions().next().is_none() && bits.is_some_and(is_near)
+    }
+
+    /// Returns whether a duration must have more milliseconds than 32 bits hold, and has not.
+    fn exceeds_milliseconds(&self) -> bool {
+        let fits = |nanoseconds: u64| i32::try_from(nanoseconds.cast_signed() / 1_000_000).is_ok();
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Time);
+        bits.is_some_and(|(_, raw, got)| !fits(raw) && fits(got))
+    }
+
+    /// Returns whether a literal of the type LREAL has no more digits than a REAL has.
+    fn rounds_to_real(&self) -> bool {
+        let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Lreal);
+        let is_rounded = |(_, raw, got): (ElementaryType, u64, u64)| {
+            let (expected, got) = (f64::from_bits(raw), f64::from_bits(got));
+            f64::from(expected as f32) == got && self.amounts().any(|amount| amount == expected.abs())
+        };
+        self.conversions().next().is_none() && bits.is_some_and(is_rounded)
     }
 
     /// Returns whether the program converts to an integer by name, and the wrong value has the bits that the result has, with others
@@ -204,6 +286,11 @@ impl WrongNumber<'_, '_, '_> {
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
     }
+}
+
+/// Returns the bits that the values of a type have.
+fn mask(ty: ElementaryType) -> u64 {
+    u64::MAX >> u64::BITS.saturating_sub(ty.bits())
 }
 
 /// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.

@@ -17,21 +17,29 @@ const MAX_VARIABLES: usize = 1000;
 /// The answers of an engine in a search, by the digest of the question, because groups with one cause ask for the same small
 /// programs.
 #[derive(Default)]
-pub(crate) struct SearchAnswers(Mutex<HashMap<String, Answers>>);
+pub(crate) struct SearchAnswers(Mutex<HashMap<String, KnownAnswer>>);
+
+/// What an engine answered, and whether it answered so each of several times.
+#[derive(Clone)]
+struct KnownAnswer {
+    answers: Answers,
+    is_steady: bool,
+}
 
 impl SearchAnswers {
-    fn get(&self, question: &str) -> Option<Answers> {
+    fn get(&self, question: &str) -> Option<KnownAnswer> {
         let answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         answered.get(question).cloned()
     }
 
     /// Keeps answers, but an error, which the machine may have caused. A program that hangs is asked about once, since each time costs
     /// the whole time limit.
-    fn keep(&self, question: String, answers: &Answers) {
+    fn keep(&self, question: String, answers: &Answers, is_steady: bool) {
         let by_the_machine = |outcome: &Outcome| matches!(outcome, Outcome::Error { .. });
         if !answers.outcomes().any(by_the_machine) {
+            let answers = answers.clone();
             let mut answered = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-            answered.insert(question, answers.clone());
+            answered.insert(question, KnownAnswer { answers, is_steady });
         }
     }
 }
@@ -112,10 +120,10 @@ impl Questioner<'_> {
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
         let question = question(case);
         let answers = match self.answered.get(&question) {
-            Some(answers) => answers,
+            Some(known) => known.answers,
             None => {
                 let answers = ask_stored(&mut self.session, case, self.store)?;
-                self.answered.keep(question, &answers);
+                self.answered.keep(question, &answers, false);
                 answers
             }
         };
@@ -125,6 +133,21 @@ impl Questioner<'_> {
     /// Returns whether the engine answered a case in this search.
     pub(crate) fn has_answered(&self, case: &Case) -> bool {
         self.answered.get(&question(case)).is_some()
+    }
+
+    /// Returns whether the engine gave the same answer about a case each time in this search.
+    pub(crate) fn is_steady(&self, case: &Case) -> bool {
+        self.answered
+            .get(&question(case))
+            .is_some_and(|known| known.is_steady)
+    }
+
+    /// Notes that the engine gives the same answer about a case each time.
+    pub(crate) fn note_steady(&self, case: &Case) {
+        let question = question(case);
+        if let Some(known) = self.answered.get(&question) {
+            self.answered.keep(question, &known.answers, true);
+        }
     }
 
     /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.
@@ -227,22 +250,24 @@ pub(crate) fn known(case: &Case, program: &str) -> Vec<Observation> {
 
 /// Returns observations of all variables of a program.
 pub(crate) fn all_variables(case: &Case, program: &str) -> Vec<Observation> {
-    let names = stickler_reference::variables(program, case.dialect, MAX_VARIABLES);
+    match all_values(program, case.dialect) {
+        (_, Some(values)) => {
+            let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
+            values.iter().map(of).collect()
+        }
+        (all, None) => all,
+    }
+}
+
+/// Returns the variables of a program, and the values that they have after one scan; `None` where the program has no end of its own.
+pub(crate) fn all_values(program: &str, dialect: DialectName) -> (Vec<Observation>, Option<Vec<NamedValue>>) {
+    let names = stickler_reference::variables(program, dialect, MAX_VARIABLES);
     let all: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
-    let request = RunRequest {
-        source: program,
-        observe: &all,
-        scans: 1,
-        clock: &[],
-        set: &[],
-        ..case.request()
-    };
-    let outcome = stickler_reference::run(&request, Limits::default());
-    let Ok(Outcome::Executed { values, .. }) = outcome else {
-        return all;
-    };
-    let of = |(name, value): &NamedValue| Observation::last(name, value.type_name());
-    values.iter().map(of).collect()
+    let request = RunRequest::once(dialect, program, &all);
+    match stickler_reference::run(&request, Limits::default()) {
+        Ok(Outcome::Executed { values, .. }) => (all, Some(values)),
+        _ => (all, None),
+    }
 }
 
 /// Returns a case with another program, held to what the reference does with it. `None` where that is neither a rejection nor

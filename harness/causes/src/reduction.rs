@@ -1,6 +1,6 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::alone::alone;
+use crate::alone::{alone, loops_alone, shows};
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
@@ -127,6 +127,15 @@ pub(crate) fn reduce(
     let smallest = without_filling(asked, (case, sign), smallest)?;
     let smaller = with_program(case, sign, &smallest.program);
     match smaller.filter(|_| reduction != Reduced::Not) {
+        // Nobody waits for what is made smaller later.
+        Some(smaller) if found.ended == StopReason::OutOfTries => {
+            let seen = asked.deviation(&smaller)?;
+            let deviation = seen.unwrap_or_else(|| smallest.deviation.clone());
+            Ok(Smallest {
+                deviation,
+                ..smallest
+            })
+        }
         Some(smaller) => repeated(asked, &smaller, sign, smallest, stop),
         // Without its marks the program does not show it.
         None => {
@@ -209,7 +218,11 @@ fn operand_alone(
         return Ok(None);
     }
     // What a variable begins with is shown by a program that does nothing else.
-    let operands = read(&unreduced.program, alone).into_iter();
+    let operands = read(&unreduced.program, |program| {
+        let mut found = loops_alone(program, case.dialect);
+        found.extend(alone(program));
+        found.into_iter()
+    });
     for operand in operands.filter(|one| !one.is_initial && is_as_standard(case, &one.program)) {
         if stop() {
             return Ok(None);
@@ -222,7 +235,8 @@ fn operand_alone(
         let is_known = asked.has_answered(&operand);
         questions += u64::from(!is_known);
         let seen = asked.deviation(&operand)?;
-        let Some(deviation) = seen.filter(|seen| has_same_values(event, seen)) else {
+        let Some(deviation) = seen.filter(|seen| has_same_values(event, seen) && shows(&program, seen))
+        else {
             continue;
         };
         let found = Smallest {
@@ -268,6 +282,15 @@ fn repeated(
     let mut found = None;
     let mut repeats = Repeats::default();
     let mut unanswered = 0;
+    // What was shown several times is no chance.
+    if asked.is_steady(case)
+        && let Some(deviation) = asked.deviation(case)?.filter(|seen| sign.is_kept_by(&seen.sign))
+    {
+        return Ok(Smallest {
+            deviation,
+            ..smallest
+        });
+    }
     let is_by_chance_so_far = |repeats: &Repeats| is_by_chance(repeats) && repeats.of < REPEATS_OF_CHANCE;
     while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() {
         let (got, deviation) = asked.again(case)?;
@@ -304,6 +327,9 @@ fn repeated(
             ..smallest
         });
     };
+    if !is_by_chance(&repeats) {
+        asked.note_steady(case);
+    }
     Ok(Smallest {
         deviation,
         flaky: is_by_chance(&repeats).then_some(repeats),

@@ -33,6 +33,7 @@ struct Failing {
     fault: Option<String>,
     lacks: Option<String>,
     unusable: Option<String>,
+    crashes: Option<(String, String)>,
     hangs: bool,
     asked: bool,
     normally: Option<String>,
@@ -121,14 +122,17 @@ impl Failing {
             (Fact::Accepted, lacking(reason))
         } else if let Some(reason) = self.unusable.clone() {
             (Fact::Accepted, Fact::Unusable { reason })
+        } else if let Some((code, reason)) = &self.crashes {
+            let reason = reason.clone();
+            (mistake(code), Fact::Crashed { reason })
         } else {
             assert!(self.hangs, "nothing happens");
             (Fact::Accepted, Fact::TimedOut { after_ms: 1000 })
         };
-        let verdict = if self.hangs {
-            Verdict::Timeout
-        } else {
-            Verdict::Fail
+        let verdict = match self.crashes {
+            _ if self.hangs => Verdict::Timeout,
+            Some(_) => Verdict::Crash,
+            None => Verdict::Fail,
         };
         (vec![expected], vec![got], verdict)
     }

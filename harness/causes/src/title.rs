@@ -87,7 +87,12 @@ impl Titled<'_, '_> {
                 let (line, message) = (self.line(extra.line), said(&extra));
                 format!("{line} is accepted with a warning: {message}")
             }
-            Symptom::Crash(words) => format!("{somewhere} makes it crash: {}", self.reason(words)),
+            // What is wrong with a program may be what the engine does not bear.
+            Symptom::Crash(words) => format!(
+                "{} makes it crash: {}",
+                self.line(wanted.line),
+                self.reason(words)
+            ),
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
             Symptom::Hang => {
                 let is_loop = |text: &str| LOOPS.iter().any(|word| has_word(text, word));
@@ -201,7 +206,17 @@ impl Titled<'_, '_> {
             text => clipped(&text),
         };
         let computed = self.program.computation(name);
-        let decides = computed.map_or(Some(declared), |line| condition(&self.program, line));
+        // A line that only copies a value is not at fault where a loop decides whether it does.
+        let loops = |line: u32| {
+            let code = self.program.line_text(line).unwrap_or_default();
+            let begins = LOOPS.iter().any(|word| code.trim_start().starts_with(word));
+            let around = self.program.loop_around(line);
+            let around = around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty());
+            if begins { Some(line) } else { around }
+        };
+        let decides = computed.map_or(Some(declared), |line| {
+            condition(&self.program, line).or_else(|| loops(line))
+        });
         match (decides, computed) {
             // A line computes the value: the title tells what it gives.
             (None, Some(line)) => format!("{} gives {other}, not {value}", described(line)),

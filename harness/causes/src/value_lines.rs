@@ -1,12 +1,13 @@
 //! The lines of a small program that give a variable its value.
 
+use crate::lines::{LinePlace, place_of};
 use crate::program::{Part, ReadProgram, read};
 use crate::question::Deviation;
 use crate::words::tokens;
 use stickler_run::Fact;
 use stickler_syntax::names::{UseKind, used};
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind};
+use stickler_syntax::tree::{Argument, ExpressionKind, StatementKind, TypeSpecificationKind};
 use stickler_syntax::visitor::Place;
 
 /// The maximum number of variables through which a value is followed.
@@ -94,13 +95,40 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns the line that declares a variable, or the field that a path ends with.
     pub(crate) fn declaration(&self, path: &str) -> u32 {
-        let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
-        let name = last.and_then(|last| last.split('[').next()).unwrap_or(path);
+        let name = last_name(path);
         let declared = self
             .names
             .iter()
             .find(|one| one.name.is(name) && one.group.is_some());
         declared.map_or_else(|| self.last_statement(), |one| self.line(one.name.span))
+    }
+
+    /// Returns whether nothing assigns a variable, and it begins with the value that its type declares.
+    pub(crate) fn begins_by_type(&self, path: &str) -> bool {
+        let name = last_name(path);
+        let Some(group) = self.group(name).filter(|_| self.computation(path).is_none()) else {
+            return false;
+        };
+        match (&group.specification.kind, &group.initializer) {
+            (_, Some(_)) => matches!(place_of(self, self.declaration(path)), LinePlace::Types),
+            (TypeSpecificationKind::Named(ty), None) => {
+                let declared = self.declared_type(ty.text);
+                declared.is_some_and(|ty| ty.initializer.is_some())
+            }
+            _ => false,
+        }
+    }
+
+    /// Returns the line on which the innermost loop begins that a line stands in.
+    pub(crate) fn loop_around(&self, line: u32) -> Option<u32> {
+        let is_around = |span: &Span| self.line(*span) < line && line < self.lines.line(span.end);
+        let loops = self.parts.iter().filter_map(|part| part.statement);
+        let loops = loops.filter(|one| {
+            use StatementKind::{For, Repeat, While};
+            matches!(one.kind, For { .. } | While { .. } | Repeat { .. })
+        });
+        let around = loops.map(|one| one.span).filter(is_around);
+        around.map(|span| self.line(span)).max()
     }
 
     /// Returns the variable that a statement copies to another of the same type, or the function whose result it copies and that
@@ -149,6 +177,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
         };
         lines.filter(is_statement).last().map_or(1, |(_, number)| number)
     }
+}
+
+/// Returns the name of the variable or the field that a path ends with.
+fn last_name(path: &str) -> &str {
+    let last = path.split('@').next().and_then(|path| path.rsplit('.').next());
+    last.and_then(|last| last.split('[').next()).unwrap_or(path)
 }
 
 /// Returns whether the first value that a small program has wrong is one that a variable begins with, and nothing assigns.
