@@ -89,6 +89,18 @@ fn a_block_becomes_the_program_and_an_array_loses_dimensions_where_these_do_not_
 }
 
 #[test]
+fn a_structure_becomes_its_element_where_it_does_not_matter() {
+    let start = "TYPE\n    Pair : STRUCT\n        a : BOOL;\n        b : INT;\n    END_STRUCT;\nEND_TYPE\nPROGRAM main\nVAR\n    it : Pair := \
+                 (b := 7);\nEND_VAR\n    it.b := it.b MOD 3;\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["it", "MOD"]);
+    accepted(&found.value);
+    assert!(found.value.contains("it : INT;"), "{}", found.value);
+    let found = reduce(start, &["it.b", "MOD"]);
+    assert!(found.value.contains("STRUCT"), "{}", found.value);
+}
+
+#[test]
 fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
     let start =
         "PROGRAM main\nVAR x : INT; END_VAR\n  x := 1 + ;\n  y := 'open string\n  @@ z(\nEND_PROGRAM\n";

@@ -1,9 +1,10 @@
-//! Passes that make arrays smaller: to their elements, and to fewer dimensions.
+//! Passes that make variables of several parts smaller: arrays and structures to one of their elements, and arrays to fewer dimensions.
 
 use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
-    Expression, ExpressionId, ExpressionKind, Pou, TypeSpecificationKind, VariableGroup,
+    Expression, ExpressionId, ExpressionKind, Name, Pou, TypeSpecification, TypeSpecificationKind,
+    VariableGroup,
 };
 
 /// Gives the element type to array variables whose every use has subscripts.
@@ -12,16 +13,72 @@ pub(crate) fn unwrap_arrays(view: &TextView<'_>) -> Vec<Edits> {
         let TypeSpecificationKind::Array { element, .. } = &group.specification.kind else {
             return None;
         };
-        let initial = group.initializer.as_ref();
-        let end = initial.map_or(group.specification.span.end, |one| one.span.end);
-        let declared = group.specification.span.start as usize..end as usize;
-        let mut edits = Edits::replacing(declared, element.span.text(view.text()));
-        for (base, _, whole) in uses(view, pou, group) {
-            edits.remove(base.span.end as usize..whole.span.end as usize);
-        }
-        Some(edits)
+        let uses = uses(view, pou, group);
+        let uses = uses.into_iter().map(|(base, _, whole)| (base, whole));
+        Some(with_type_of_element(view, group, element, uses))
     });
     view.only_allowed(changes.collect())
+}
+
+/// Gives the type of an element to variables of a structure whose every use is that element.
+pub(crate) fn unwrap_structures(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for (pou, group) in single(view) {
+        let structure = match &group.specification.kind {
+            TypeSpecificationKind::Named(name) => view
+                .types()
+                .find(|declared| declared.name.text.eq_ignore_ascii_case(name.text))
+                .map(|declared| &declared.specification.kind),
+            kind => Some(kind),
+        };
+        let Some(TypeSpecificationKind::Structure(elements)) = structure else {
+            continue;
+        };
+        let uses: Vec<_> = group
+            .names
+            .iter()
+            .flat_map(|name| view.uses(pou, *name))
+            .collect();
+        for element in elements {
+            let is_element = |field: &Name<'_>| {
+                let mut names = element.names.iter();
+                names.any(|name| name.text.eq_ignore_ascii_case(field.text))
+            };
+            let with_field = uses.iter().filter_map(|used| match &used.around?.kind {
+                ExpressionKind::Field { base, field }
+                    if is_element(field) && view.unit.expression(*base)?.span == used.expression.span =>
+                {
+                    Some((used.expression, used.around?))
+                }
+                _ => None,
+            });
+            changes.push(with_type_of_element(
+                view,
+                group,
+                &element.specification,
+                with_field,
+            ));
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Returns the change that declares a variable with the type of its element, and leaves of its uses, each with the whole expression, the
+/// variable.
+fn with_type_of_element<'t>(
+    view: &TextView<'t>,
+    group: &VariableGroup<'_>,
+    element: &TypeSpecification<'_>,
+    uses: impl Iterator<Item = (&'t Expression<'t>, &'t Expression<'t>)>,
+) -> Edits {
+    let initial = group.initializer.as_ref();
+    let end = initial.map_or(group.specification.span.end, |one| one.span.end);
+    let declared = group.specification.span.start as usize..end as usize;
+    let mut edits = Edits::replacing(declared, element.span.text(view.text()));
+    for (variable, whole) in uses {
+        edits.remove(variable.span.end as usize..whole.span.end as usize);
+    }
+    edits
 }
 
 /// Drops the last dimension of array variables, with the last subscript of their every use.
