@@ -112,8 +112,16 @@ pub(crate) fn specific<'f>(
     let needed: Vec<&String> = found.iter().flat_map(|one| &one.needs).collect();
     found.retain(|one| !needed.contains(&&one.key) && (!one.promised.is_empty() || !is_type(one)));
     if found.is_empty() {
-        let surrounds = |used: &&FeatureUse| number(used.span.start) < line && line < number(used.span.end);
-        let around = uses.iter().rfind(surrounds).and_then(known);
+        let around = |line: u32| {
+            let surrounds =
+                |used: &&FeatureUse| number(used.span.start) < line && line < number(used.span.end);
+            uses.iter().rfind(surrounds).and_then(known)
+        };
+        // What a section does to its variables is at fault before their types are.
+        let of_section = || {
+            let mut names = words(of_line).into_iter();
+            names.find_map(|name| around(program.line(program.named(name, None)?.name.span)))
+        };
         // Where nothing is done with the variables of a line, their type is at fault.
         let declared_type = || {
             let ty = words(of_line)
@@ -121,7 +129,7 @@ pub(crate) fn specific<'f>(
                 .find_map(|word| program.type_of_word(word))?;
             features.get(&ty.name().to_ascii_lowercase())
         };
-        found.extend(around.or_else(declared_type));
+        found.extend(around(line).or_else(of_section).or_else(declared_type));
     }
     let place = |feature: &Feature| features.iter().position(|one| one.key == feature.key);
     let is_promised = found.iter().all(|feature| !feature.promised.is_empty());
