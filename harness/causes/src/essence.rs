@@ -146,11 +146,22 @@ fn needs(
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
         // The types of the parameters of standard functions are one table.
-        Symptom::Rejected(reason) if refuses_argument(&normal.deviation.got) && line.calls_standard() => (
-            rejected(reason, ""),
-            words(["parameter of a standard function"]),
-            true,
-        ),
+        Symptom::Rejected(reason)
+            if says(&normal.deviation.got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() =>
+        {
+            (
+                rejected(reason, ""),
+                words(["parameter of a standard function"]),
+                true,
+            )
+        }
+        // A variable that is not known is so whatever is done with it.
+        Symptom::Rejected(reason)
+            if says(&normal.deviation.got, Code::VariableUndefined)
+                && !line.special_sections().is_empty() =>
+        {
+            (rejected(reason, ""), line.special_sections(), true)
+        }
         Symptom::Rejected(reason) => {
             let (symptom, features) = rejection(line, reason, &sign.at);
             (symptom, features, true)
@@ -275,10 +286,10 @@ fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {
     BTreeSet::from(words.map(str::to_owned))
 }
 
-/// Returns whether an engine says, in a code that Stickler knows, that an argument has not the type of its parameter.
-fn refuses_argument(got: &[Fact]) -> bool {
+/// Returns whether an engine reports a code that Stickler knows.
+fn says(got: &[Fact], code: Code) -> bool {
     let mut codes = got.iter().filter_map(|fact| fact.diagnostic()?.registered_code());
-    codes.any(|code| code == Code::FunctionCallArgTypeMismatch)
+    codes.any(|said| said == code)
 }
 
 /// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large to

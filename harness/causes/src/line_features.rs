@@ -21,7 +21,7 @@
 //! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
 use crate::failure_sign::is_unread;
-use crate::lines::{LinePlace, line_with_number, place_of, unit_of};
+use crate::lines::{LinePlace, line_with_number, place_of, special_section, unit_of};
 use crate::malformed::forms_of_literals;
 use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
@@ -331,13 +331,25 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         self.callees().any(is_standard)
     }
 
-    /// Returns whether the line uses a variable of VAR_EXTERNAL.
+    /// Returns whether the program uses a variable of VAR_EXTERNAL.
     pub(crate) fn uses_external(&self) -> bool {
+        let sections = |part: &Part<'_, '_>| self.program.section(part.name()?, part.pou);
         let mut parts = self.program.parts.iter();
-        parts.any(|part| {
-            let section = part.name().and_then(|name| self.program.section(name, part.pou));
-            section == Some(VariableKind::External)
-        })
+        parts.any(|part| sections(part) == Some(VariableKind::External))
+    }
+
+    /// Returns the sections in which the variables of the line are declared, but plain ones and those of inputs.
+    pub(crate) fn special_sections(&self) -> BTreeSet<String> {
+        let names = self
+            .program
+            .parts
+            .iter()
+            .filter(|part| self.is_on_line(part.expression.span));
+        let declared = |part: &Part<'_, '_>| Some(self.program.named(part.name()?, part.pou)?.name.span);
+        let lines = names.filter_map(|part| Some(self.program.line(declared(part)?)));
+        lines
+            .filter_map(|line| Some(special_section(self.program, line)?.to_owned()))
+            .collect()
     }
 
     /// Returns whether a variable begins with nothing, although its type begins with a value.

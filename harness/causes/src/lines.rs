@@ -161,7 +161,8 @@ pub(crate) fn place_of<'t, 's>(program: &ReadProgram<'t, 's>, number: u32) -> Li
     LinePlace::Statement
 }
 
-/// Returns the word of the section of variables that a line stands in, unless that is the plain one or that of the inputs.
+/// Returns the word of the section of variables that a line stands in, unless that is the plain one or that of the inputs; of constants, that
+/// they are.
 pub(crate) fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
     let LinePlace::Section(section) = place_of(program, number) else {
         return None;
@@ -170,7 +171,11 @@ pub(crate) fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) ->
     let head = text
         .split(|sign: char| !sign.is_ascii_alphanumeric() && sign != '_')
         .next()?;
-    (!matches!(head, "VAR" | "VAR_INPUT")).then_some(head)
+    match head {
+        "VAR" if section.constant => Some("VAR CONSTANT"),
+        "VAR" | "VAR_INPUT" => None,
+        _ => Some(head),
+    }
 }
 
 /// Returns the kind of unit that a line of a program stands in, unless that is a PROGRAM.
