@@ -23,8 +23,10 @@ pub(crate) struct Constructs {
     uses: BTreeMap<String, BTreeSet<String>>,
     /// The names that are declared with an elementary type, in capitals.
     elementary: BTreeSet<String>,
-    /// Whether every section of variables has one and every body has a statement, which some compilers demand.
-    is_whole: bool,
+    /// Whether there is a section of variables and none is empty, which some compilers demand.
+    has_variables: bool,
+    /// Whether a body has no statement, which some compilers reject.
+    has_empty_body: bool,
 }
 
 impl Constructs {
@@ -50,14 +52,17 @@ impl Constructs {
         Constructs {
             limited,
             elementary: elementary_names(&program),
-            is_whole: is_whole(&all),
+            has_variables: has_variables(&all),
+            has_empty_body: has_pair(&all, |one, next| one == TokenKind::EndVar && next.closes_pou()),
             uses,
         }
     }
 
-    /// Returns whether a program with these constructs may become one with the constructs `smaller`.
-    pub(crate) fn may_become(&self, smaller: &Constructs) -> bool {
-        smaller.is_whole
+    /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes bodies
+    /// without statements or does not.
+    pub(crate) fn may_become(&self, smaller: &Constructs, takes_empty_bodies: bool) -> bool {
+        smaller.has_variables
+            && (takes_empty_bodies || !smaller.has_empty_body)
             && smaller.limited.is_subset(&self.limited)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
     }
@@ -350,12 +355,16 @@ fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
     })
 }
 
-/// Returns whether a program has variables in each of its sections, and statements: some compilers reject a program without
-/// them for that alone, whatever else was wrong with it.
-fn is_whole(tokens: &[Token]) -> bool {
-    let mut pairs = tokens.windows(2).map(|pair| (pair[0].kind, pair[1].kind));
-    let is_empty = |(one, next): (TokenKind, TokenKind)| {
-        one.opens_section() && next == TokenKind::EndVar || one == TokenKind::EndVar && next.closes_pou()
-    };
-    tokens.iter().any(|token| token.kind == TokenKind::EndVar) && !pairs.any(is_empty)
+/// Returns whether a program has variables in each of its sections: some compilers reject a program without them for that alone, whatever
+/// else was wrong with it.
+fn has_variables(tokens: &[Token]) -> bool {
+    let ends = |token: &Token| token.kind == TokenKind::EndVar;
+    tokens.iter().any(ends)
+        && !has_pair(tokens, |one, next| {
+            one.opens_section() && next == TokenKind::EndVar
+        })
+}
+
+fn has_pair(tokens: &[Token], is_one: impl Fn(TokenKind, TokenKind) -> bool) -> bool {
+    tokens.windows(2).any(|pair| is_one(pair[0].kind, pair[1].kind))
 }

@@ -111,6 +111,10 @@ impl Deviation {
     }
 }
 
+/// A program of which no body has a statement.
+const EMPTY_BODIES: &str = "FUNCTION_BLOCK EMPTY\nVAR_INPUT\n    in : INT;\nEND_VAR\nEND_FUNCTION_BLOCK\n\n\
+     PROGRAM main\nVAR\n    done : BOOL;\nEND_VAR\nEND_PROGRAM\n";
+
 impl Questioner<'_> {
     /// Asks the engine about a case, or takes what it answered before, in this search or in an earlier run; `None` where it does what it must, or does
     /// not support the program.
@@ -128,6 +132,15 @@ impl Questioner<'_> {
             }
         };
         Ok(self.judged(case, answers)?.1)
+    }
+
+    /// Returns whether the engine takes bodies without statements, in the dialect of a case.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn takes_empty_bodies(&mut self, case: &Case) -> Result<bool, EngineError> {
+        let program = Case::of_program(&case.id, case.dialect, EMPTY_BODIES);
+        Ok(self.deviation(&program)?.is_none())
     }
 
     /// Returns whether the engine answered a case in this search.

@@ -6,12 +6,10 @@ use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
 use crate::program::{Program, read};
 use crate::question::{Deviation, Questioner, as_the_reference, is_as_standard, with_program, wrong_values};
-use std::collections::BTreeSet;
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::{Case, without_blank_lines};
-use stickler_syntax::tree::PouKind;
 use stickler_types::Observation;
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
@@ -80,14 +78,16 @@ pub(crate) fn reduce(
     let mut questions = 0;
     let start = unreduced.program.clone();
     let constructs = Constructs::of(&start);
+    let takes_empty_bodies = asked.takes_empty_bodies(case)?;
     // Another literal that should not be read is another mistake.
     let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_reading(code));
     let keeps_literals =
         |program: &str| !unread || words_with_digits(program).is_subset(&words_with_digits(&start));
     let found = {
         let mut interesting = |program: &str| {
-            let may_become =
-                |smaller: &str| constructs.may_become(&Constructs::of(smaller)) && keeps_literals(smaller);
+            let may_become = |smaller: &str| {
+                constructs.may_become(&Constructs::of(smaller), takes_empty_bodies) && keeps_literals(smaller)
+            };
             if error.is_some() || (program != start && !may_become(program)) {
                 return Interestingness::Invalid;
             }
@@ -108,7 +108,15 @@ pub(crate) fn reduce(
             }
         };
         let budget = ReductionBudget { tries, stop };
-        stickler_reduce::text(&start, case.dialect, &mut interesting, &budget)
+        let mut found = stickler_reduce::text(&start, case.dialect, &mut interesting, &budget);
+        while takes_empty_bodies && found.ended == StopReason::Smallest {
+            let mut emptied = emptied(&found.value).into_iter();
+            let Some(program) = emptied.find(|one| interesting(one) == Interestingness::Interesting) else {
+                break;
+            };
+            found = stickler_reduce::text(&program, case.dialect, &mut interesting, &budget);
+        }
+        found
     };
     if let Some(error) = error {
         return Err(error);
@@ -124,7 +132,6 @@ pub(crate) fn reduce(
         questions,
         ..unreduced
     };
-    let smallest = without_filling(asked, (case, sign), smallest)?;
     let smaller = with_program(case, sign, &smallest.program);
     match smaller.filter(|_| reduction != Reduced::Not) {
         // Nobody waits for what is made smaller later.
@@ -149,57 +156,16 @@ pub(crate) fn reduce(
     }
 }
 
-/// Returns a program without the one statement of its PROGRAM, and its variables if they do not matter either. Only a program that is
-/// accepted, although it must not be, shows that the compiler does not demand a statement.
-fn without_filling(
-    asked: &mut Questioner<'_>,
-    (case, sign): (&Case, &Sign),
-    mut smallest: Smallest,
-) -> Result<Smallest, EngineError> {
-    if smallest.reduction != Reduced::Smallest || !matches!(sign.symptom, Symptom::NotRejected(_)) {
-        return Ok(smallest);
-    }
-    let mut tried = BTreeSet::new();
-    while let Some(program) = emptied(&smallest.program)
-        .into_iter()
-        .find(|one| !tried.contains(one))
-    {
-        tried.insert(program.clone());
-        let Some(smaller) = with_program(case, sign, &program) else {
-            continue;
-        };
-        smallest.questions += 1;
-        let seen = asked.deviation(&smaller)?;
-        if seen.is_some_and(|seen| sign.is_kept_by(&seen.sign)) {
-            smallest.program = program;
-        }
-    }
-    Ok(smallest)
-}
-
-/// Returns what a program may become whose PROGRAM has no statement or one: without its variables too, without the statement, and, where
-/// there is none any more, without one of its lines of declarations.
+/// Returns what a program may become by the loss of the one statement that a body has.
 fn emptied(text: &str) -> Vec<String> {
     let program = Program::new(text);
-    let program = program.read();
-    let Some(pou) = program.unit.pous().find(|pou| pou.kind == PouKind::Program) else {
-        return Vec::new();
-    };
-    let begin = |byte: u32| text[..byte as usize].rfind('\n').map_or(0, |end| end + 1);
-    let without = |from: usize, to: usize| format!("{}{}", &text[..from], &text[to..]);
-    let end = begin(pou.end.start);
-    let sections = pou.blocks.first().map_or(end, |block| begin(block.span.start));
-    match &pou.body[..] {
-        [statement] => vec![without(sections, end), without(begin(statement.span.start), end)],
-        [] => {
-            let groups = pou.blocks.iter().filter(|block| block.groups.len() > 1);
-            let groups = groups.flat_map(|block| &block.groups);
-            let lines = groups.map(|group| begin(group.names[0].span.start));
-            let next = |from: usize| text[from..].find('\n').map_or(text.len(), |end| from + end + 1);
-            lines.map(|from| without(from, next(from))).collect()
-        }
-        _ => Vec::new(),
-    }
+    let alone = program.unit.pous().filter_map(|pou| match &pou.body[..] {
+        [statement] => Some((statement.span.start as usize, pou.end.start as usize)),
+        _ => None,
+    });
+    alone
+        .map(|(from, to)| format!("{}\n{}", text[..from].trim_end(), &text[to..]))
+        .collect()
 }
 
 /// Returns the operand of a program that gives alone the wrong value which the program gives; `None` where there is none. Most programs of
