@@ -47,6 +47,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         let entry = declared
             .filter(|_| !is_own)
             .and_then(|one| declared_as(program, one))
+            .or_else(|| result_of(program, number, word))
             .or_else(|| {
                 let ty = program.declared_type(word).filter(|_| !is_own)?;
                 let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
@@ -85,6 +86,21 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
         Some(end) if opens && end.starts_with("END_") => format!("{code} {end}"),
         _ => code.to_owned(),
     }
+}
+
+/// Returns the name of a function with the type of its result, where a line assigns it.
+fn result_of(program: &ReadProgram<'_, '_>, number: u32, name: &str) -> Option<String> {
+    let is_assigned = |part: &&Part<'_, '_>| {
+        let is_named = part.name().is_some_and(|one| one.eq_ignore_ascii_case(name));
+        is_named && part.place == Place::Target && program.line(part.expression.span) == number
+    };
+    let pou = program.parts.iter().find(is_assigned)?.pou?;
+    let result = pou.result.as_ref().filter(|_| pou.name.is(name))?;
+    Some(format!(
+        "result {} : {}",
+        pou.name.text,
+        written_type(program, result, None)?
+    ))
 }
 
 /// Returns a name with the location, the type and the initial value with which a program declares it, as they are written; of what is

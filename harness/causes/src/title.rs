@@ -123,16 +123,17 @@ impl Titled<'_, '_> {
     fn reason(&self, words: &str) -> String {
         let mut got = self.got.iter();
         let reason = got.find_map(|fact| match fact {
-            Fact::Crashed { reason } | Fact::Unusable { reason } => Some(reason.as_str()),
+            Fact::Crashed { reason } => Some(clipped(reason)),
+            Fact::Unusable { reason } => Some(match reason.split_once(" error: ") {
+                Some((before, message)) => {
+                    let what = before.split(": ").next().unwrap_or_default();
+                    format!("{what}: {}", clipped(message))
+                }
+                None => clipped(reason),
+            }),
             _ => None,
         });
-        match reason.and_then(|reason| reason.split_once(" error: ")) {
-            Some((before, message)) => {
-                let what = before.split(": ").next().unwrap_or_default();
-                format!("{what}: {}", clipped(message))
-            }
-            None => clipped(reason.unwrap_or(words)),
-        }
+        reason.unwrap_or_else(|| clipped(words))
     }
 
     /// Returns a line in words; where it is not known or says nothing, the one that most probably matters.
