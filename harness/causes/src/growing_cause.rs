@@ -11,6 +11,7 @@ use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types, words};
 use crate::work::operations;
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
@@ -29,6 +30,8 @@ pub(crate) struct GrowingCause {
     pub(crate) differs: bool,
     /// The rank of the shown claim.
     pub(crate) rank: u8,
+    /// The number of cases with the same essence that rest on the shown claim.
+    agreeing: u64,
 }
 
 impl GrowingCause {
@@ -50,7 +53,10 @@ impl GrowingCause {
         let is_other = normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
         let begins = normal.is_beginning() && !shows_initial_value(&smallest.program, &smallest.deviation);
         let is_derived = hides || is_other || begins;
-        let mut shown = match is_derived {
+        // A value of quite another type shows best that none is checked.
+        let is_as_small = normal.program.len() <= smallest.program.len();
+        let is_unchecked = smallest.deviation.sign.accepts() && normal.is_unchecked() && is_as_small;
+        let mut shown = match is_derived || is_unchecked {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
         };
@@ -107,6 +113,7 @@ impl GrowingCause {
             sign: shown.deviation.sign.clone(),
             other: group.second.clone(),
             shared: group.shared.clone(),
+            agreeing: 0,
         }
     }
 
@@ -139,8 +146,9 @@ impl GrowingCause {
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
-    /// of which the claim of their case still speaks, then claims by their rank, then the smaller program.
-    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, usize, &str) {
+    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then the
+    /// smaller program.
+    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, Reverse<u64>, usize, &str) {
         let program = &self.cause.shown.program;
         (
             self.differs,
@@ -151,6 +159,7 @@ impl GrowingCause {
             },
             self.cause.shown.is_derived,
             self.rank,
+            Reverse(self.agreeing),
             program.len(),
             program,
         )
@@ -176,9 +185,24 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
             hidden.is_some(),
             constructs.len(),
             labels.len(),
-            std::cmp::Reverse(member.cause.number()),
+            Reverse(member.cause.number()),
         )
     });
+    let claim = |member: &GrowingCause| {
+        let Essence { symptom, .. } = &member.essence;
+        (
+            symptom.clone(),
+            member.essence.construct(),
+            member.cause.shown.basis.clone(),
+        )
+    };
+    let mut agreeing: HashMap<_, u64> = HashMap::new();
+    for member in &members {
+        *agreeing.entry(claim(member)).or_default() += member.cause.number();
+    }
+    for member in &mut members {
+        member.agreeing = agreeing[&claim(member)];
+    }
     let mut causes: Vec<GrowingCause> = Vec::new();
     for member in members {
         let explaining = causes
