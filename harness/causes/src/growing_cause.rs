@@ -1,5 +1,6 @@
 //! A cause while groups of failing cases are added to it, and the joining of groups with one cause.
 
+use crate::alone::is_loop_alone;
 use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
@@ -64,7 +65,7 @@ impl GrowingCause {
         let is_missing_alone = is_other && matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_));
         let is_derived = match is_missing_alone {
             true => !keeps_claim(&group.shown, &shown),
-            false => is_derived || !keeps_claim(&group.shown, smallest),
+            false => is_derived || is_loop_alone(&shown.program) || !keeps_claim(&group.shown, smallest),
         };
         if is_derived {
             // Where no claim speaks of the program, its plainest form says most.
