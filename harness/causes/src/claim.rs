@@ -3,11 +3,11 @@
 use crate::failure_sign::is_unread;
 use crate::program::Program;
 use crate::reduction::Smallest;
-use crate::words::{kind, type_of_word, valued_types, words};
+use crate::words::{type_of_word, valued_types, valued_types_among, words, words_in_use};
 use crate::work::{Role, operations, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::{CaseEvent, Fact, Symptom};
-use stickler_types::{Diagnostic, ElementaryType};
+use stickler_types::Diagnostic;
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
 /// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
@@ -70,27 +70,9 @@ pub(crate) fn keeps_work(whole: &str, program: &str, kept: &BTreeSet<String>) ->
         return false;
     }
     match work.is_empty() {
-        true => valued_types(whole).len() < 2 || used_types(program).len() > 1,
+        true => valued_types(whole).len() < 2 || valued_types_among(words_in_use(program)).len() > 1,
         false => work.into_iter().all(|operation| kept.contains(operation)),
     }
-}
-
-/// Returns the types of the values that a program has, but those of variables which it only declares.
-fn used_types(text: &str) -> BTreeSet<ElementaryType> {
-    let words = words(text);
-    let is_used = |at: usize| match at.checked_sub(2).map(|name| (words[name], words[name + 1])) {
-        Some((name, ":")) => {
-            words
-                .iter()
-                .filter(|word| word.eq_ignore_ascii_case(name))
-                .count()
-                > 1
-        }
-        _ => true,
-    };
-    let used = (0..words.len()).filter(|at| is_used(*at));
-    let types = used.filter_map(|at| type_of_word(words[at]));
-    types.filter(|ty| kind(*ty).is_some()).collect()
 }
 
 /// Returns whether a minus stands before a literal with a type.

@@ -10,7 +10,7 @@ use crate::promised::{cite, promise, promise_of_place};
 use crate::reduction::Smallest;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
-use crate::words::{types_of, valued_types, words};
+use crate::words::{types_among, types_of, valued_types, words_in_use};
 use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -168,7 +168,8 @@ impl GrowingCause {
 
     /// Returns whether a program has other types than the shown one where it uses them, so that it is worth a place as a second witness.
     pub(crate) fn has_other_types(&self, reproducer: &Reproducer) -> bool {
-        used_types(&reproducer.program) != used_types(&self.cause.shown.program)
+        let types = |program| types_among(words_in_use(program));
+        types(&reproducer.program) != types(&self.cause.shown.program)
     }
 }
 
@@ -236,20 +237,6 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
         cause.other = cause.other.take().or(member.other);
     }
     causes
-}
-
-/// Returns the types that a program names outside the declarations of variables that it does not use.
-fn used_types(text: &str) -> Vec<&'static str> {
-    let mut numbers: HashMap<String, usize> = HashMap::new();
-    for word in words(text) {
-        *numbers.entry(word.to_ascii_uppercase()).or_default() += 1;
-    }
-    let is_used = |line: &&str| {
-        let declared = line.split_once(':').map(|(name, _)| name.trim());
-        declared.is_none_or(|name| numbers.get(&name.to_ascii_uppercase()) != Some(&1))
-    };
-    let lines: Vec<&str> = text.lines().filter(is_used).collect();
-    types_of(&lines.join("\n"))
 }
 
 /// Returns whether a construct itself is not implemented, whatever the claim of the case is about.

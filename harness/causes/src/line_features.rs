@@ -471,8 +471,8 @@ pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span
 }
 
 /// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
-/// work, and numbers that one family does not have are properties of the value.
-/// What is left of a date and time without its date is found with it.
+/// work, and numbers that one family does not have are properties of the value. The conversions of a date and time to its date and to its
+/// time of day have one name.
 fn of_numbers(operation: &str) -> String {
     let side = |side: &str| match side {
         "signed" | "unsigned" | "bitstring" => "integer".to_owned(),

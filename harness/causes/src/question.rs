@@ -19,7 +19,7 @@ const MAX_VARIABLES: usize = 1000;
 #[derive(Default)]
 pub(crate) struct SearchAnswers(Mutex<HashMap<String, KnownAnswer>>);
 
-/// What an engine answered, and whether it answered so each of several times.
+/// An answer of an engine, and whether the engine gave the same answer each time that it was asked again.
 #[derive(Clone)]
 struct KnownAnswer {
     answers: Answers,

@@ -1,6 +1,6 @@
 //! The words of a program of any dialect, also of one that nobody can read, and the types that they name.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_types::dialect::PartialAccess;
@@ -48,10 +48,33 @@ pub(crate) fn type_of_word(word: &str) -> Option<ElementaryType> {
     }
 }
 
-/// Returns the names of the elementary types that a program names, each once, in the order of the text.
-pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
+/// Returns the words of a program without the declarations of variables that it does not use.
+pub(crate) fn words_in_use(text: &str) -> Vec<&str> {
+    let words = words(text);
+    let mut numbers: HashMap<String, usize> = HashMap::new();
+    for word in &words {
+        *numbers.entry(word.to_ascii_uppercase()).or_default() += 1;
+    }
+    let mut is_left_out = false;
+    let mut is_in_use = |(at, word): (usize, &&str)| {
+        let is_name = word.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
+        let is_declared = is_name && words.get(at + 1) == Some(&":");
+        is_left_out |= is_declared && numbers[&word.to_ascii_uppercase()] == 1;
+        let is_in_use = !is_left_out;
+        is_left_out &= *word != ";";
+        is_in_use
+    };
+    let numbered = words.iter().enumerate();
+    numbered
+        .filter(|one| is_in_use(*one))
+        .map(|(_, word)| *word)
+        .collect()
+}
+
+/// Returns the names of the elementary types among words, each once, in their order.
+pub(crate) fn types_among<'w>(words: impl IntoIterator<Item = &'w str>) -> Vec<&'static str> {
     let mut found = Vec::new();
-    for ty in words(text).into_iter().filter_map(elementary) {
+    for ty in words.into_iter().filter_map(elementary) {
         if !found.contains(&ty.name()) {
             found.push(ty.name());
         }
@@ -59,9 +82,19 @@ pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
     found
 }
 
+/// Returns the names of the elementary types that a program names, each once, in the order of the text.
+pub(crate) fn types_of(text: &str) -> Vec<&'static str> {
+    types_among(words(text))
+}
+
 /// Returns the types that a program names and between which values are converted.
 pub(crate) fn valued_types(text: &str) -> BTreeSet<ElementaryType> {
-    let types = words(text).into_iter().filter_map(type_of_word);
+    valued_types_among(words(text))
+}
+
+/// Returns the types that words name and between which values are converted.
+pub(crate) fn valued_types_among(words: Vec<&str>) -> BTreeSet<ElementaryType> {
+    let types = words.into_iter().filter_map(type_of_word);
     types.filter(|ty| kind(*ty).is_some()).collect()
 }
 

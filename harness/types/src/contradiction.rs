@@ -1,4 +1,4 @@
-//! What a source says against the claims of others, and the relation of its publisher to the makers.
+//! Contradictions between the sources of one compiler, and the relation of a publisher to the makers of the compiler.
 
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +28,7 @@ pub struct Contradiction {
     /// Texts of which the id or the program of a case contains one, in capital or small letters; none where all cases of the claims are meant.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub only: Vec<String>,
-    /// What the section says, as the rest of a sentence.
+    /// The statement of the section, as the words behind its name in a sentence: `expects 128`.
     pub says: String,
     /// Whether the claims bind all the same, since they are newer or more specific.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]

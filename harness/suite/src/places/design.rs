@@ -38,7 +38,7 @@ pub(crate) struct Design {
 /// The places that can stand in the programs of a cell or a row, by index.
 struct Standing {
     sources: Vec<usize>,
-    /// Those of the sources that are literals, which alone stand in initial values.
+    /// The sources that are literals. An initial value takes no other source.
     literals: Vec<usize>,
     direct: Vec<usize>,
     behind: Vec<usize>,
