@@ -160,6 +160,8 @@ pub(crate) fn page(
     }
     reproduction(&mut text, about, shown);
     let by = match shown.is_derived {
+        // What a compiler lacks may be promised by nobody whose word binds it.
+        _ if shown.basis.is_empty() => "Expected, though no source that binds it says so:".to_owned(),
         // The claim says nothing of a program that does something else.
         true => format!("Expected (found through cases of {}):", cited(shown, overview)),
         false => format!("Expected, by {}:", cited(shown, overview)),
