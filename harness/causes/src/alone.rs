@@ -137,7 +137,7 @@ pub(crate) fn distance(program: &str) -> u64 {
         && program.contains("\nEND_VAR\n    into := ")
         && program.lines().count() < 8;
     match program.contains("    data : ") {
-        _ if program == BEGINNING_BLOCK || is_loop_alone(program) => 0,
+        _ if is_beginning_block(program) || is_loop_alone(program) => 0,
         _ if !is_alone => 2,
         true => 1,
         false => 0,
@@ -180,7 +180,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         variables.extend(output.map(|(from, into)| Alone::copied(from, into, program.some_value(from))));
         variables.extend(mixed(program, part));
         variables.extend(behind_arithmetic(program, part));
-        calls.extend(call_alone(program, part));
+        calls.extend(calls_alone(program, part));
     }
     let mut found: Vec<Alone> = Vec::new();
     for one in literals.into_iter().chain(variables).chain(calls) {
@@ -234,6 +234,32 @@ fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<E
     }
     let target = program.target(&part).filter(|_| part.id != operand.id);
     target.filter(|ty| is_number(*ty))
+}
+
+/// Returns calls of a conversion function with a literal and with a variable, or one of another function that the program does not declare
+/// with its one operand, where an expression is one.
+fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
+    let with_variable = call_alone(program, part);
+    let literal = |(callee, value): (&str, &str)| {
+        let (_, ty) = converted(callee)?;
+        Some(Alone::new(None, ty, &format!("{callee}({value})")))
+    };
+    let called = program
+        .call(part.id)
+        .and_then(|(callee, arguments)| match arguments {
+            [Argument::Positional(value)] if !program.declares(callee) => {
+                let value = program
+                    .literal(*value)
+                    .or_else(|| program.initial(program.text(*value)))?;
+                Some((callee, value))
+            }
+            _ => None,
+        });
+    called
+        .and_then(literal)
+        .into_iter()
+        .chain(with_variable)
+        .collect()
 }
 
 /// Returns a call of a conversion function with a variable, or of another function that the program does not declare with its one operand,
@@ -317,12 +343,22 @@ fn behind_arithmetic(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<
         .collect()
 }
 
-/// The plainest program with a variable of a function block that begins with a value.
-pub(crate) const BEGINNING_BLOCK: &str = "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
-    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n";
+/// The plainest programs with a variable of a function block that begins with a value: without a statement, and for those who
+/// demand one.
+const BEGINNING_BLOCKS: [&str; 2] = [
+    "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\nEND_FUNCTION_BLOCK\n\n\
+    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\nEND_PROGRAM\n",
+    "FUNCTION_BLOCK BLOCK\nVAR\n    data : INT := 1;\nEND_VAR\n    data := data;\nEND_FUNCTION_BLOCK\n\n\
+    PROGRAM main\nVAR\n    instance : BLOCK;\nEND_VAR\n    instance();\nEND_PROGRAM\n",
+];
 
-/// Returns the plainest program of which a function block has an initial value, for a program of which one has.
-pub(crate) fn beginning_block(program: &ReadProgram<'_, '_>) -> Vec<String> {
+/// Returns whether a program is one of the plainest with a variable of a function block that begins with a value.
+pub(crate) fn is_beginning_block(program: &str) -> bool {
+    BEGINNING_BLOCKS.contains(&program)
+}
+
+/// Returns the plainest programs of which a function block has an initial value, for a program of which one has.
+pub(crate) fn beginning_blocks(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let mut blocks = program
         .unit
         .pous()
@@ -331,9 +367,8 @@ pub(crate) fn beginning_block(program: &ReadProgram<'_, '_>) -> Vec<String> {
         let mut groups = pou.blocks.iter().flat_map(|block| &block.groups);
         groups.any(|group| group.initializer.is_some())
     };
-    blocks
-        .any(begins)
-        .then(|| BEGINNING_BLOCK.to_owned())
-        .into_iter()
-        .collect()
+    match blocks.any(begins) {
+        true => BEGINNING_BLOCKS.map(str::to_owned).to_vec(),
+        false => Vec::new(),
+    }
 }

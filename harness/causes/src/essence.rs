@@ -21,6 +21,12 @@ use stickler_types::Code;
 /// The feature of a place where a value of every type is accepted.
 const UNCHECKED: &str = "unchecked";
 
+/// The beginning of the symptom of a mistake that is accepted.
+const ACCEPTED: &str = "accepted";
+
+/// The features of a mistake of which the value is computed.
+const COMPUTING: [&str; 2] = ["operator", "conversion function"];
+
 /// The properties that small programs with the same defect have in common.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(crate) struct Essence {
@@ -48,8 +54,10 @@ impl Essence {
         let pattern = match sign.symptom {
             Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
-            Symptom::Value if line.loses_value_of_type(&normal.deviation) => Some("initial value of a type"),
-            Symptom::Value => normal.way.or_else(|| number_pattern(&read, &normal.deviation)),
+            Symptom::Value => line
+                .lost_value_of_type(&normal.deviation)
+                .or(normal.way)
+                .or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
         // An operation that takes a value of one kind for one of another gives a wrong value, or a fault where that is zero.
@@ -106,8 +114,11 @@ impl Essence {
         // Where nothing is checked is more than where one mistake is not seen.
         let is_checked = |features: &BTreeSet<String>| !features.contains(UNCHECKED);
         let needs_no_more = |symptom: &str, features: &BTreeSet<String>| {
+            // What an operator or a conversion gives has a type of its own, which may be what is not checked.
+            let computes = |one: &String| !self.constructs.contains(one) && COMPUTING.contains(&one.as_str());
             let contains = self.is_contained
                 && self.constructs.is_subset(features)
+                && !(symptom.starts_with(ACCEPTED) && features.iter().any(computes))
                 && is_checked(&self.constructs) == is_checked(features);
             self.symptom == symptom && (self.constructs == *features || contains)
         };
@@ -136,8 +147,8 @@ fn needs(
                 .any(|feature| LINE_PLACES.contains(&feature.as_str()));
             // Where nothing is checked, it does not matter what is not checked.
             let symptom = match is_unchecked {
-                true => "accepted".to_owned(),
-                false => format!("accepted {code}"),
+                true => ACCEPTED.to_owned(),
+                false => format!("{ACCEPTED} {code}"),
             };
             (symptom, features, names_construct)
         }
@@ -145,15 +156,11 @@ fn needs(
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
-        // The types of the parameters of standard functions are one table.
+        // Each standard function has parameters of its own, whose types matter to no other.
         Symptom::Rejected(reason)
             if says(&normal.deviation.got, Code::FunctionCallArgTypeMismatch) && line.calls_standard() =>
         {
-            (
-                rejected(reason, ""),
-                words(["parameter of a standard function"]),
-                true,
-            )
+            (rejected(reason, ""), line.standard_calls(), true)
         }
         // A variable that is not known is so whatever is done with it.
         Symptom::Rejected(reason)
@@ -220,8 +227,10 @@ fn needs(
             };
             (symptom, BTreeSet::new(), false)
         }
-        // Whatever it says, it says where by one piece of work.
-        Symptom::NoPlace(_) => ("no place".to_owned(), BTreeSet::new(), false),
+        // Whatever an engine without places says, it says where by one piece of work; elsewhere what is said of one construct has a place by
+        // one.
+        Symptom::NoPlace(_) if normal.way.is_some() => ("no place".to_owned(), BTreeSet::new(), false),
+        Symptom::NoPlace(code) => (format!("no place {code}"), line.partial_accesses(), false),
         Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
@@ -235,6 +244,9 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
     if code == Code::AssignmentToConstant.as_str() {
         features.remove(LITERAL);
         features.insert("constant".to_owned());
+    }
+    if code == Code::ConstantOverflow.as_str() && !is_unchecked && line.has_literal_beyond_type() {
+        return words(["typed literal beyond its type"]);
     }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {

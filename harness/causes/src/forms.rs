@@ -85,7 +85,7 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
         // A plain assignment may be there only because a program needs a statement.
         own.sort_by_key(|one| !one.contains(['.', '[', '(']));
         for statement in instances.chain(paths).chain(own) {
-            let changed = Edits::replacing(body.clone(), statement).apply(text);
+            let changed = without_unused(&Edits::replacing(body.clone(), statement).apply(text));
             if changed != text && !found.contains(&changed) {
                 found.push(changed);
             }

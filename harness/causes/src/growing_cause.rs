@@ -166,10 +166,12 @@ impl GrowingCause {
         )
     }
 
-    /// Returns whether a program has other types than the shown one where it uses them, so that it is worth a place as a second witness.
+    /// Returns whether a program has other types than the shown one where it uses them, so that it is worth a place as a second witness;
+    /// the commands of the page speak one dialect.
     pub(crate) fn has_other_types(&self, reproducer: &Reproducer) -> bool {
         let types = |program| types_among(words_in_use(program));
-        types(&reproducer.program) != types(&self.cause.shown.program)
+        let shown = &self.cause.shown;
+        reproducer.dialect == shown.dialect && types(&reproducer.program) != types(&shown.program)
     }
 }
 

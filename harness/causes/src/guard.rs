@@ -2,6 +2,7 @@
 //! at fault is still there, and nothing came in that the whole program does not have.
 
 use crate::program::{Part, Program, ReadProgram};
+use crate::question::Takes;
 use crate::shape::is_name;
 use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,8 +24,10 @@ pub(crate) struct Constructs {
     uses: BTreeMap<String, BTreeSet<String>>,
     /// The names that are declared with an elementary type, in capitals.
     elementary: BTreeSet<String>,
-    /// Whether there is a section of variables and none is empty, which some compilers demand.
+    /// Whether there is a section of variables, which some compilers demand.
     has_variables: bool,
+    /// Whether a section of variables is empty, which some compilers reject.
+    has_empty_section: bool,
     /// Whether a body has no statement, which some compilers reject.
     has_empty_body: bool,
 }
@@ -52,17 +55,18 @@ impl Constructs {
         Constructs {
             limited,
             elementary: elementary_names(&program),
-            has_variables: has_variables(&all),
+            has_variables: all.iter().any(|token| token.kind == TokenKind::EndVar),
+            has_empty_section: has_pair(&all, |one, next| one.opens_section() && next == TokenKind::EndVar),
             has_empty_body: has_pair(&all, |one, next| one == TokenKind::EndVar && next.closes_pou()),
             uses,
         }
     }
 
-    /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes bodies
-    /// without statements or does not.
-    pub(crate) fn may_become(&self, smaller: &Constructs, takes_empty_bodies: bool) -> bool {
-        smaller.has_variables
-            && (takes_empty_bodies || !smaller.has_empty_body)
+    /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes so little.
+    pub(crate) fn may_become(&self, smaller: &Constructs, takes: Takes) -> bool {
+        (takes.no_variables || smaller.has_variables)
+            && !smaller.has_empty_section
+            && (takes.empty_bodies || !smaller.has_empty_body)
             && smaller.limited.is_subset(&self.limited)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
     }
@@ -353,16 +357,6 @@ fn has_empty_resource(program: &ReadProgram<'_, '_>) -> bool {
         }
         _ => false,
     })
-}
-
-/// Returns whether a program has variables in each of its sections: some compilers reject a program without them for that alone, whatever
-/// else was wrong with it.
-fn has_variables(tokens: &[Token]) -> bool {
-    let ends = |token: &Token| token.kind == TokenKind::EndVar;
-    tokens.iter().any(ends)
-        && !has_pair(tokens, |one, next| {
-            one.opens_section() && next == TokenKind::EndVar
-        })
 }
 
 fn has_pair(tokens: &[Token], is_one: impl Fn(TokenKind, TokenKind) -> bool) -> bool {

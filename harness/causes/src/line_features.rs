@@ -11,7 +11,9 @@
 //! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
 //! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
 //! | `integer of more than 64 bits` | a literal that no type holds |
-//! | `result of a function`, `field or element` | what the line assigns |
+//! | `parameter of a standard function`, `partial access` | what the line calls or selects |
+//! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
+//! | `typed literal beyond its type` | a literal such as `SINT#128` |
 //! | `array`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
 //! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
@@ -34,7 +36,7 @@ use stickler_run::Fact;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
 use stickler_syntax::visitor::Place;
-use stickler_types::Value;
+use stickler_types::{ElementaryType, Value};
 
 /// The feature of a line that stands among the types.
 const IN_TYPES: &str = "type";
@@ -127,7 +129,10 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         if is_unchecked {
             // What kind of variable the line assigns is told by `target`.
             features.remove("subscript or list");
-            features.extend(self.target().map(str::to_owned));
+            if let Some(target) = self.target() {
+                features.remove("bit access");
+                features.insert(target.to_owned());
+            }
         }
         if features.is_empty() {
             let value = words(self.text())
@@ -149,6 +154,12 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// literal that should not be read, its form alone says what is wrong.
     pub(crate) fn forms_of_literals(&self) -> Words {
         forms_of_literals(self.text())
+    }
+
+    /// Returns whether the line has a literal whose own type does not hold it, such as `SINT#128`.
+    pub(crate) fn has_literal_beyond_type(&self) -> bool {
+        let mut literals = self.program.literals();
+        literals.any(|(part, literal)| self.is_on_line(part.expression.span) && is_beyond_type(literal))
     }
 
     /// Returns where the line that matters stands.
@@ -175,7 +186,10 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         let part = targets.find(|part| self.is_on_line(part.expression.span))?;
         match &part.expression.kind {
             ExpressionKind::Name(name) if part.pou?.name.is(name.text) => Some("result of a function"),
-            ExpressionKind::Field { .. } | ExpressionKind::Index { .. } => Some("field or element"),
+            ExpressionKind::Field { .. }
+            | ExpressionKind::Index { .. }
+            | ExpressionKind::Bit { .. }
+            | ExpressionKind::Part { .. } => Some("part of a variable"),
             _ => None,
         }
     }
@@ -331,6 +345,23 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         self.callees().any(is_standard)
     }
 
+    /// Returns the standard functions, and the operators among them, that the line calls.
+    pub(crate) fn standard_calls(&self) -> Words {
+        let mut called = self.on_line(Role::Operation);
+        called.retain(|one| !matches!(one.as_str(), "call" | "sign" | "condition" | "subscript or list"));
+        called.insert("parameter of a standard function".to_owned());
+        called
+    }
+
+    /// Returns whether the line has a partial access, as a feature.
+    pub(crate) fn partial_accesses(&self) -> Words {
+        let has_part = words(self.text()).iter().any(|word| word.starts_with('%'));
+        has_part
+            .then(|| "partial access".to_owned())
+            .into_iter()
+            .collect()
+    }
+
     /// Returns whether the program uses a variable of VAR_EXTERNAL.
     pub(crate) fn uses_external(&self) -> bool {
         let sections = |part: &Part<'_, '_>| self.program.section(part.name()?, part.pou);
@@ -352,11 +383,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             .collect()
     }
 
-    /// Returns whether a variable begins with nothing, although its type begins with a value.
-    pub(crate) fn loses_value_of_type(&self, deviation: &Deviation) -> bool {
-        let first = wrong_values(&deviation.expected, &deviation.got).next();
-        let is_lost = |value: &Value| matches!(value, Value::Plain { raw: 0, .. });
-        first.is_some_and(|(name, (_, got))| is_lost(got) && self.program.begins_by_type(name))
+    /// Returns which value is lost, where a variable begins with nothing, although its type begins with a value.
+    pub(crate) fn lost_value_of_type(&self, deviation: &Deviation) -> Option<&'static str> {
+        let (name, (_, got)) = wrong_values(&deviation.expected, &deviation.got).next()?;
+        let is_lost = matches!(got, Value::Plain { raw: 0, .. });
+        self.program.initial_value_of_type(name).filter(|_| is_lost)
     }
 
     /// Returns whether the line calls a function that the program does not declare.
@@ -449,13 +480,33 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
 
 /// Returns whether a literal is an integer that 64 bits do not hold.
 fn is_long(literal: &str) -> bool {
-    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
-    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
-    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
-    let base: u32 = base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10);
+    let (digits, base) = integer(literal);
     !digits.is_empty()
         && digits.chars().all(|digit| digit.is_digit(base))
         && u64::from_str_radix(&digits, base).is_err()
+}
+
+/// Returns whether a literal is an integer with a type that does not hold it.
+fn is_beyond_type(literal: &str) -> bool {
+    let range = type_of_word(literal).filter(|_| literal.contains('#'));
+    let Some((least, most)) = range.and_then(ElementaryType::integer_range) else {
+        return false;
+    };
+    let (digits, base) = integer(literal);
+    let number = i128::from_str_radix(&digits, base).ok();
+    let sign = if literal.contains('-') { -1 } else { 1 };
+    number.is_some_and(|number| !(least..=most).contains(&(sign * number)))
+}
+
+/// Returns the digits of an integer literal without its sign, and their base.
+fn integer(literal: &str) -> (String, u32) {
+    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
+    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
+    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
+    (
+        digits,
+        base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10),
+    )
 }
 
 /// Returns whether an argument is passed to a variable of VAR_IN_OUT by its name, in a call at one of some places.

@@ -4,7 +4,7 @@
 //! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
-use crate::alone::{BEGINNING_BLOCK, alone, shows};
+use crate::alone::{alone, is_beginning_block, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
@@ -28,7 +28,7 @@ pub(crate) struct Normal {
     pub(crate) deviation: Deviation,
     /// Whether the program is an operand or a statement of the small one alone.
     pub(crate) is_operand: bool,
-    /// The way in which the engine does an operation, where another form of the program shows it.
+    /// The way in which the engine does an operation, or tells a mistake, where another program shows it.
     pub(crate) way: Option<&'static str>,
     /// Whether the engine was asked for each operand of the program alone, so that none of them fails but the program does.
     pub(crate) is_asked: bool,
@@ -61,7 +61,7 @@ impl Normal {
     /// Returns whether variables of function blocks do not begin with their values, so that what the small program does with them does
     /// not matter.
     pub(crate) fn is_beginning(&self) -> bool {
-        self.program == BEGINNING_BLOCK
+        is_beginning_block(&self.program)
     }
 
     /// Returns whether a value of quite another type is accepted in the place of the mistake.
@@ -81,6 +81,9 @@ impl Normal {
         operands.filter_map(|one| one.literal).collect()
     }
 }
+
+/// A program with a variable that is not declared.
+const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
 /// Finds the normal form of the smallest program of a case, with at most so many questions to the engine. `stop` is asked before
 /// each.
@@ -123,6 +126,7 @@ pub(crate) fn normal_form(
             }
         }
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
+        Symptom::NoPlace(_) => search.places()?,
         _ => {}
     }
     let mut normal = search.normal;
@@ -239,7 +243,7 @@ impl NormalSearch<'_, '_> {
         }
         let all = all_variables(self.case, text);
         let initial = read(text, forms::only_initial_values);
-        let keeps = text == BEGINNING_BLOCK || initial.iter().any(|initial| initial == text);
+        let keeps = is_beginning_block(text) || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
             one.name.eq_ignore_ascii_case("into")
@@ -251,6 +255,18 @@ impl NormalSearch<'_, '_> {
         } else {
             observed
         }
+    }
+
+    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all.
+    fn places(&mut self) -> Result<(), EngineError> {
+        let case = as_the_reference(self.case, UNDECLARED, &[]);
+        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
+            self.left -= 1;
+            let seen = self.asked.deviation(&case)?;
+            let is_lost = seen.is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_)));
+            self.normal.way = is_lost.then_some("diagnostics without a place");
+        }
+        Ok(())
     }
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.

@@ -1,6 +1,6 @@
 //! The passes of the reducer that lead to the normal form of a program, and the weights by which one form is plainer than another.
 
-use crate::alone::{alone, beginning_block, distance, loops_alone};
+use crate::alone::{alone, beginning_blocks, distance, loops_alone};
 use crate::forms;
 use crate::plainness::{plainer_numbers, plainness};
 use crate::program::{ReadProgram, read};
@@ -54,7 +54,7 @@ macro_rules! alternatives {
 type NormalPass = Pass<Draft>;
 const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
 const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
-const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_block);
+const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_blocks);
 const LOOP_ALONE: NormalPass = Pass {
     name: "take a loop alone",
     edit: |draft, sites| {

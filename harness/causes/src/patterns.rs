@@ -17,8 +17,10 @@ const MILLISECONDS: f64 = 1000.0;
 pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
     let wrong = WrongNumber { program, deviation };
     let patterns = [
-        (wrong.rereads_bits(), "bits of a value read in another type"),
-        (wrong.extends_sign(), "unsigned number widened with a sign"),
+        (
+            wrong.rereads_bits() || wrong.extends_sign(),
+            "value that is not converted to the type it is read in",
+        ),
         (wrong.rounds_twice(), "REAL literal that is rounded twice"),
         (wrong.exceeds_milliseconds(), "milliseconds beyond 32 bits"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
@@ -279,7 +281,11 @@ impl WrongNumber<'_, '_, '_> {
         };
         let types = named_types(self.program.text).into_iter().filter_map(elementary);
         let kinds: BTreeSet<&str> = types.filter_map(kind).collect();
-        let converts = kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
+        let is_by_name = self
+            .conversions()
+            .any(|(from, into)| from.is_duration() != into.is_duration());
+        let converts =
+            is_by_name || kinds.contains("duration") && (kinds.contains("integer") || kinds.contains("real"));
         // Below a second the number of seconds is 0, which a conversion by its name gives for no other reason.
         let is_second = expected.abs() >= MILLISECONDS || got == 0.0 && self.conversions().next().is_some();
         let counts_seconds = expected != 0.0 && is_second && (got - expected / MILLISECONDS).abs() < 1.0;

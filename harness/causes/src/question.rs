@@ -111,6 +111,18 @@ impl Deviation {
     }
 }
 
+/// How little an engine takes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) struct Takes {
+    /// Whether it takes bodies without statements.
+    pub(crate) empty_bodies: bool,
+    /// Whether it takes units without variables.
+    pub(crate) no_variables: bool,
+}
+
+/// A program of which no unit has a variable.
+const NO_VARIABLES: &str = "PROGRAM main\nEND_PROGRAM\n";
+
 /// A program of which no body has a statement.
 const EMPTY_BODIES: &str = "FUNCTION_BLOCK EMPTY\nVAR_INPUT\n    in : INT;\nEND_VAR\nEND_FUNCTION_BLOCK\n\n\
      PROGRAM main\nVAR\n    done : BOOL;\nEND_VAR\nEND_PROGRAM\n";
@@ -134,13 +146,19 @@ impl Questioner<'_> {
         Ok(self.judged(case, answers)?.1)
     }
 
-    /// Returns whether the engine takes bodies without statements, in the dialect of a case.
+    /// Returns how little the engine takes, in the dialect of a case.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
-    pub(crate) fn takes_empty_bodies(&mut self, case: &Case) -> Result<bool, EngineError> {
-        let program = Case::of_program(&case.id, case.dialect, EMPTY_BODIES);
-        Ok(self.deviation(&program)?.is_none())
+    pub(crate) fn takes(&mut self, case: &Case) -> Result<Takes, EngineError> {
+        let mut takes = |program: &str| {
+            let program = Case::of_program(&case.id, case.dialect, program);
+            Ok(self.deviation(&program)?.is_none())
+        };
+        Ok(Takes {
+            empty_bodies: takes(EMPTY_BODIES)?,
+            no_variables: takes(NO_VARIABLES)?,
+        })
     }
 
     /// Returns whether the engine answered a case in this search.

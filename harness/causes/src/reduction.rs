@@ -78,7 +78,7 @@ pub(crate) fn reduce(
     let mut questions = 0;
     let start = unreduced.program.clone();
     let constructs = Constructs::of(&start);
-    let takes_empty_bodies = asked.takes_empty_bodies(case)?;
+    let takes = asked.takes(case)?;
     // Another literal that should not be read is another mistake.
     let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_reading(code));
     let keeps_literals =
@@ -86,7 +86,7 @@ pub(crate) fn reduce(
     let found = {
         let mut interesting = |program: &str| {
             let may_become = |smaller: &str| {
-                constructs.may_become(&Constructs::of(smaller), takes_empty_bodies) && keeps_literals(smaller)
+                constructs.may_become(&Constructs::of(smaller), takes) && keeps_literals(smaller)
             };
             if error.is_some() || (program != start && !may_become(program)) {
                 return Interestingness::Invalid;
@@ -109,7 +109,7 @@ pub(crate) fn reduce(
         };
         let budget = ReductionBudget { tries, stop };
         let mut found = stickler_reduce::text(&start, case.dialect, &mut interesting, &budget);
-        while takes_empty_bodies && found.ended == StopReason::Smallest {
+        while takes.empty_bodies && found.ended == StopReason::Smallest {
             let mut emptied = emptied(&found.value).into_iter();
             let Some(program) = emptied.find(|one| interesting(one) == Interestingness::Interesting) else {
                 break;

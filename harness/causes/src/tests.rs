@@ -6,7 +6,7 @@ mod tables;
 use crate::essence::Essence;
 use crate::guard::Constructs;
 use crate::normal_form::Normal;
-use crate::question::Deviation;
+use crate::question::{Deviation, Takes};
 use crate::reduction::Smallest;
 use crate::title::title;
 use serde::Deserialize;
@@ -29,6 +29,7 @@ struct Failing {
     accepted: Option<String>,
     otherwise: Option<(String, String)>,
     elsewhere: Option<(String, String)>,
+    placeless: Option<String>,
     wrong: Option<Vec<String>>,
     fault: Option<String>,
     lacks: Option<String>,
@@ -100,6 +101,8 @@ impl Failing {
                 diagnostic(Some(code), "", Some(last), None),
                 diagnostic(Some(reported), "no", at, None),
             )
+        } else if let Some(code) = &self.placeless {
+            (mistake(code), diagnostic(Some(code), "no", None, None))
         } else if let Some([name, wanted, is]) = self.wrong.as_deref() {
             let fact = |text: &str| Fact::Value {
                 name: name.clone(),
@@ -243,7 +246,7 @@ fn a_reduction_makes_only_those_programs_of_others_that_the_table_says() {
             .map(|pair| (pair, true))
             .chain(one.may_not.iter().map(|pair| (pair, false)))
         {
-            if of(&pair.0).may_become(&of(&pair.1), false) != may {
+            if of(&pair.0).may_become(&of(&pair.1), Takes::default()) != may {
                 failures.push(format!("{name}: {may} is said of {pair:?}"));
             }
         }

@@ -103,19 +103,21 @@ impl<'t, 's> ReadProgram<'t, 's> {
         declared.map_or_else(|| self.last_statement(), |one| self.line(one.name.span))
     }
 
-    /// Returns whether nothing assigns a variable, and it begins with the value that its type declares.
-    pub(crate) fn begins_by_type(&self, path: &str) -> bool {
-        let name = last_name(path);
-        let Some(group) = self.group(name).filter(|_| self.computation(path).is_none()) else {
-            return false;
-        };
+    /// Returns with which value a variable begins that nothing assigns, where its type declares one.
+    pub(crate) fn initial_value_of_type(&self, path: &str) -> Option<&'static str> {
+        let group = self
+            .group(last_name(path))
+            .filter(|_| self.computation(path).is_none())?;
         match (&group.specification.kind, &group.initializer) {
-            (_, Some(_)) => matches!(place_of(self, self.declaration(path)), LinePlace::Types),
+            (_, Some(_)) => matches!(place_of(self, self.declaration(path)), LinePlace::Types)
+                .then_some("initial value of a field"),
             (TypeSpecificationKind::Named(ty), None) => {
                 let declared = self.declared_type(ty.text);
-                declared.is_some_and(|ty| ty.initializer.is_some())
+                declared
+                    .is_some_and(|ty| ty.initializer.is_some())
+                    .then_some("initial value of a type")
             }
-            _ => false,
+            _ => None,
         }
     }
 

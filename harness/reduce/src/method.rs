@@ -39,6 +39,11 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         "replace variables by their first values",
         |view| values::to_value(view, 0)
     ),
+    text_pass!("replace expressions by variables", expressions::to_variable),
+    text_pass!(
+        "replace variables by others of their type",
+        declarations::share_variables
+    ),
     text_pass!("drop what is not used any more", declarations::drop_unused),
     text_pass!("replace expressions by their first operands", |view| {
         expressions::to_operand(view, 0)

@@ -101,6 +101,28 @@ fn a_structure_becomes_its_element_where_it_does_not_matter() {
 }
 
 #[test]
+fn one_variable_takes_the_place_of_others_and_of_calls() {
+    let start = "PROGRAM main\nVAR\n    a : DWORD;\n    b : DWORD;\n    c : UDINT;\nEND_VAR\n    a := SEL(TRUE, b, \
+                 UDINT_TO_DWORD(c));\nEND_PROGRAM\n";
+    accepted(start);
+    let without_literals =
+        |text: &str| Interestingness::from(text.contains("SEL(TRUE, ") && !text.contains(['0', '1']));
+    let dialect = DialectName::IRONPLC_ED3;
+    let found = text(start, dialect, without_literals, &ReductionBudget::default());
+    accepted(&found.value);
+    assert!(found.value.contains("a := SEL(TRUE, a, a);"), "{}", found.value);
+    assert_eq!(found.value.matches(" : ").count(), 1, "{}", found.value);
+}
+
+#[test]
+fn a_real_number_keeps_its_exponent_and_loses_its_digits() {
+    let start = "PROGRAM main\nVAR\n    a : LREAL;\nEND_VAR\n    a := 8.968310E-44;\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["a := ", "E-44"]);
+    assert!(found.value.contains("a := 1.0E-44;"), "{}", found.value);
+}
+
+#[test]
 fn a_text_that_nobody_can_parse_is_cut_down_to_what_matters() {
     let start =
         "PROGRAM main\nVAR x : INT; END_VAR\n  x := 1 + ;\n  y := 'open string\n  @@ z(\nEND_PROGRAM\n";

@@ -170,9 +170,9 @@ impl EngineClusters {
         let causes = found.iter().filter(|(cause, _)| !cause.is_lack());
         let explained: u64 = causes.map(|(cause, _)| cause.number()).sum();
         let all = found.iter();
-        let (differ, fail): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.differs());
-        let all = fail.into_iter();
-        let (partly, fail): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.is_partly_reduced());
+        let (partly, small): (Vec<_>, Vec<_>) = all.partition(|(cause, _)| cause.is_partly_reduced());
+        let small = small.into_iter();
+        let (differ, fail): (Vec<_>, Vec<_>) = small.partition(|(cause, _)| cause.differs());
         let unexplained = failing.saturating_sub(explained);
         let mut index = cause_page::index(name, about, (fail.len(), words), unexplained);
         index.push_str(&cause_page::list(&fail));

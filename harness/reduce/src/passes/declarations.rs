@@ -8,6 +8,7 @@ use stickler_syntax::tree::{
     Declaration, InitializerKind, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableGroup,
 };
+use stickler_syntax::visitor::Place;
 
 /// Drops program organization units, configurations and sections of global variables.
 pub(crate) fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
@@ -109,6 +110,42 @@ pub(crate) fn forget_variables(view: &TextView<'_>) -> Vec<Edits> {
             _ => None,
         });
     view.only_allowed(changes.collect())
+}
+
+/// Puts another variable of the same unit and type in the place of a variable, whose declaration goes.
+pub(crate) fn share_variables(view: &TextView<'_>) -> Vec<Edits> {
+    let single = view.variables().filter_map(|(pou, group)| match group.names[..] {
+        [name] => Some((
+            pou,
+            name,
+            view.range_of_declaration(group)?,
+            declared(view, group),
+        )),
+        _ => None,
+    });
+    let variables: Vec<_> = single.collect();
+    let mut changes = Vec::new();
+    for (pou, name, declaration, specification) in &variables {
+        let others = variables.iter().filter(|(other, ..)| other.span == pou.span);
+        for (_, other, _, _) in others
+            .filter(|(_, other, _, same)| same.eq_ignore_ascii_case(specification) && other.span != name.span)
+        {
+            let mut edits = Edits::removing(declaration.clone());
+            let uses = view.uses(pou, *name);
+            for used in &uses {
+                edits.replace(used.expression.span, other.text);
+            }
+            changes.push((uses.iter().any(|used| used.place == Place::Target), edits));
+        }
+    }
+    // What is assigned stays.
+    changes.sort_by_key(|(is_assigned, _)| *is_assigned);
+    view.only_allowed(changes.into_iter().map(|(_, edits)| edits).collect())
+}
+
+/// Returns the type of variables as it is written.
+fn declared<'t>(view: &TextView<'t>, group: &VariableGroup<'_>) -> &'t str {
+    group.specification.span.text(view.text())
 }
 
 /// Removes the innermost statements of a unit that name a variable.

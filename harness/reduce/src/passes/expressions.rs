@@ -3,7 +3,7 @@
 use crate::TextView;
 use crate::rules::TextState;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Expression, ExpressionKind};
+use stickler_syntax::tree::{Expression, ExpressionKind, Pou};
 use stickler_syntax::visitor::{Place, operands};
 
 /// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
@@ -52,6 +52,23 @@ pub(crate) fn to_typed_literal(view: &TextView<'_>) -> Vec<Edits> {
     for expression in replaceable(view) {
         let typed = TYPED.iter();
         changes.extend(typed.map(|typed| Edits::replacing(expression.span, *typed)));
+    }
+    view.only_allowed(changes)
+}
+
+/// Replaces calls and operations by a variable of their unit, outermost first.
+pub(crate) fn to_variable(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for expression in replaceable(view) {
+        let is_part = matches!(
+            expression.kind,
+            ExpressionKind::Name(_) | ExpressionKind::Field { .. } | ExpressionKind::Index { .. }
+        );
+        let inside =
+            |pou: &Pou<'_>| pou.span.start <= expression.span.start && expression.span.end <= pou.span.end;
+        let variables = view.variables().filter(|(pou, _)| !is_part && inside(pou));
+        let names = variables.filter_map(|(_, group)| group.names.first());
+        changes.extend(names.map(|name| Edits::replacing(expression.span, name.text)));
     }
     view.only_allowed(changes)
 }

@@ -69,7 +69,11 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
             LiteralStep::Decimal => return None,
             LiteralStep::Zero => "0.0".to_owned(),
             LiteralStep::One => "1.0".to_owned(),
-            LiteralStep::Half => format!("{}.0", text.split('.').next()?),
+            // The exponent stays, since it may be what matters.
+            LiteralStep::Half => match text.find(['e', 'E']) {
+                Some(at) => format!("1.0{}", &text[at..]),
+                None => format!("{}.0", text.split('.').next()?),
+            },
             LiteralStep::Less => {
                 let (before, behind) = text.split_once('.')?;
                 format!("{before}.{}", behind.chars().next()?)
