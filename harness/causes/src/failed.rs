@@ -19,7 +19,12 @@ pub struct FailedCases<'r> {
     /// The engines of the run that are compilers, by name.
     engines: BTreeMap<&'r str, &'r Identity>,
     pub(crate) groups: BTreeMap<(String, Sign, String), FailureGroup>,
+    /// The features that engines lack, by engine and dialect.
+    pub(crate) lacked: LackedFeatures,
 }
+
+/// The keys of the features that engines lack, by engine and dialect.
+pub(crate) type LackedFeatures = BTreeMap<(String, String), BTreeSet<String>>;
 
 /// A group of failing cases.
 #[derive(Clone, Debug)]
@@ -44,13 +49,21 @@ impl<'r> FailedCases<'r> {
                 .map(|identity| (identity.name.as_str(), identity))
                 .collect(),
             groups: BTreeMap::new(),
+            lacked: BTreeMap::new(),
         }
     }
 
-    /// Adds an event of the run; those that are no failing cases add nothing.
+    /// Adds an event of the run: a failing case, or a feature that an engine lacks. Others add nothing.
     pub fn take(&mut self, event: &Event) {
-        if let Event::Case(case) = event {
-            self.take_case(case);
+        match event {
+            Event::Case(case) => self.take_case(case),
+            Event::Cause(cause) if cause.is_lack() => {
+                for dialect in cause.lacked_in.keys() {
+                    let key = (cause.engine.clone(), dialect.clone());
+                    self.lacked.entry(key).or_default().insert(cause.construct.clone());
+                }
+            }
+            _ => {}
         }
     }
 

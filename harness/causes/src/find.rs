@@ -1,7 +1,7 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
 use crate::essence::Essence;
-use crate::failed::{FailedCases, FailureGroup};
+use crate::failed::{FailedCases, FailureGroup, LackedFeatures};
 use crate::failure_sign::Sign;
 use crate::growing_cause::{GrowingCause, merged, reproducer};
 use crate::normal_form::{Normal, normal_form};
@@ -122,6 +122,7 @@ fn find_before_end(
             engine: *engine,
             store: search.stores.get(place).copied().flatten(),
             answered: SearchAnswers::default(),
+            lacked: &failed.lacked,
             search,
             cases: &cases,
             stop: &stop,
@@ -236,6 +237,7 @@ struct Asking<'r> {
     engine: &'r dyn Engine,
     store: Option<&'r dyn AnswerStore>,
     answered: SearchAnswers,
+    lacked: &'r LackedFeatures,
     search: &'r Search<'r>,
     cases: &'r HashMap<(String, String), &'r Case>,
     stop: &'r (dyn Fn() -> bool + Sync),
@@ -301,6 +303,7 @@ impl Asking<'_> {
                 judge,
                 store: self.store,
                 answered: &self.answered,
+                lacked: self.lacked,
             })
         };
         let work = |asked: &mut Questioner<'_>, (sign, event): (&Sign, &CaseEvent)| {

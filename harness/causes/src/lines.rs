@@ -53,11 +53,12 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
                 let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
                 Some(format!("{} : {written}", ty.name.text))
             });
-        if let Some(entry) = entry.map(|entry| entry + &section)
-            && types.len() < MAX_TYPES
-            && !types.contains(&entry)
-        {
-            types.push(entry);
+        let group = declared.filter(|_| !is_own).and_then(|one| one.group);
+        let definition = group.and_then(|group| definition(program, &group.specification));
+        for entry in entry.map(|entry| entry + &section).into_iter().chain(definition) {
+            if types.len() < MAX_TYPES && !types.contains(&entry) {
+                types.push(entry);
+            }
         }
     }
     let section = match place_of(program, number) {
@@ -114,6 +115,19 @@ fn declared_as(program: &ReadProgram<'_, '_>, declared: &DeclaredName<'_, '_>) -
     let value = group.initializer.as_ref().filter(|_| is_plain);
     let ty = written_type(program, &group.specification, value)?;
     Some(format!("{}{location} : {ty}", declared.name.text))
+}
+
+/// Returns the name and the kind of a type of the program's own that variables have; `None` of another type.
+fn definition(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>) -> Option<String> {
+    let TypeSpecificationKind::Named(name) = &ty.kind else {
+        return None;
+    };
+    let declared = program.declared_type(name.text)?;
+    let written = match declared.specification.kind {
+        TypeSpecificationKind::Structure(_) => "STRUCT".to_owned(),
+        _ => written_type(program, &declared.specification, declared.initializer.as_ref())?,
+    };
+    Some(format!("{} : {written}", declared.name.text))
 }
 
 /// Returns a type with an initial value, as they are written; nothing of a structure.

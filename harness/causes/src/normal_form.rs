@@ -187,6 +187,7 @@ impl NormalSearch<'_, '_> {
         let is_read = !is_unread(&former.deviation.got);
         if !(is_read || literals(text).is_subset(&literals(&former.program)))
             || !(former.deviation.sign.accepts() || is_as_standard(self.case, text))
+            || self.asked.uses_what_is_lacking(self.case, text)
         {
             return Ok(Interestingness::Invalid);
         }

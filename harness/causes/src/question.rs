@@ -1,5 +1,6 @@
 //! Asks an engine about a smaller program of a case: the reference says what must happen, the engine what happens.
 
+use crate::failed::LackedFeatures;
 use crate::failure_sign::Sign;
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -9,7 +10,8 @@ use stickler_run::{
     AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored, question,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
-use stickler_types::{Code, DialectName, NamedValue, Observation, Outcome, RunRequest, Value};
+use stickler_syntax::features::features;
+use stickler_types::{Code, Dialect, DialectName, NamedValue, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of variables of a program that are looked at.
 const MAX_VARIABLES: usize = 1000;
@@ -53,6 +55,8 @@ pub(crate) struct Questioner<'e> {
     pub(crate) store: Option<&'e dyn AnswerStore>,
     /// The answers of this search.
     pub(crate) answered: &'e SearchAnswers,
+    /// The features that engines lack.
+    pub(crate) lacked: &'e LackedFeatures,
 }
 
 /// A deviation that an engine showed on a program.
@@ -158,6 +162,21 @@ impl Questioner<'_> {
         Ok(Takes {
             empty_bodies: takes(EMPTY_BODIES)?,
             no_variables: takes(NO_VARIABLES)?,
+        })
+    }
+
+    /// Returns whether a program uses a feature that the engine lacks, and the whole program of the case does not: such a program shows
+    /// that instead.
+    pub(crate) fn uses_what_is_lacking(&self, case: &Case, program: &str) -> bool {
+        let engine = &self.judge.engine.name;
+        let lacked = self.lacked.get(&(engine.clone(), case.dialect.as_str().to_owned()));
+        lacked.is_some_and(|lacked| {
+            let used = features(program, Dialect::of(case.dialect));
+            let mut lacking = used.iter().filter(|key| lacked.contains(&***key)).peekable();
+            lacking.peek().is_some() && {
+                let whole = features(&case.source, Dialect::of(case.dialect));
+                lacking.any(|key| !whole.contains(key))
+            }
         })
     }
 

@@ -88,7 +88,10 @@ pub(crate) fn reduce(
             let may_become = |smaller: &str| {
                 constructs.may_become(&Constructs::of(smaller), takes) && keeps_literals(smaller)
             };
-            if error.is_some() || (program != start && !may_become(program)) {
+            let is_other = program != start;
+            if error.is_some()
+                || is_other && (!may_become(program) || asked.uses_what_is_lacking(case, program))
+            {
                 return Interestingness::Invalid;
             }
             let Some(smaller) = with_program(case, sign, program) else {

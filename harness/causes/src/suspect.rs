@@ -43,7 +43,10 @@ pub(crate) fn unimplemented(program: &ReadProgram<'_, '_>, got: &[Fact]) -> u32 
 /// Returns the last of the lines with most to them, since a plain assignment may be there only because a program needs a statement;
 /// before a plain assignment a declaration in a section that not every program has.
 pub(crate) fn culprit(program: &ReadProgram<'_, '_>) -> u32 {
+    // A call without arguments only leads to the statements of its block.
+    let leads = |line: &str| matches!(words(line)[..], [name, "(", ")", ";"] if program.is_instance(name));
     let weighed = |(line, number): &(&str, u32)| match weight(line) {
+        _ if leads(line) => 1,
         1 if special_section(program, *number).is_some() => 3,
         least @ (1 | 2) => least,
         most => most + 1,

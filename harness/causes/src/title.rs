@@ -40,7 +40,7 @@ impl Titled<'_, '_> {
         let (expected, got) = (self.expected, self.got);
         let wanted = first(expected);
         let reported = self.reported(first(got));
-        let (line, somewhere) = (self.line_in_unit(wanted.line), self.line(None));
+        let (line, somewhere) = (self.line_in_unit(wanted.line), self.line_in_unit(None));
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
             // The line does not show the mistake, so the title names it.
@@ -90,7 +90,7 @@ impl Titled<'_, '_> {
             // What is wrong with a program may be what the engine does not bear.
             Symptom::Crash(words) => format!(
                 "{} makes it crash: {}",
-                self.line(wanted.line),
+                self.line_in_unit(wanted.line),
                 self.reason(words)
             ),
             Symptom::Unusable(words) => format!("{somewhere} is accepted, but {}", self.reason(words)),
@@ -138,19 +138,25 @@ impl Titled<'_, '_> {
 
     /// Returns a line in words; where it is not known or says nothing, the one that most probably matters.
     fn line(&self, number: Option<u32>) -> String {
-        let known = number.filter(|number| suspect::is_telling(&self.program, *number));
-        described(
-            &self.program,
-            known.unwrap_or_else(|| suspect::culprit(&self.program)),
-        )
+        described(&self.program, self.telling(number))
     }
 
-    /// Returns a line in words, with the kind of the unit that it stands in where that is no PROGRAM.
+    /// Returns a line in words like [`Titled::line`], with the kind of the unit that it stands in where that is no PROGRAM.
     fn line_in_unit(&self, number: Option<u32>) -> String {
-        let unit = number.filter(|number| matches!(place_of(&self.program, *number), LinePlace::Statement));
-        let unit = unit.and_then(|number| unit_of(&self.program, number));
-        let unit = unit.map_or(String::new(), |unit| format!(" in {unit}"));
-        self.line(number) + &unit
+        let number = self.telling(number);
+        described(&self.program, number) + &self.unit(number)
+    }
+
+    fn telling(&self, number: Option<u32>) -> u32 {
+        let known = number.filter(|number| suspect::is_telling(&self.program, *number));
+        known.unwrap_or_else(|| suspect::culprit(&self.program))
+    }
+
+    /// Returns the words about the unit that a line stands in; none of a PROGRAM, and of a line among the types.
+    fn unit(&self, number: u32) -> String {
+        let is_inside = !matches!(place_of(&self.program, number), LinePlace::Types);
+        let unit = unit_of(&self.program, number).filter(|_| is_inside);
+        unit.map_or(String::new(), |unit| format!(" in {unit}"))
     }
 
     /// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
@@ -183,7 +189,7 @@ impl Titled<'_, '_> {
 
     /// Returns the first expected value that did not come, with the statement that computes it.
     fn wrong_value(&self) -> String {
-        let described = |line: u32| described(&self.program, line);
+        let described = |line: u32| described(&self.program, line) + &self.unit(line);
         let pairs = self
             .expected
             .iter()

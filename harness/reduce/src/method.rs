@@ -39,6 +39,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         "replace variables by their first values",
         |view| values::to_value(view, 0)
     ),
+    text_pass!("give functions a plain result", declarations::plain_results),
     text_pass!("replace expressions by variables", expressions::to_variable),
     text_pass!(
         "replace variables by others of their type",
@@ -55,6 +56,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         expressions::to_operand(view, 2)
     }),
     text_pass!("drop arguments", expressions::drop_arguments),
+    text_pass!("drop names of arguments", expressions::drop_names_of_arguments),
     text_pass!("drop initial values", declarations::drop_initials),
     text_pass!("resolve types", declarations::resolve_types),
     text_pass!("unwrap arrays", arrays::unwrap_arrays),

@@ -1,14 +1,18 @@
 //! Passes that drop or simplify declarations: program organization units, sections, variables, types, initial values.
 
 use crate::TextView;
+use crate::view::NameUse;
 use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    Declaration, InitializerKind, Name, Pou, PouKind, TypeDeclaration, TypeSpecification,
+    Declaration, ExpressionKind, InitializerKind, Name, Pou, PouKind, StatementKind, TypeDeclaration, TypeSpecification,
     TypeSpecificationKind, VariableGroup,
 };
 use stickler_syntax::visitor::Place;
+
+/// The type of the result of a function whose result does not matter.
+const PLAIN_RESULT: &str = "INT";
 
 /// Drops program organization units, configurations and sections of global variables.
 pub(crate) fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
@@ -61,6 +65,40 @@ pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
 pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
     let sections = view.sections().into_iter();
     view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
+}
+
+/// Gives functions a result of a plain type, which is a literal, and the same type to the variables that only receive it.
+pub(crate) fn plain_results(view: &TextView<'_>) -> Vec<Edits> {
+    let functions = view.unit.pous().filter(|pou| pou.kind == PouKind::Function);
+    let changes = functions.filter_map(|function| {
+        let result = function.result.as_ref()?;
+        let is_plain = result.span.text(view.text()).eq_ignore_ascii_case(PLAIN_RESULT);
+        let mut edits = Edits::replacing(result.span, PLAIN_RESULT);
+        for used in view.uses(function, function.name) {
+            match used.statement.map(|statement| &statement.kind) {
+                Some(StatementKind::Assignment { value, .. }) if used.place == Place::Target => {
+                    edits.replace(view.range_of_expression(*value), "0");
+                }
+                _ => return None,
+            }
+        }
+        let is_call = |used: &NameUse<'_>| match used.statement.map(|statement| &statement.kind) {
+            Some(StatementKind::Assignment { value, .. }) if used.place == Place::Target => {
+                let value = view.unit.expression(*value).map(|value| &value.kind);
+                matches!(value, Some(ExpressionKind::Call { callee, .. })
+                    if view.text()[view.range_of_expression(*callee)].eq_ignore_ascii_case(function.name.text))
+            }
+            _ => false,
+        };
+        for (pou, group) in view.variables() {
+            let uses: Vec<_> = group.names.iter().flat_map(|name| view.uses(pou, *name)).collect();
+            if !uses.is_empty() && uses.iter().all(is_call) {
+                edits.replace(group.specification.span, PLAIN_RESULT);
+            }
+        }
+        (!is_plain).then_some(edits)
+    });
+    view.only_allowed(changes.collect())
 }
 
 /// Lists changes that drop unused declarations of variables, fields and types.

@@ -17,8 +17,8 @@ pub(crate) struct WaitingCases(BTreeMap<String, Waiting>);
 /// The cases that wait for a feature.
 #[derive(Debug, Default)]
 struct Waiting {
-    /// The id of the first one.
-    first: String,
+    /// The id of the first one of each dialect.
+    first: BTreeMap<String, String>,
     cases: Vec<ExplainedCases>,
     /// The document that promises the feature by the first case of a dialect that uses no other, by dialect.
     promised: BTreeMap<String, String>,
@@ -35,9 +35,8 @@ impl WaitingCases {
                 continue;
             };
             let waiting = self.0.entry(feature.clone()).or_default();
-            if waiting.cases.is_empty() {
-                waiting.first.clone_from(&event.id);
-            }
+            let first = waiting.first.entry(event.dialect.clone());
+            first.or_insert_with(|| event.id.clone());
             if let Some(basis) = promised_by {
                 let of_dialect = waiting.promised.entry(event.dialect.clone());
                 of_dialect.or_insert_with(|| basis.clone());
@@ -73,7 +72,7 @@ impl WaitingCases {
                     .insert(dialect.as_str().to_owned(), lacked.verdict);
                 // The dialect in which the feature is promised is the one to show.
                 if cause.shown.basis.is_empty() && !lacked.basis.is_empty() {
-                    cause.shown = reproducer(lacked, dialect, &cause.shown.case, engine);
+                    cause.shown = reproducer(lacked, dialect, self.0.get(key), engine);
                 }
             }
         }
@@ -105,13 +104,12 @@ fn cause(
     waiting: Option<&Waiting>,
     engine: &dyn Engine,
 ) -> Cause {
-    let first = waiting.map_or("", |waiting| &waiting.first);
     Cause {
         engine: engine.identity().name.clone(),
         symptom: Cause::LACKS.to_owned(),
         construct: lacked.feature.key.clone(),
         title: lacked.feature.title.clone(),
-        shown: reproducer(lacked, dialect, first, engine),
+        shown: reproducer(lacked, dialect, waiting, engine),
         reduction: Reduced::Smallest,
         lacked_in: BTreeMap::from([(dialect.as_str().to_owned(), lacked.verdict)]),
         cases: waiting.map_or(Vec::new(), |waiting| waiting.cases.clone()),
@@ -123,15 +121,16 @@ fn cause(
 fn reproducer(
     lacked: &LackedFeature<'_>,
     dialect: DialectName,
-    case: &str,
+    waiting: Option<&Waiting>,
     engine: &dyn Engine,
 ) -> Reproducer {
+    let case = waiting.and_then(|waiting| waiting.first.get(dialect.as_str()));
     let asked = Case::of_program(&lacked.feature.key, dialect, &lacked.feature.program);
     let is_expected = lacked.verdict.is_as_expected();
     let shown = (!is_expected).then(|| reproduce_and_run(engine, &asked.request(), Ability::Check).ok());
     let (reproduction, printed) = shown.flatten().unzip();
     Reproducer {
-        case: case.to_owned(),
+        case: case.cloned().unwrap_or_default(),
         dialect: dialect.as_str().to_owned(),
         basis: lacked.basis.clone().into_owned(),
         about: lacked.feature.title.clone(),
