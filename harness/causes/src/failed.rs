@@ -60,7 +60,10 @@ impl<'r> FailedCases<'r> {
             Event::Cause(cause) if cause.is_lack() => {
                 for dialect in cause.lacked_in.keys() {
                     let key = (cause.engine.clone(), dialect.clone());
-                    self.lacked.entry(key).or_default().insert(cause.construct.clone());
+                    self.lacked
+                        .entry(key)
+                        .or_default()
+                        .insert(cause.construct.clone());
                 }
             }
             _ => {}

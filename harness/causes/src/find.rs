@@ -5,16 +5,13 @@ use crate::failed::{FailedCases, FailureGroup, LackedFeatures};
 use crate::failure_sign::Sign;
 use crate::growing_cause::{GrowingCause, merged, reproducer};
 use crate::normal_form::{Normal, normal_form};
-use crate::question::{Questioner, SearchAnswers, shown_case};
+use crate::question::{Questioner, SearchAnswers};
 use crate::reduction::{Smallest, is_reducible, reduce};
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
-use stickler_engines::{Ability, Engine, EngineSession, Reproduction, end_questions_at, reproduce_and_run};
-use stickler_run::{
-    AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom, shown_by,
-};
+use stickler_engines::{Engine, EngineSession, end_questions_at};
+use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError};
 use stickler_suite::{Case, Suite};
-use stickler_types::Observation;
 use stickler_workers::{Cancellation, WorkerPool};
 
 /// The number of groups that are reduced before the questions that are left are counted. It does not depend on the number
@@ -27,9 +24,6 @@ const QUESTIONS_FIRST: [u64; 2] = [1, 16];
 
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;
-
-/// The maximum number of characters that are kept of what the commands of a reproduction print.
-const MAX_PRINTED: usize = 10_000;
 
 /// The limits of a search.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -233,13 +227,13 @@ impl ReducedGroup {
 }
 
 /// Asks one engine about the programs of groups.
-struct Asking<'r> {
-    engine: &'r dyn Engine,
+pub(crate) struct Asking<'r> {
+    pub(crate) engine: &'r dyn Engine,
     store: Option<&'r dyn AnswerStore>,
     answered: SearchAnswers,
     lacked: &'r LackedFeatures,
-    search: &'r Search<'r>,
-    cases: &'r HashMap<(String, String), &'r Case>,
+    pub(crate) search: &'r Search<'r>,
+    pub(crate) cases: &'r HashMap<(String, String), &'r Case>,
     stop: &'r (dyn Fn() -> bool + Sync),
 }
 
@@ -284,12 +278,8 @@ impl Asking<'_> {
         Ok((found, left))
     }
 
-    /// Reduces the programs of these cases, each with at most so many questions.
-    fn smallest<'c>(
-        &self,
-        shown: impl ExactSizeIterator<Item = (&'c Sign, &'c CaseEvent)>,
-        tries: u64,
-    ) -> Result<Vec<ReducedGroup>, RunError> {
+    /// Opens a session with the engine, for questions.
+    pub(crate) fn questioner(&self) -> Questioner<'_> {
         let judge = CaseJudge {
             plan: self.search.plan,
             suite: self.search.suite,
@@ -297,15 +287,22 @@ impl Asking<'_> {
             lacks: None,
             baseline: None,
         };
-        let open = || {
-            Ok::<_, RunError>(Questioner {
-                session: EngineSession::new(self.engine),
-                judge,
-                store: self.store,
-                answered: &self.answered,
-                lacked: self.lacked,
-            })
-        };
+        Questioner {
+            session: EngineSession::new(self.engine),
+            judge,
+            store: self.store,
+            answered: &self.answered,
+            lacked: self.lacked,
+        }
+    }
+
+    /// Reduces the programs of these cases, each with at most so many questions.
+    fn smallest<'c>(
+        &self,
+        shown: impl ExactSizeIterator<Item = (&'c Sign, &'c CaseEvent)>,
+        tries: u64,
+    ) -> Result<Vec<ReducedGroup>, RunError> {
+        let open = || Ok::<_, RunError>(self.questioner());
         let work = |asked: &mut Questioner<'_>, (sign, event): (&Sign, &CaseEvent)| {
             let case = self.cases.get(&(event.id.clone(), event.dialect.clone()));
             match case {
@@ -362,69 +359,4 @@ impl Asking<'_> {
         }
         Ok(())
     }
-}
-
-impl Asking<'_> {
-    /// Finds the files and commands by which a person sees each deviation on the engine, and what these print.
-    fn reproduce(&self, causes: &mut [GrowingCause]) -> Result<(), RunError> {
-        let open = || Ok::<_, RunError>(());
-        let work = |(): &mut (), member: &GrowingCause| Ok::<_, RunError>(self.reproduction(member));
-        let found = WorkerPool::new(self.search.plan.jobs).map(causes.iter(), open, work)?;
-        for (member, found) in causes.iter_mut().zip(found) {
-            if let Some((reproduction, printed)) = found {
-                // What stops a program is told as the compiler told it, which may have been a signal.
-                if let (Symptom::Fault(fault), Some(last)) = (&member.sign.symptom, printed.lines().last()) {
-                    let stops = format!("stops with the fault {fault}");
-                    member.cause.title = member.cause.title.replace(&stops, &format!("stops: {last}"));
-                }
-                member.cause.shown.reproduction = Some(reproduction);
-                member.cause.shown.printed = printed;
-            }
-        }
-        Ok(())
-    }
-
-    /// Returns the reproduction of the shown program, and what its commands print; nothing where the search was cancelled, ended before
-    /// the program was small, since most such programs show another cause again, or where they hang.
-    fn reproduction(&self, member: &GrowingCause) -> Option<(Reproduction, String)> {
-        let shown = &member.cause.shown;
-        let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
-        // Only what differs has to be seen; where nothing is computed wrongly, nothing is observed.
-        let differing = shown.expected.iter().filter(|fact| !shown.got.contains(fact));
-        let wrong: Vec<&str> = differing
-            .filter_map(|fact| match fact {
-                Fact::Value { name, .. } => Some(name.as_str()),
-                _ => None,
-            })
-            .collect();
-        let is_wrong = |one: &Observation| {
-            let key = one.key().to_string();
-            wrong.iter().any(|name| name.eq_ignore_ascii_case(&key))
-        };
-        let mut case = shown_case(case, &member.sign, shown);
-        let observe = case.observe.iter().filter(|one| is_wrong(one));
-        case.observe = observe.cloned().collect();
-        let ability = match &member.sign.symptom {
-            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => Ability::Execute,
-            _ => shown_by(&case),
-        };
-        let request = case.request();
-        if let [Fact::TimedOut { after_ms }] = shown.got[..] {
-            let reproduction = self.engine.reproduce(&request, ability).ok()?;
-            return Some((reproduction.within(after_ms.div_ceil(1000)), String::new()));
-        }
-        if self.search.cancel.is_requested() || member.cause.is_partly_reduced() {
-            return Some((self.engine.reproduce(&request, ability).ok()?, String::new()));
-        }
-        match reproduce_and_run(self.engine, &request, ability).ok()? {
-            (reproduction, Ok(output)) => Some((reproduction, beginning(&output.text))),
-            // The time of the search ended before the commands did: they print nothing that is known.
-            _ => Some((self.engine.reproduce(&request, ability).ok()?, String::new())),
-        }
-    }
-}
-
-/// Returns the beginning of a text.
-fn beginning(text: &str) -> String {
-    text.chars().take(MAX_PRINTED).collect()
 }

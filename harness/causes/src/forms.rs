@@ -9,7 +9,7 @@ use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind};
 use stickler_syntax::visitor::{Place, bodies};
-use stickler_types::ElementaryType;
+use stickler_types::{ElementaryType, Observation};
 
 /// The numeric types in the order of their plainness.
 pub(crate) const PLAIN: [&str; 14] = [
@@ -106,6 +106,33 @@ pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
     };
     let bits = program.at(Place::OutputArgument).filter(is_bit);
     bits.filter_map(change).collect()
+}
+
+/// Returns programs that measure a text in the end, each with what it observes: the length of the text where that is wrong, and whether the
+/// text is the right one. `texts` are the right one and the other, as typed literals.
+pub(crate) fn with_measured_text(
+    program: &ReadProgram<'_, '_>,
+    name: &str,
+    texts: &[String; 2],
+) -> Vec<(String, Observation)> {
+    let main = program.unit.pous().find(|pou| pou.kind == PouKind::Program);
+    let (Some(pou), Some(end)) = (main, main.and_then(|pou| end_of_variables(program.text, pou))) else {
+        return Vec::new();
+    };
+    let behind = pou.end.start as usize;
+    let with = |variable: &str, ty: &str, value: &str| {
+        let mut edits = Edits::new();
+        edits.replace(end..end, format!("    {variable} : {ty};\n"));
+        edits.replace(behind..behind, format!("    {variable} := {value};\n"));
+        (edits.apply(program.text), Observation::last(variable, ty))
+    };
+    let wanted = texts[0].split_once('#').map_or("", |(_, text)| text);
+    let mut found = Vec::new();
+    if texts[0].len() != texts[1].len() {
+        found.push(with("length", "INT", &format!("LEN({name})")));
+    }
+    found.push(with("is_right", "BOOL", &format!("{name} = {wanted}")));
+    found
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without

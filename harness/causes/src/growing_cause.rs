@@ -16,7 +16,7 @@ use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
-use stickler_suite::{Case, SourceKind, Sources, Suite};
+use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
 
 /// A cause while groups are added to it.
 pub(crate) struct GrowingCause {
@@ -83,8 +83,10 @@ impl GrowingCause {
         if let Some(basis) = promised {
             cite(&mut shown.deviation.got, basis, sources);
         }
-        let basis = promised.unwrap_or(&group.shown.basis);
-        let is_derived = is_derived && promised.is_none();
+        // What no program may show is told by who says so.
+        let told = told_symptom(&shown, &engine.name, sources);
+        let basis = told.as_deref().or(promised).unwrap_or(&group.shown.basis);
+        let is_derived = is_derived && promised.is_none() && told.is_none();
         shown.deviation.forget_codes(&engine.lacks);
         let shown = &shown;
         let mut types = types_of(&shown.program);
@@ -245,6 +247,16 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
 fn is_missing(shown: &Smallest, essence: &Essence) -> bool {
     matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_))
         && !essence.constructs.contains("bit access")
+}
+
+/// Returns the basis on which an engine must not show the symptom of a program, whatever the program does.
+fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<String> {
+    let symptom = match shown.deviation.sign.symptom {
+        Symptom::Crash(_) => ToldSymptom::Crash,
+        Symptom::NoPlace(_) => ToldSymptom::NoPlace,
+        _ => return None,
+    };
+    sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))
 }
 
 pub(crate) fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {

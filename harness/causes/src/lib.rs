@@ -7,6 +7,7 @@
 //! | the reducer goes on to its normal form: an operand alone, fewer statements, plainer types and numbers | `normal_form`, `passes`; `alone`, `forms`, `plainness` |
 //! | groups whose normal forms have the same essence become one [`Cause`](stickler_run::Cause): the symptom, what of a compiler's work it needs, and the class of its values | `essence`, `line_features`, `malformed`, `patterns`; `work` with `work.toml`; [`find()`], `growing_cause` |
 //! | the claim of a case is shown with a program of which it still speaks; where only a plainer program shows the cause, the document that promises its construct is cited | `claim`, `promised` |
+//! | the files and commands of a cause, and what they print, are those of its program | `reproduce` |
 //! | the title is what the engine does, and the line at fault with what is wrong with it | `title`, `lines`, `suspect`, `value_lines` |
 //!
 //! All of them read a program by its tree, in `program`, and by its `words` where nobody can read it.
@@ -53,6 +54,7 @@ mod program;
 mod promised;
 mod question;
 mod reduction;
+mod reproduce;
 mod shape;
 mod suspect;
 #[cfg(test)]

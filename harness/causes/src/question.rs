@@ -169,7 +169,9 @@ impl Questioner<'_> {
     /// that instead.
     pub(crate) fn uses_what_is_lacking(&self, case: &Case, program: &str) -> bool {
         let engine = &self.judge.engine.name;
-        let lacked = self.lacked.get(&(engine.clone(), case.dialect.as_str().to_owned()));
+        let lacked = self
+            .lacked
+            .get(&(engine.clone(), case.dialect.as_str().to_owned()));
         lacked.is_some_and(|lacked| {
             let used = features(program, Dialect::of(case.dialect));
             let mut lacking = used.iter().filter(|key| lacked.contains(&***key)).peekable();
@@ -376,7 +378,18 @@ pub(crate) fn shown_case(case: &Case, sign: &Sign, shown: &Reproducer) -> Case {
         Symptom::Value | Symptom::Missing if shown.is_derived => None,
         _ => with_program(case, sign, program),
     };
-    kept.or_else(alone).unwrap_or(whole)
+    // What is measured of a text stands in a variable that the case does not have.
+    let names = wrong_values(&shown.expected, &shown.got).map(|(name, _)| name);
+    let names: Vec<&str> = names.collect();
+    let observes = |case: &Case| {
+        let is_observed = |name: &&str| {
+            case.observe
+                .iter()
+                .any(|one| one.key().to_string().eq_ignore_ascii_case(name))
+        };
+        names.iter().all(is_observed)
+    };
+    kept.filter(observes).or_else(alone).unwrap_or(whole)
 }
 
 /// Returns what must happen with a smaller program, by what the reference does and by what was expected of the whole one.

@@ -54,6 +54,7 @@ pub(crate) fn works(program: &str) -> Vec<Work> {
             "conversion"
             | "conversion-overloaded"
             | "conversion-bcd"
+            | "conversion-bcd-one-type"
             | "trunc-typed"
             | "concat-date-time" => {
                 let name = written.split(['(', ' ']).next().unwrap_or_default();

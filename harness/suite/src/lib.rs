@@ -61,7 +61,7 @@ pub use model::{
     Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue, MatrixCell,
 };
 pub use places::{Placement, Places, ProgramPlace, Role};
-pub use sources::{Source, SourceKind, Sources, address_of};
+pub use sources::{Source, SourceKind, Sources, ToldSymptom, address_of};
 pub use suite::{Suite, Wanted, load_file, read_case_file};
 pub use table::Generate;
 pub use unmarked::without_blank_lines;

@@ -63,6 +63,8 @@ pub struct Source {
     pub limitations: BTreeMap<String, String>,
     /// The claims of other sources that the source contradicts.
     pub contradicts: Vec<Contradiction>,
+    /// The symptoms that the source says must not be, whatever program shows them.
+    pub symptoms: Vec<ToldSymptom>,
     /// The first paragraph of each rule; empty for every other source.
     pub paragraphs: BTreeMap<String, String>,
     /// The line of `sources.toml` on which the source begins; 1 for the rules.
@@ -74,6 +76,16 @@ pub struct Source {
 pub(crate) struct RecordedOrigin {
     origin: RecordingOrigin,
     dialects: Vec<DialectName>,
+}
+
+/// A symptom of which a source of a compiler's makers says that it must not be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToldSymptom {
+    /// The compiler, or what runs its programs, dies and says a word that is the name of a section.
+    Crash,
+    /// A diagnostic has no place.
+    NoPlace,
 }
 
 /// The kind of a source.
@@ -129,6 +141,23 @@ impl Sources {
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Source> {
         self.sources.iter().find(|source| source.key == key)
+    }
+
+    /// Returns the basis on which an engine must not show a symptom: for a crash the section whose name stands in what it said, for a place
+    /// that is missing the first section. `None` where no source of its makers tells that.
+    #[must_use]
+    pub fn telling(&self, symptom: ToldSymptom, engine: &str, said: &str) -> Option<String> {
+        let own = |source: &&Source| {
+            source.symptoms.contains(&symptom) && source.engines.iter().any(|own| own == engine)
+        };
+        self.sources.iter().filter(own).find_map(|source| {
+            let mut names = source.sections.headings.iter().map(|(name, _)| name);
+            let section = match symptom {
+                ToldSymptom::Crash => names.find(|name| said.contains(name.as_str()))?,
+                ToldSymptom::NoPlace => names.next()?,
+            };
+            Some(format!("{}: {section}", source.key))
+        })
     }
 
     /// Returns the source that a basis such as `ironplc-bit-access: Syntax` begins with, and the rest of the basis. Does not ask

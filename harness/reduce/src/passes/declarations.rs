@@ -6,8 +6,8 @@ use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    Declaration, ExpressionKind, InitializerKind, Name, Pou, PouKind, StatementKind, TypeDeclaration, TypeSpecification,
-    TypeSpecificationKind, VariableGroup,
+    Declaration, ExpressionKind, InitializerKind, Name, Pou, PouKind, StatementKind, TypeDeclaration,
+    TypeSpecification, TypeSpecificationKind, VariableGroup,
 };
 use stickler_syntax::visitor::Place;
 

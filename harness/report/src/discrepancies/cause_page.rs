@@ -130,10 +130,7 @@ pub(crate) fn titled(cause: &Cause) -> String {
 
 /// Returns the heading of a page, behind the name of the compiler.
 fn headline(cause: &Cause) -> String {
-    match cause.is_lack() {
-        true => format!("lacks {}", titled(cause)),
-        false => titled(cause),
-    }
+    format!("{}{}", cause.verb(), titled(cause))
 }
 
 /// Returns the name of a page, such as `03-into-data-is-accepted-not-rejected-with-P4035.md`.
@@ -217,6 +214,14 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     });
     let code = reason.and_then(|reason| Some(reason.split_once(':')?.0));
     let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    let mut cited = overview.sources().iter().filter(own);
+    let of_claim = cited.find_map(|source| {
+        let section = cause.shown.basis.strip_prefix(&format!("{}: ", source.key))?;
+        source.limitations.get(section)
+    });
+    if let Some(limits) = of_claim {
+        let _ = write!(text, "The source limits what it promises: {limits}.\n\n");
+    }
     let said = code.and_then(|code| {
         let mut own = overview.sources().iter().filter(own);
         own.find_map(|source| Some((source, code, source.limitations.get(code)?)))

@@ -7,6 +7,9 @@ use std::fmt::Write;
 use stickler_run::{EngineHeader, Fact, Grade};
 use stickler_types::counted;
 
+/// The words about what no program may make of a compiler.
+const NO_CRASH: &str = "an answer, no crash";
+
 /// Adds the expected and the actual facts; `by` stands before the expected ones. Of a compiler that crashes, a rule of Stickler demands
 /// no more than an answer.
 pub(super) fn expected_and_got(
@@ -20,7 +23,9 @@ pub(super) fn expected_and_got(
     let is_rule = Basis::of(basis).is_rule();
     let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
     if is_rule && got.iter().any(no_answer) {
-        block(text, "Expected:", "", "an answer, no crash");
+        block(text, "Expected:", "", NO_CRASH);
+    } else if got.iter().any(no_answer) && matches!(expected, [Fact::Accepted]) {
+        block(text, by, "", NO_CRASH);
     } else if is_rule && got.iter().any(is_unusable) {
         block(text, "Expected:", "", "a rejection, or a program that runs");
     } else {

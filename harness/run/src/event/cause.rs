@@ -146,9 +146,18 @@ impl Cause {
     /// Returns the cause as a heading behind the name of the engine.
     #[must_use]
     pub fn headline(&self) -> String {
+        format!("{}{}", self.verb(), self.title)
+    }
+
+    /// Returns what the engine does with a feature that it lacks: it dies at the minimal program, or does not have it. Empty of another cause,
+    /// whose title is a sentence.
+    #[must_use]
+    pub fn verb(&self) -> &'static str {
+        let mut got = self.shown.got.iter();
         match self.is_lack() {
-            true => format!("lacks {}", self.title),
-            false => self.title.clone(),
+            true if got.any(|fact| matches!(fact, Fact::Crashed { .. })) => "dies at ",
+            true => "lacks ",
+            false => "",
         }
     }
 

@@ -125,7 +125,7 @@ fn reproducer(
     engine: &dyn Engine,
 ) -> Reproducer {
     let case = waiting.and_then(|waiting| waiting.first.get(dialect.as_str()));
-    let asked = Case::of_program(&lacked.feature.key, dialect, &lacked.feature.program);
+    let asked = Case::of_program(&lacked.feature.key, dialect, &lacked.program);
     let is_expected = lacked.verdict.is_as_expected();
     let shown = (!is_expected).then(|| reproduce_and_run(engine, &asked.request(), Ability::Check).ok());
     let (reproduction, printed) = shown.flatten().unzip();
@@ -134,7 +134,7 @@ fn reproducer(
         dialect: dialect.as_str().to_owned(),
         basis: lacked.basis.clone().into_owned(),
         about: lacked.feature.title.clone(),
-        program: lacked.feature.program.clone(),
+        program: lacked.program.clone().into_owned(),
         expected: vec![Fact::Accepted],
         got: lacked.got.clone(),
         reproduction,

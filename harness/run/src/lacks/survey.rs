@@ -174,6 +174,10 @@ impl<'s> Survey<'_, 's> {
         engine: &Identity,
     ) -> LackedFeature<'s> {
         let Judgement { verdict, got, .. } = judge(case, answers, self.plan.strict(engine));
+        let (program, got) = self.without_filler(case, got, engine).map_or_else(
+            |got| (Cow::from(&*feature.program), got),
+            |(program, got)| (Cow::from(program), got),
+        );
         let basis = promise(
             feature.promises(),
             (&feature.program, case.dialect),
@@ -193,7 +197,39 @@ impl<'s> Survey<'_, 's> {
                 (true, false) => Verdict::Unsupported,
             },
             basis: basis.unwrap_or_default(),
+            program,
             got,
+        }
+    }
+
+    /// Returns the program of a case without statements that do nothing, and what the engine does with it, where it refuses that in the same
+    /// words; otherwise what it did with the program of the case.
+    fn without_filler(
+        &self,
+        case: &Case,
+        got: Vec<Fact>,
+        engine: &Identity,
+    ) -> Result<(String, Vec<Fact>), Vec<Fact>> {
+        let of_name = |one: &&&dyn Engine| one.identity().name == engine.name;
+        let Some((asked, program)) = self
+            .engines
+            .iter()
+            .find(of_name)
+            .zip(without_filler(&case.source))
+        else {
+            return Err(got);
+        };
+        let smaller = Case::of_program(&case.id, case.dialect, &program);
+        let answers = EngineSession::new(*asked)
+            .run(&smaller.request())
+            .map(Answers::of_run);
+        let words = |facts: &[Fact]| {
+            let said = facts.iter().filter_map(Fact::diagnostic);
+            Vec::from_iter(said.map(|one| (one.code.clone(), one.message.clone())))
+        };
+        match answers.map(|answers| judge(&smaller, &answers, self.plan.strict(engine)).got) {
+            Ok(seen) if !words(&got).is_empty() && words(&seen) == words(&got) => Ok((program, seen)),
+            _ => Err(got),
         }
     }
 
@@ -239,11 +275,31 @@ impl<'s> LackedFeature<'s> {
             feature,
             verdict: Verdict::Unsupported,
             basis: "".into(),
+            program: Cow::from(&*feature.program),
             got: vec![Fact::Unsupported {
                 reason: DECLARED.to_owned(),
             }],
         }
     }
+}
+
+/// Returns a program without its statement `x := x;`, and without the declaration of `x` where that is an INT and not the only variable; `None`
+/// where it has no such statement.
+fn without_filler(program: &str) -> Option<String> {
+    let filler = program.lines().find_map(|line| {
+        let (target, value) = line.trim().strip_suffix(';')?.split_once(" := ")?;
+        (target == value).then_some((line, target))
+    });
+    let (statement, name) = filler?;
+    let declaration = format!("{name} : INT;");
+    let is_name = |word: &str| word == name;
+    let uses = program
+        .split(|sign: char| !sign.is_alphanumeric() && sign != '_')
+        .filter(|word| is_name(word));
+    let is_needed = uses.count() > 3 || program.matches(" : ").count() < 2;
+    let is_kept = |line: &&str| *line != statement && (is_needed || line.trim() != declaration);
+    let kept: Vec<&str> = program.lines().filter(is_kept).collect();
+    Some(kept.join("\n") + "\n")
 }
 
 /// Returns whether a dialect has a feature: the reference takes its minimal program.

@@ -44,7 +44,11 @@ impl Sources {
                         .in_file(&self.rules)
                 };
                 warnings.extend(unused.map(warning));
-            } else if !source.is_built_in() && !is_cited(source) && source.contradicts.is_empty() {
+            } else if !source.is_built_in()
+                && !is_cited(source)
+                && source.contradicts.is_empty()
+                && source.symptoms.is_empty()
+            {
                 let mistake = Mistake::new(source.line, "no case cites the source").key(source.key.clone());
                 warnings.push(mistake.hint("take it out").in_file(&self.file));
             }

@@ -7,7 +7,7 @@ use stickler_types::{Contradiction, Relation};
 use toml::Spanned;
 
 use super::sections::{SectionForm, first_paragraphs, headings};
-use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, recordings};
+use super::{Lines, RECORDING, RULE, Sections, Source, SourceKind, Sources, ToldSymptom, recordings};
 use crate::error::{CaseFileError, Mistake, in_file};
 use crate::near::suggestion;
 use crate::toml_text::{self, Strings};
@@ -34,6 +34,8 @@ struct SourceEntry {
     limitations: BTreeMap<Spanned<String>, String>,
     #[serde(default)]
     contradicts: Vec<Spanned<Contradiction>>,
+    #[serde(default)]
+    symptoms: Vec<ToldSymptom>,
 }
 
 /// The sources of a suite, and what is wrong with their files.
@@ -112,6 +114,7 @@ fn rules(root: &files::Root) -> (Source, Vec<CaseFileError>) {
         recorded: BTreeMap::new(),
         limitations: BTreeMap::new(),
         contradicts: Vec::new(),
+        symptoms: Vec::new(),
         paragraphs,
         line: 1,
     };
@@ -226,6 +229,7 @@ impl SourcesReader<'_> {
             recorded: BTreeMap::new(),
             limitations,
             contradicts: contradicts.collect(),
+            symptoms: entry.symptoms,
             paragraphs: BTreeMap::new(),
             line: self.lines.line(at),
         })

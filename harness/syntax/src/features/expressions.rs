@@ -133,6 +133,7 @@ impl<'t, 's> FeatureFinder<'t, 's> {
         let has = |word: &str| upper.split('_').any(|part| part == word);
         let parts_are_types = || upper.split('_').skip(1).all(|part| elementary(part).is_some());
         let key = match upper.split_once("_TO_") {
+            Some(("BCD", _) | (_, "BCD")) => "conversion-bcd-one-type",
             _ if has("BCD") => "conversion-bcd",
             Some((from, to)) if elementary(from).is_some() && elementary(to).is_some() => "conversion",
             _ if has("TRUNC") && upper != "TRUNC" => "trunc-typed",
