@@ -6,11 +6,13 @@
 
 use crate::alone::is_loop_alone;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
+use crate::line_features::{
+    IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine, is_beyond_type,
+};
 use crate::normal_form::Normal;
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
-use crate::program::{Program, ReadProgram};
+use crate::program::{Program, ReadProgram, read};
 use crate::reduction::Smallest;
 use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
@@ -66,7 +68,8 @@ impl Essence {
             Symptom::Fault(_) => line.mixes_kinds(),
             _ => false,
         };
-        let is_unchecked = normal.is_unchecked();
+        let is_beyond = has_literal_beyond_type(smallest);
+        let is_unchecked = normal.is_unchecked() && !is_beyond;
         let by_chance = if smallest.flaky.is_some() {
             "by chance: "
         } else {
@@ -75,6 +78,11 @@ impl Essence {
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
+            None if is_beyond => (
+                sign.symptom.word(),
+                words(["typed literal beyond its type"]),
+                false,
+            ),
             None => needs(&line, sign, smallest, normal),
         };
         features.extend(is_unchecked.then(|| UNCHECKED.to_owned()));
@@ -245,9 +253,6 @@ fn of_accepted(line: &ProgramAndLine<'_, '_>, code: &str, is_unchecked: bool) ->
         features.remove(LITERAL);
         features.insert("constant".to_owned());
     }
-    if code == Code::ConstantOverflow.as_str() && !is_unchecked && line.has_literal_beyond_type() {
-        return words(["typed literal beyond its type"]);
-    }
     let forms = line.forms_of_literals();
     if is_of_reading(code) && !forms.is_empty() {
         // Where it stands does not matter.
@@ -292,6 +297,16 @@ fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
         true => words(["first bit of an unsigned number"]),
         false => value_features(program),
     }
+}
+
+/// Returns whether a program is accepted although it has a literal whose own type does not hold it, such as `SINT#128`, whatever the
+/// literal is given to.
+fn has_literal_beyond_type(smallest: &Smallest) -> bool {
+    let is_of_constant = |code: &str| code == Code::ConstantOverflow.as_str();
+    matches!(&smallest.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_constant(code))
+        && read(&smallest.program, |program| {
+            program.literals().any(|(_, literal)| is_beyond_type(literal))
+        })
 }
 
 fn words<const N: usize>(words: [&str; N]) -> BTreeSet<String> {

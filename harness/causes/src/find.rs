@@ -22,6 +22,12 @@ const WAVE: usize = 32;
 /// program that is nearly as small as it can be.
 const QUESTIONS_FIRST: [u64; 2] = [1, 16];
 
+/// The time for one question of a search: what takes longer is no smaller program.
+const QUESTION_TIME: Duration = Duration::from_secs(10);
+
+/// The number of bytes of a program above which its group waits for the others.
+const LONG: usize = 10_000;
+
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;
 
@@ -111,7 +117,7 @@ fn find_before_end(
         let mut groups: Vec<(Sign, FailureGroup)> = failed.groups.iter().filter_map(of_engine).collect();
         // Sorting keeps the order of the keys among groups of the same size.
         groups.sort_by_key(|(_, group)| std::cmp::Reverse(group.number()));
-        end_questions_at(deadline);
+        end_questions_at(deadline.map(|end| (end, QUESTION_TIME)));
         let asking = Asking {
             engine: *engine,
             store: search.stores.get(place).copied().flatten(),
@@ -142,7 +148,11 @@ fn find_before_end(
             }
         }
         asking.second_witnesses(&mut causes, left)?;
-        end_questions_at(begun.checked_add(search.limits.time));
+        end_questions_at(
+            begun
+                .checked_add(search.limits.time)
+                .map(|end| (end, Duration::MAX)),
+        );
         asking.reproduce(&mut causes)?;
         found.extend(causes);
     }
@@ -260,7 +270,9 @@ impl Asking<'_> {
             .into_iter()
             .chain([most])
         {
-            let open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
+            let mut open: Vec<usize> = (0..shown.len()).filter(|at| found[*at].is_open).collect();
+            // A compiler may take seconds for each question about a long program.
+            open.sort_by_key(|at| found[*at].smallest.program.len() > LONG);
             for wave in open.chunks(WAVE) {
                 let tries = tries.min(left / wave.len() as u64);
                 let smallest = self.smallest(wave.iter().map(|at| shown[*at]), tries)?;

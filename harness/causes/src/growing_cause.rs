@@ -5,8 +5,9 @@ use crate::claim::keeps_claim;
 use crate::essence::Essence;
 use crate::failed::FailureGroup;
 use crate::failure_sign::{Sign, is_unread};
+use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
-use crate::promised::{cite, promise, promise_of_place};
+use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::Smallest;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
@@ -77,14 +78,24 @@ impl GrowingCause {
         // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
         // cannot be read.
         let promised = case
-            .filter(|_| is_derived || is_missing(&shown, &essence) || is_unread(&shown.deviation.got))
+            .filter(|_| {
+                let is_refused = essence.constructs.contains(STANDARD_PARAMETER);
+                is_derived || is_refused || is_missing(&shown, &essence) || is_unread(&shown.deviation.got)
+            })
             .filter(|_| group.shown.verdict != Verdict::Differs)
             .and_then(|case| promise(&shown, case, (engine, suite)));
+        let of_pattern = case
+            .filter(|_| group.shown.verdict != Verdict::Differs)
+            .and_then(|case| {
+                promise_of_pattern(&essence.constructs, (&shown.program, case), (engine, suite))
+            });
+        let promised = of_pattern.or(promised);
         if let Some(basis) = promised {
             cite(&mut shown.deviation.got, basis, sources);
         }
-        // What no program may show is told by who says so.
-        let told = told_symptom(&shown, &engine.name, sources);
+        // What no program may show is told by who says so, and for what a mistake must be rejected by the page about that.
+        let told =
+            told_symptom(&shown, &engine.name, sources).filter(|_| group.shown.verdict != Verdict::Differs);
         let basis = told.as_deref().or(promised).unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none() && told.is_none();
         shown.deviation.forget_codes(&engine.lacks);
@@ -254,6 +265,7 @@ fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<Str
     let symptom = match shown.deviation.sign.symptom {
         Symptom::Crash(_) => ToldSymptom::Crash,
         Symptom::NoPlace(_) => ToldSymptom::NoPlace,
+        Symptom::OtherCode { ref code, .. } => return sources.of_code(code, engine),
         _ => return None,
     };
     sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))

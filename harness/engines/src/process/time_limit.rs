@@ -8,8 +8,8 @@ use std::time::{Duration, Instant};
 /// The time limit of every program in milliseconds; 0 where each has that of its adapter.
 static TIMEOUT: AtomicU64 = AtomicU64::new(0);
 
-/// The time at which every question ends.
-static END: Mutex<Option<Instant>> = Mutex::new(None);
+/// The time at which every question ends, and the time that each may take.
+static END: Mutex<Option<(Instant, Duration)>> = Mutex::new(None);
 
 /// Sets the time for which any program that an engine starts may run, and for which any answer may take, in place of what adapters
 /// and descriptions say.
@@ -17,9 +17,9 @@ pub fn limit_programs(time: Duration) {
     TIMEOUT.store(milliseconds(time), Ordering::Relaxed);
 }
 
-/// Ends every question to an engine at this time, the one that is being answered then, too; `None` lifts that. What ends so is
-/// [timed out](crate::Outcome::TimedOut).
-pub fn end_questions_at(end: Option<Instant>) {
+/// Ends every question to an engine at this time, the one that is being answered then, too, and each after so long; `None` lifts that. What
+/// ends so is [timed out](crate::Outcome::TimedOut).
+pub fn end_questions_at(end: Option<(Instant, Duration)>) {
     *END.lock().unwrap_or_else(PoisonError::into_inner) = end;
 }
 
@@ -30,7 +30,7 @@ pub(crate) fn time_limit(usual: Duration) -> Duration {
         milliseconds => Some(Duration::from_millis(milliseconds)),
     };
     let end = *END.lock().unwrap_or_else(PoisonError::into_inner);
-    let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+    let left = end.map(|(end, each)| end.saturating_duration_since(Instant::now()).min(each));
     shortest(usual, timeout, left)
 }
 

@@ -3,7 +3,7 @@
 use crate::TextView;
 use crate::rules::TextState;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Argument, Expression, ExpressionKind, Pou};
+use stickler_syntax::tree::{Expression, ExpressionKind, Pou};
 use stickler_syntax::visitor::{Place, operands};
 
 /// The literals that are tried in the place of an expression of unknown type; the rules decide which are valid there. A real
@@ -96,23 +96,6 @@ pub(crate) fn to_operand(view: &TextView<'_>, which: usize) -> Vec<Edits> {
                 whole.span,
                 &view.text()[view.range_of_expression(operand)],
             ));
-        }
-    }
-    view.only_allowed(changes)
-}
-
-/// Gives arguments by their places and not by their names.
-pub(crate) fn drop_names_of_arguments(view: &TextView<'_>) -> Vec<Edits> {
-    let mut changes = Vec::new();
-    for (_, call) in view.expressions() {
-        if let ExpressionKind::Call { arguments, .. } = &call.kind {
-            let mut edits = Edits::new();
-            for argument in arguments {
-                if let Argument::Named { name, value } = argument {
-                    edits.remove(name.span.start as usize..view.range_of_expression(*value).start);
-                }
-            }
-            changes.extend(Some(edits).filter(|edits| !edits.is_empty()));
         }
     }
     view.only_allowed(changes)
