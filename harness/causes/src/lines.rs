@@ -82,7 +82,15 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
         return format!("CASE {} OF {code}", program.text(*selector));
     }
     let next = program.line_text(number + 1).unwrap_or_default().trim();
-    let opens = [" DO", " THEN", "ELSE"].iter().any(|word| code.ends_with(word));
+    let opens = |line: &str| [" DO", " THEN", "ELSE"].iter().any(|word| line.ends_with(word));
+    let before = program
+        .line_text(number.saturating_sub(1))
+        .unwrap_or_default()
+        .trim();
+    if code.starts_with("END_") && opens(before) {
+        return format!("{before} {code}");
+    }
+    let opens = opens(code);
     match next.split(';').next() {
         Some(end) if opens && end.starts_with("END_") => format!("{code} {end}"),
         _ => code.to_owned(),

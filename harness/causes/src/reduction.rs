@@ -6,6 +6,7 @@ use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
 use crate::program::{Program, read};
 use crate::question::{Deviation, Questioner, as_the_reference, is_as_standard, with_program, wrong_values};
+use std::cell::Cell;
 use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
@@ -16,6 +17,9 @@ use stickler_types::Observation;
 const REPEATS: u32 = 4;
 /// The number of times that a program is run with which the engine does not do the same each time.
 const REPEATS_OF_CHANCE: u32 = 20;
+
+/// The number of smaller programs without an answer in time after which a group is left as it is.
+const MAX_HANGS: u32 = 3;
 
 /// A program that shows what a case shows, as small as it became.
 #[derive(Clone, PartialEq, Debug)]
@@ -76,6 +80,9 @@ pub(crate) fn reduce(
     }
     let mut error = None;
     let mut questions = 0;
+    // Of a program that takes ever longer with its size, each smaller one may take the whole time of a question.
+    let hangs = Cell::new(0);
+    let stop = &|| stop() || hangs.get() >= MAX_HANGS;
     let start = unreduced.program.clone();
     let constructs = Constructs::of(&start);
     let takes = asked.takes(case)?;
@@ -100,6 +107,7 @@ pub(crate) fn reduce(
             questions += 1;
             match asked.deviation(&smaller) {
                 Ok(seen) => Interestingness::from(seen.is_some_and(|seen| {
+                    hangs.set(hangs.get() + u32::from(seen.sign.symptom == Symptom::Hang));
                     sign.is_kept_by(&seen.sign)
                         && (has_fault(&event.got) || !has_fault(&seen.got))
                         && (program == start || has_same_value(event, &seen))
