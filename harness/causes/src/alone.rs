@@ -255,11 +255,18 @@ fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone>
             }
             _ => None,
         });
-    called
-        .and_then(literal)
-        .into_iter()
-        .chain(with_variable)
-        .collect()
+    // Around the call the engine may compute in the type of the target.
+    let outer = with_variable.as_ref().and_then(|one| {
+        let ty = calculated(program, part).filter(|ty| *ty != one.ty)?;
+        let [own, other] = [one.ty, ty].map(|ty| format!("    into : {};", ty.name()));
+        Some(Alone {
+            program: one.program.replace(&own, &other),
+            ty,
+            ..one.clone()
+        })
+    });
+    let literal = called.and_then(literal).into_iter();
+    literal.chain(with_variable).chain(outer).collect()
 }
 
 /// Returns a call of a conversion function with a variable, or of another function that the program does not declare with its one operand,

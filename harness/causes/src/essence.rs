@@ -78,6 +78,11 @@ impl Essence {
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
+            None if sign.accepts() && normal.way.is_some() => (
+                ACCEPTED.to_owned(),
+                normal.way.map(str::to_owned).into_iter().collect(),
+                false,
+            ),
             None if is_beyond => (
                 sign.symptom.word(),
                 words(["typed literal beyond its type"]),
@@ -299,13 +304,14 @@ fn labels(program: &ReadProgram<'_, '_>) -> BTreeSet<String> {
     }
 }
 
-/// Returns whether a program is accepted although it has a literal whose own type does not hold it, such as `SINT#128`, whatever the
-/// literal is given to.
+/// Returns whether a program is accepted although it has a literal whose own type does not hold it, such as `SINT#128`, and what it is
+/// given to does.
 fn has_literal_beyond_type(smallest: &Smallest) -> bool {
     let is_of_constant = |code: &str| code == Code::ConstantOverflow.as_str();
     matches!(&smallest.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_constant(code))
         && read(&smallest.program, |program| {
-            program.literals().any(|(_, literal)| is_beyond_type(literal))
+            let mut literals = program.literals();
+            literals.any(|(part, literal)| is_beyond_type(literal, program.target(part)))
         })
 }
 

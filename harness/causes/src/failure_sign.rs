@@ -1,5 +1,6 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
+use crate::patterns::amount;
 use crate::program::Program;
 use crate::question::wrong_values;
 use crate::shape::{KeptTypes, shape, token_at};
@@ -9,8 +10,9 @@ use stickler_types::{Code, Family, Value};
 
 /// The difference of a rendered text that has only other blanks, as [`Sign::at`] tells it.
 pub(crate) const OTHER_BLANKS: &str = "blanks";
-/// The difference of a wrong number that no rounding explains, as [`Sign::at`] tells it.
-const FAR: &str = "far";
+/// The differences of a wrong number that no rounding explains, as [`Sign::at`] tells them.
+const TOO_GREAT: &str = "too great";
+const TOO_SMALL: &str = "too small";
 /// The number of words that are kept of a message.
 const MAX_WORDS: usize = 8;
 
@@ -20,7 +22,7 @@ pub(crate) struct Sign {
     pub(crate) symptom: Symptom,
     /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; the
     /// operations of a program of which something is not implemented; how the first differing lines differ, for a rendered text; whether
-    /// a wrong number is far from the right one.
+    /// a wrong number is far above the right one or far below it; how many bits a constant has that is accepted.
     pub(crate) at: String,
 }
 
@@ -38,7 +40,8 @@ impl Sign {
             }
             Symptom::NotImplemented(_) => work_of(program),
             Symptom::Text => difference(facts),
-            Symptom::Value if is_far(facts) => FAR.to_owned(),
+            Symptom::Value => far(facts).unwrap_or_default().to_owned(),
+            Symptom::NotRejected(code) if code == Code::ConstantOverflow.as_str() => size(program).to_owned(),
             _ => String::new(),
         };
         Sign { symptom, at }
@@ -176,15 +179,32 @@ fn token_of(program: &str, code: &str, got: &[Fact]) -> String {
     plain.take(MAX_WORDS).collect::<Vec<_>>().join(" ")
 }
 
-/// Returns whether the first number that a program has wrong is further from the right one than an error of rounding: one conversion
-/// may round wrongly and also leave the range of its type.
-fn is_far((expected, got): (&[Fact], &[Fact])) -> bool {
-    let first = wrong_values(expected, got).next();
-    let numbers = first.and_then(|(_, (wanted, got))| Some((number(wanted)?, number(got)?)));
-    numbers.is_some_and(|(wanted, got)| {
-        let is_near = (wanted - got).abs() <= 1.0_f64.max(wanted.abs() * 1e-6) || wanted == got;
-        !is_near
-    })
+/// Returns where the first number that a program has wrong is, if it is further from the right one than an error of rounding: one conversion
+/// may round wrongly and also leave the range of its type, and another may lose the sign.
+fn far((expected, got): (&[Fact], &[Fact])) -> Option<&'static str> {
+    let (_, (wanted, got)) = wrong_values(expected, got).next()?;
+    let (wanted, got) = (number(wanted)?, number(got)?);
+    let is_near = (wanted - got).abs() <= 1.0_f64.max(wanted.abs() * 1e-6) || wanted == got;
+    match got > wanted {
+        _ if is_near => None,
+        true => Some(TOO_GREAT),
+        false => Some(TOO_SMALL),
+    }
+}
+
+/// Returns how many bits the largest integer of a program has, since compilers compute constants with 32 or 64.
+fn size(program: &str) -> &'static str {
+    let program = Program::new(program);
+    let program = program.read();
+    let most = program
+        .literals()
+        .filter_map(|(_, literal)| amount(literal))
+        .fold(0.0, f64::max);
+    match most {
+        most if most >= 2_f64.powi(64) => "more than 64 bits",
+        most if most > 2_f64.powi(31) => "more than 31 bits",
+        _ => "",
+    }
 }
 
 /// Returns the number that a value is: of a duration or a date its count; `None` for a text and for no number.

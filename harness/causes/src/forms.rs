@@ -5,9 +5,10 @@ use crate::program::{Part, ReadProgram, read};
 use crate::words::{elementary, is_number, tokens};
 use std::collections::BTreeSet;
 use std::ops::Range;
+use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind};
+use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind, UnaryOperator};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
 
@@ -76,6 +77,8 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
             .filter_map(Part::name)
             .filter(|name| program.is_instance(name));
         let instances = names.map(|name| format!("{name}();"));
+        // A program without a statement, for those who take that.
+        let none = (pou.kind == PouKind::Program).then(String::new);
         let is_whole = |part: &&Part<'_, '_>| !program.around(part).is_some_and(Part::is_part_of_variable);
         let paths = used().filter(|part| part.is_part_of_variable()).filter(is_whole);
         let paths = paths.map(|part| format!("{0} := {0};", program.text(part.id)));
@@ -84,8 +87,13 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
         let mut own: Vec<String> = own.map(|one| format!("{};", one.span.text(text))).collect();
         // A plain assignment may be there only because a program needs a statement.
         own.sort_by_key(|one| !one.contains(['.', '[', '(']));
-        for statement in instances.chain(paths).chain(own) {
-            let changed = without_unused(&Edits::replacing(body.clone(), statement).apply(text));
+        for statement in none.into_iter().chain(instances).chain(paths).chain(own) {
+            let is_none = statement.is_empty();
+            let changed = Edits::replacing(body.clone(), statement).apply(text);
+            let changed = match is_none {
+                true => without_blank_lines(&changed).0,
+                false => without_unused(&changed),
+            };
             if changed != text && !found.contains(&changed) {
                 found.push(changed);
             }
@@ -108,12 +116,12 @@ pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
     bits.filter_map(change).collect()
 }
 
-/// Returns programs that measure a text in the end, each with what it observes: the length of the text where that is wrong, and whether the
-/// text is the right one. `texts` are the right one and the other, as typed literals.
+/// Returns programs that measure a text in the end, each with what it observes: the length of the text where that is wrong, or else
+/// whether its first wrong character is the one that it has and must not have. So no escape of the right text is needed.
 pub(crate) fn with_measured_text(
     program: &ReadProgram<'_, '_>,
     name: &str,
-    texts: &[String; 2],
+    (wanted, got): (&[u16], &[u16]),
 ) -> Vec<(String, Observation)> {
     let main = program.unit.pous().find(|pou| pou.kind == PouKind::Program);
     let (Some(pou), Some(end)) = (main, main.and_then(|pou| end_of_variables(program.text, pou))) else {
@@ -126,13 +134,16 @@ pub(crate) fn with_measured_text(
         edits.replace(behind..behind, format!("    {variable} := {value};\n"));
         (edits.apply(program.text), Observation::last(variable, ty))
     };
-    let wanted = texts[0].split_once('#').map_or("", |(_, text)| text);
-    let mut found = Vec::new();
-    if texts[0].len() != texts[1].len() {
-        found.push(with("length", "INT", &format!("LEN({name})")));
+    if wanted.len() != got.len() {
+        return vec![with("length", "INT", &format!("LEN({name})"))];
     }
-    found.push(with("is_right", "BOOL", &format!("{name} = {wanted}")));
-    found
+    let at = wanted.iter().zip(got).position(|(wanted, got)| wanted != got);
+    let plain = at.and_then(|at| Some((at + 1, char::from_u32(got[at].into())?)));
+    let plain = plain.filter(|(_, sign)| (' '..='~').contains(sign) && !matches!(sign, '$' | '\'' | '"'));
+    let has = |(place, sign): (usize, char)| {
+        with("is_other", "BOOL", &format!("MID({name}, 1, {place}) = '{sign}'"))
+    };
+    plain.map(has).into_iter().collect()
 }
 
 /// Returns programs with a variable of the right type in the place of an operand that is given to something: programs without
@@ -220,9 +231,18 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
     let text = program.text;
     program.at(Place::Value).find_map(|part| {
         let statement = part.statement?;
-        let (operator, left, right) = binary(program, part.id)?;
-        let (own, target) = (program.type_of(left)?, program.target(part)?);
-        if !calculates(operator) || program.type_of(right) != Some(own) || own == target {
+        let own = match part.expression.kind {
+            ExpressionKind::Unary {
+                operator: UnaryOperator::Not,
+                operand,
+            } => program.type_of(operand)?,
+            _ => {
+                let (operator, left, right) = binary(program, part.id)?;
+                let own = program.type_of(left)?;
+                Some(own).filter(|own| calculates(operator) && program.type_of(right) == Some(*own))?
+            }
+        };
+        if program.target(part)? == own {
             return None;
         }
         let first = body(text, part.pou?)?.start;
@@ -242,6 +262,23 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
         let head = text[..first].trim_end().len();
         edits.replace(head..head, format!("\n{}", section.trim_end()));
         Some(edits.apply(text))
+    })
+}
+
+/// Returns a program with the operands of a calculation in the other order, where they have different types; `None` where it has none.
+pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let given = [Place::Value, Place::Argument, Place::NamedArgument];
+    let mut parts = program.parts.iter().filter(|part| given.contains(&part.place));
+    parts.find_map(|part| {
+        let (operator, left, right) = binary(program, part.id)?;
+        let is_mixed = calculates(operator) && program.type_of(left)? != program.type_of(right)?;
+        let swapped = format!(
+            "{} {} {}",
+            program.text(right),
+            operator.symbol(),
+            program.text(left)
+        );
+        is_mixed.then(|| Edits::replacing(part.expression.span, swapped).apply(program.text))
     })
 }
 

@@ -14,7 +14,7 @@
 //! | `parameter of a standard function`, `partial access` | what the line calls or selects |
 //! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
-//! | `array`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
+//! | `array`, `array of structures`, `structure`, `instance of a function block`, `VAR_IN_OUT` | the variables of something that is not implemented |
 //! | `function or function block` | that stands in another unit than a program |
 //! | `number`, `duration`, `date or time`, `text` | the kinds of the operands, for an operator that is rejected wrongly |
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
@@ -34,7 +34,9 @@ use crate::work::{Role, Work, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
-use stickler_syntax::tree::{Argument, ExpressionKind, TypeSpecificationKind, VariableKind};
+use stickler_syntax::tree::{
+    Argument, ExpressionKind, TypeSpecification, TypeSpecificationKind, VariableKind,
+};
 use stickler_syntax::visitor::Place;
 use stickler_types::{ElementaryType, Value};
 
@@ -237,10 +239,26 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             _ => None,
         };
         match own.map_or(declared, |own| &own.specification.kind) {
-            TypeSpecificationKind::Array { .. } => Some("array"),
+            TypeSpecificationKind::Array { element, .. } => Some(match self.is_structured(element) {
+                true => "array of structures",
+                false => "array",
+            }),
             TypeSpecificationKind::Structure(_) => Some("structure"),
             _ => None,
         }
+    }
+
+    /// Returns whether a type is a structure or an array.
+    fn is_structured(&self, ty: &TypeSpecification<'_>) -> bool {
+        let own = match &ty.kind {
+            TypeSpecificationKind::Named(name) => self.program.declared_type(name.text),
+            _ => None,
+        };
+        let kind = own.map_or(&ty.kind, |own| &own.specification.kind);
+        matches!(
+            kind,
+            TypeSpecificationKind::Structure(_) | TypeSpecificationKind::Array { .. }
+        )
     }
 
     /// Returns whether the program converts between values of different kinds.
@@ -483,16 +501,19 @@ fn is_long(literal: &str) -> bool {
         && u64::from_str_radix(&digits, base).is_err()
 }
 
-/// Returns whether a literal is an integer with a type that does not hold it.
-pub(crate) fn is_beyond_type(literal: &str) -> bool {
-    let range = type_of_word(literal).filter(|_| literal.contains('#'));
-    let Some((least, most)) = range.and_then(ElementaryType::integer_range) else {
-        return false;
-    };
+/// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
+pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
+    let own = type_of_word(literal).filter(|_| literal.contains('#'));
     let (digits, base) = integer(literal);
-    let number = i128::from_str_radix(&digits, base).ok();
     let sign = if literal.contains('-') { -1 } else { 1 };
-    number.is_some_and(|number| !(least..=most).contains(&(sign * number)))
+    let number = i128::from_str_radix(&digits, base)
+        .ok()
+        .map(|number| sign * number);
+    let holds = |ty: ElementaryType| {
+        let (least, most) = ty.integer_range()?;
+        Some((least..=most).contains(&number?))
+    };
+    own.and_then(holds) == Some(false) && target.and_then(holds) == Some(true)
 }
 
 /// Returns the digits of an integer literal without its sign, and their base.

@@ -61,6 +61,11 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
             }
         }
     }
+    for entry in parameters(program, number) {
+        if types.len() < MAX_TYPES && !types.contains(&entry) {
+            types.push(entry);
+        }
+    }
     let section = match place_of(program, number) {
         LinePlace::Types => Some("TYPE"),
         _ => special_section(program, number),
@@ -70,6 +75,21 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         true => format!("`{}`{section}", clipped(code)),
         false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
     }
+}
+
+/// Returns the parameters to which a line gives values without their names, with their types.
+fn parameters(program: &ReadProgram<'_, '_>, number: u32) -> Vec<String> {
+    let here = |part: &&Part<'_, '_>| program.line(part.expression.span) == number;
+    let given = program.at(Place::Argument).filter(here);
+    let parameter = |part: &Part<'_, '_>| {
+        let specification = program.target_specification(part)?;
+        let is_it = |one: &&DeclaredName<'_, '_>| {
+            one.group
+                .is_some_and(|group| group.specification.span == specification.span)
+        };
+        declared_as(program, program.names.iter().find(is_it)?)
+    };
+    given.filter_map(parameter).collect()
 }
 
 /// Returns the code of a line with what it says nothing without: the selector of a CASE label, and the end of what has no statements.
@@ -101,7 +121,9 @@ fn whole_statement(program: &ReadProgram<'_, '_>, number: u32, code: &str) -> St
 fn result_of(program: &ReadProgram<'_, '_>, number: u32, name: &str) -> Option<String> {
     let is_assigned = |part: &&Part<'_, '_>| {
         let is_named = part.name().is_some_and(|one| one.eq_ignore_ascii_case(name));
-        is_named && part.place == Place::Target && program.line(part.expression.span) == number
+        is_named
+            && program.outermost(part).place == Place::Target
+            && program.line(part.expression.span) == number
     };
     let pou = program.parts.iter().find(is_assigned)?.pou?;
     let result = pou.result.as_ref().filter(|_| pou.name.is(name))?;

@@ -126,6 +126,7 @@ pub(crate) fn normal_form(
             }
         }
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
+        Symptom::NotRejected(_) if !search.normal.is_unchecked() => search.swapped_operands()?,
         Symptom::NoPlace(_) => search.places()?,
         _ => {}
     }
@@ -281,13 +282,27 @@ impl NormalSearch<'_, '_> {
         ];
         for (form, way) in forms {
             let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
-            if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
-                self.left -= 1;
+            if let Some(case) = case.filter(|_| !(self.stop)()) {
+                self.left = self.left.saturating_sub(1);
                 if self.asked.deviation(&case)?.is_none() {
                     self.normal.way = Some(way);
                     break;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
+    /// for that of the result.
+    fn swapped_operands(&mut self) -> Result<(), EngineError> {
+        let swapped = read(&self.normal.program, forms::with_swapped_operands);
+        let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
+        let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
+        if let Some(case) = case.filter(|case| is_mistaken(case) && !(self.stop)()) {
+            self.left = self.left.saturating_sub(1);
+            let is_rejected = self.asked.deviation(&case)?.is_none();
+            self.normal.way = is_rejected.then_some("operation in the type of its first operand");
         }
         Ok(())
     }

@@ -12,6 +12,9 @@ use stickler_types::{ElementaryType, Family, Value};
 /// The milliseconds of a second.
 const MILLISECONDS: f64 = 1000.0;
 
+/// The nanoseconds of a second.
+const NANOSECONDS: i64 = 1_000_000_000;
+
 /// Returns what a wrong value says by its number alone of how it came about, whatever types and sizes the program has; `None` where it
 /// says nothing.
 pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> Option<&'static str> {
@@ -23,6 +26,11 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
         ),
         (wrong.rounds_twice(), "REAL literal that is rounded twice"),
         (wrong.exceeds_milliseconds(), "milliseconds beyond 32 bits"),
+        (
+            wrong.has_date_beyond_seconds(),
+            "date that 32 bits of seconds do not hold",
+        ),
+        (wrong.loses_fraction(), "fraction of a second that is lost"),
         (wrong.rounds_to_real(), "LREAL literal with the digits of a REAL"),
         (wrong.counts_seconds(), "seconds in the place of milliseconds"),
         (
@@ -226,6 +234,27 @@ impl WrongNumber<'_, '_, '_> {
         bits.is_some_and(|(_, raw, got)| !fits(raw) && fits(got))
     }
 
+    /// Returns whether the program has a date before 1970 or after 2105, and a wrong date or time.
+    fn has_date_beyond_seconds(&self) -> bool {
+        let year = |literal: &str| {
+            let (year, _) = literal.split_once('#')?.1.split_once('-')?;
+            year.parse::<u32>().ok()
+        };
+        let is_beyond = |year: u32| !(1970..=2105).contains(&year);
+        let mut years = self.program.literals().filter_map(|(_, literal)| year(literal));
+        let is_moment = self.bits().is_some_and(|(ty, ..)| ty.is_date_or_time());
+        is_moment && years.any(is_beyond)
+    }
+
+    /// Returns whether a wrong time of day, or date and time, is the right one without its fraction of a second.
+    fn loses_fraction(&self) -> bool {
+        let bits = self.bits().filter(|(ty, ..)| ty.is_date_or_time());
+        bits.is_some_and(|(_, raw, got)| {
+            let (raw, got) = (raw.cast_signed(), got.cast_signed());
+            raw != got && raw - raw.rem_euclid(NANOSECONDS) == got
+        })
+    }
+
     /// Returns whether a literal of the type LREAL has no more digits than a REAL has.
     fn rounds_to_real(&self) -> bool {
         let bits = self.bits().filter(|(ty, ..)| *ty == ElementaryType::Lreal);
@@ -300,7 +329,7 @@ fn mask(ty: ElementaryType) -> u64 {
 }
 
 /// Returns the amount that a literal says, without its sign: of a number with or without a base, or of a duration with one unit.
-fn amount(literal: &str) -> Option<f64> {
+pub(crate) fn amount(literal: &str) -> Option<f64> {
     let value = match literal.split_once('#') {
         Some((prefix, value)) if !prefix.starts_with(|first: char| first.is_ascii_digit()) => value,
         _ => literal,

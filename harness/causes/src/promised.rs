@@ -182,9 +182,10 @@ fn is_type(feature: &Feature) -> bool {
 
 /// Names the basis in every fact that something is not implemented, if the basis is a document.
 pub(crate) fn cite(got: &mut [Fact], basis: &str, sources: &Sources) {
-    let is_document = sources
-        .of(basis)
-        .is_some_and(|(source, _)| source.kind == SourceKind::Document);
+    // What the source limits is told below the claim, and is no promise without it.
+    let is_document = sources.of(basis).is_some_and(|(source, section)| {
+        source.kind == SourceKind::Document && !source.limitations.contains_key(section)
+    });
     for fact in got {
         if let Fact::NotImplemented { promised_by, .. } = fact {
             *promised_by = is_document.then(|| basis.to_owned());

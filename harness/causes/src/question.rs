@@ -240,10 +240,13 @@ impl Questioner<'_> {
         Ok((judged.got, Some(deviation)))
     }
 
-    /// Returns the answers about a program without what came after it was accepted: one that must be rejected and dies only
-    /// when it is executed was accepted wrongly, whatever it does then.
+    /// Returns the answers about a program without what came after it was accepted: one that must be rejected and dies or stops
+    /// only when it is executed was accepted wrongly, whatever it does then.
     fn without_execution(&mut self, case: &Case, answers: Answers) -> Result<Answers, EngineError> {
-        let died = matches!(answers.run, Outcome::Crashed { .. } | Outcome::TimedOut { .. });
+        let died = matches!(
+            answers.run,
+            Outcome::Crashed { .. } | Outcome::TimedOut { .. } | Outcome::Faulted { .. }
+        );
         if !died || case.expectation.accepted != Acceptance::Rejected {
             return Ok(answers);
         }

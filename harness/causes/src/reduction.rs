@@ -11,7 +11,7 @@ use stickler_engines::EngineError;
 use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::{Case, without_blank_lines};
-use stickler_types::Observation;
+use stickler_types::{Code, Observation};
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
 const REPEATS: u32 = 4;
@@ -86,8 +86,9 @@ pub(crate) fn reduce(
     let start = unreduced.program.clone();
     let constructs = Constructs::of(&start);
     let takes = asked.takes(case)?;
-    // Another literal that should not be read is another mistake.
-    let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_reading(code));
+    // Another literal that should not be read is another mistake, and no document says how large an array may be.
+    let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
+    let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
     let keeps_literals =
         |program: &str| !unread || words_with_digits(program).is_subset(&words_with_digits(&start));
     let found = {

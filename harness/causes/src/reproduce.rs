@@ -48,14 +48,13 @@ impl Asking<'_> {
     fn measure_text(&self, member: &mut GrowingCause) -> Result<(), RunError> {
         let shown = &member.cause.shown;
         let wrong = wrong_values(&shown.expected, &shown.got).next();
-        let (Symptom::Value, Some((name, (wanted @ Value::Text { .. }, got)))) =
+        let (Symptom::Value, Some((name, (Value::Text { units, .. }, Value::Text { units: other, .. })))) =
             (&member.sign.symptom, wrong)
         else {
             return Ok(());
         };
-        let texts = [wanted, got].map(ToString::to_string);
         let forms = read(&shown.program, |program| {
-            with_measured_text(program, name, &texts)
+            with_measured_text(program, name, (units, other))
         });
         let known = self.cases.get(&(shown.case.clone(), shown.dialect.clone()));
         let Some((known, whole)) =

@@ -219,7 +219,10 @@ impl Titled<'_, '_> {
             let begins = LOOPS.iter().any(|word| code.trim_start().starts_with(word));
             let around = self.program.loop_around(line);
             let around = around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty());
-            if begins { Some(line) } else { around }
+            match begins {
+                true => Some(line),
+                false => around.or_else(|| self.program.loop_in_callee(line)),
+            }
         };
         let decides = computed.map_or(Some(declared), |line| {
             condition(&self.program, line).or_else(|| loops(line))

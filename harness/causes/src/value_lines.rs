@@ -121,14 +121,22 @@ impl<'t, 's> ReadProgram<'t, 's> {
         }
     }
 
+    /// Returns the line on which the first loop begins in a unit that a line calls.
+    pub(crate) fn loop_in_callee(&self, line: u32) -> Option<u32> {
+        let on_line = |part: &&Part<'_, '_>| self.line(part.expression.span) == line;
+        let mut called = self.at(Place::Callee).filter(on_line);
+        let unit = called.find_map(|part| self.unit_of(part.name()?))?;
+        let is_inside = |span: Span| unit.span.start <= span.start && span.end <= unit.span.end;
+        let loops = self.parts.iter().filter_map(|part| part.statement);
+        let inside = loops.filter(|one| is_loop(&one.kind) && is_inside(one.span));
+        inside.map(|one| self.line(one.span)).min()
+    }
+
     /// Returns the line on which the innermost loop begins that a line stands in.
     pub(crate) fn loop_around(&self, line: u32) -> Option<u32> {
         let is_around = |span: &Span| self.line(*span) < line && line < self.lines.line(span.end);
         let loops = self.parts.iter().filter_map(|part| part.statement);
-        let loops = loops.filter(|one| {
-            use StatementKind::{For, Repeat, While};
-            matches!(one.kind, For { .. } | While { .. } | Repeat { .. })
-        });
+        let loops = loops.filter(|one| is_loop(&one.kind));
         let around = loops.map(|one| one.span).filter(is_around);
         around.map(|span| self.line(span)).max()
     }
@@ -162,8 +170,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
 
     /// Returns whether a function only passes a literal on, so that it computes nothing.
     fn is_passed_on(&self, source: &Part<'t, 's>, last: &Part<'t, 's>) -> bool {
-        let is_plain = matches!(source.statement.map(|one| &one.kind), Some(StatementKind::Assignment { value, .. })
-            if self.part(*value).is_some_and(|part| part.name().is_some()));
+        let value = |part: &Part<'_, '_>| match part.statement?.kind {
+            StatementKind::Assignment { value, .. } => self.part(value),
+            _ => None,
+        };
+        let is_call = value(last).is_some_and(|part| self.call(part.id).is_some());
+        let is_plain = is_call && value(source).is_some_and(|part| part.name().is_some());
         let text = last
             .statement
             .map_or("", |statement| statement.span.text(self.program.text));
@@ -179,6 +191,12 @@ impl<'t, 's> ReadProgram<'t, 's> {
         };
         lines.filter(is_statement).last().map_or(1, |(_, number)| number)
     }
+}
+
+/// Returns whether a statement is a loop.
+fn is_loop(statement: &StatementKind) -> bool {
+    use StatementKind::{For, Repeat, While};
+    matches!(statement, For { .. } | While { .. } | Repeat { .. })
 }
 
 /// Returns the name of the variable or the field that a path ends with.

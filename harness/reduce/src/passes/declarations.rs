@@ -243,11 +243,14 @@ pub(crate) fn drop_initials(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
-/// Replaces declared types of variables by their definitions.
+/// Replaces declared types of variables by their definitions; an enumeration without a name is another type.
 pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
     let specifications = view.specifications();
     let mut changes = Vec::new();
-    for declared in view.types() {
+    let is_enumeration = |one: &&TypeDeclaration<'_>| {
+        matches!(one.specification.kind, TypeSpecificationKind::Enumeration { .. })
+    };
+    for declared in view.types().filter(|one| !is_enumeration(one)) {
         let mut edits = Edits::new();
         for (one, _) in &specifications {
             if let TypeSpecificationKind::Named(name) = &one.kind
