@@ -8,7 +8,9 @@ use std::ops::Range;
 use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
-use stickler_syntax::tree::{BinaryOperator, ExpressionKind, Pou, PouKind, StatementKind, UnaryOperator};
+use stickler_syntax::tree::{
+    BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind, UnaryOperator,
+};
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
 
@@ -235,7 +237,7 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
             ExpressionKind::Unary {
                 operator: UnaryOperator::Not,
                 operand,
-            } => program.type_of(operand)?,
+            } => complemented(program, operand)?,
             _ => {
                 let (operator, left, right) = binary(program, part.id)?;
                 let own = program.type_of(left)?;
@@ -265,13 +267,25 @@ pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
     })
 }
 
-/// Returns a program with the operands of a calculation in the other order, where they have different types; `None` where it has none.
+/// Returns the type of what a complement is made of, which may be another complement in parentheses.
+fn complemented(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<ElementaryType> {
+    match program.unit.expression(id)?.kind {
+        ExpressionKind::Parenthesized(inner) => complemented(program, inner),
+        ExpressionKind::Unary {
+            operator: UnaryOperator::Not,
+            operand,
+        } => complemented(program, operand),
+        _ => program.type_of(id),
+    }
+}
+
+/// Returns a program with the operands of an operator in the other order, where they have different types; `None` where it has none.
 pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<String> {
     let given = [Place::Value, Place::Argument, Place::NamedArgument];
     let mut parts = program.parts.iter().filter(|part| given.contains(&part.place));
     parts.find_map(|part| {
         let (operator, left, right) = binary(program, part.id)?;
-        let is_mixed = calculates(operator) && program.type_of(left)? != program.type_of(right)?;
+        let is_mixed = !compares(operator) && program.type_of(left)? != program.type_of(right)?;
         let swapped = format!(
             "{} {} {}",
             program.text(right),

@@ -513,7 +513,8 @@ pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> b
         let (least, most) = ty.integer_range()?;
         Some((least..=most).contains(&number?))
     };
-    own.and_then(holds) == Some(false) && target.and_then(holds) == Some(true)
+    let is_held = target.is_some_and(|ty| ty.is_real() || holds(ty) == Some(true));
+    own.and_then(holds) == Some(false) && is_held
 }
 
 /// Returns the digits of an integer literal without its sign, and their base.

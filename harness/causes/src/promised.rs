@@ -165,9 +165,9 @@ pub(crate) fn specific<'f>(
         found.extend(around(line).or_else(of_section).or_else(declared_type));
     }
     let place = |feature: &Feature| features.iter().position(|one| one.key == feature.key);
-    // Beside a conversion by name its operand may be at fault.
-    let is_alone = found.len() == 1 || found.iter().all(|feature| feature.key != "conversion");
-    let is_promised = is_alone && found.iter().all(|feature| !feature.promised.is_empty());
+    // What a conversion promises is its result, not that what it is given is known.
+    let converts = found.iter().any(|feature| feature.key == "conversion");
+    let is_promised = !converts && found.iter().all(|feature| !feature.promised.is_empty());
     let most = found
         .into_iter()
         .max_by_key(|feature| (feature.needs.len(), place(feature)))?;
