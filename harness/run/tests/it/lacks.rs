@@ -85,10 +85,31 @@ fn what_uses_a_feature_that_is_not_there_waits_unless_the_engine_takes_it() {
     );
     let [lreal] = &lacks[..] else { panic!("{lacks:#?}") };
     assert_eq!((lreal.construct.as_str(), lreal.number()), ("lreal", 3));
-    assert_eq!(
-        lreal.shown.program,
-        Features::built_in().get("lreal").unwrap().program
-    );
+    // The statement of the minimal program does nothing, and goes where the engine refuses the rest in the same words.
+    let minimal = &Features::built_in().get("lreal").unwrap().program;
+    assert_eq!(lreal.shown.program, minimal.replace("    x := x;\n", ""));
+}
+
+#[test]
+fn a_statement_that_does_nothing_stays_where_a_body_without_one_is_refused_for_that() {
+    let suite = with_features(vec![case("lreal", "", ("LREAL", "x := x;"))]);
+    let answer = |request: &RunRequest<'_>| {
+        let refused = [
+            ("END_VAR\nEND_PROGRAM", "no statement"),
+            ("LREAL", "what is that?"),
+        ];
+        let said = refused.iter().find(|(words, _)| request.source.contains(words));
+        said.map_or(Outcome::ACCEPTED, |(_, message)| {
+            let message = (*message).to_owned();
+            Outcome::rejected(vec![Diagnostic {
+                message,
+                ..Diagnostic::default()
+            }])
+        })
+    };
+    let (_, lacks) = verdicts(&with_jobs(1), &suite, &Puppet::new("little", answer));
+    let [lreal] = &lacks[..] else { panic!("{lacks:#?}") };
+    assert!(lreal.shown.program.contains("x := x;"), "{}", lreal.shown.program);
 }
 
 #[test]
