@@ -1,7 +1,6 @@
 //! Gathers the failing cases of a run in groups that most probably have one cause.
 
 use crate::failure_sign::Sign;
-use crate::words::types_of;
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_engines::{Engine, Identity, Reference};
 use stickler_run::{CaseEvent, Event, ExplainedCases, Plan};
@@ -11,8 +10,7 @@ const MAX_GROUPS: usize = 4000;
 
 /// The failing cases of a run, in groups with the same symptom and programs of the same shape.
 ///
-/// Of each group only the smallest program is kept, and one with other types, so that memory does not grow with the number
-/// of cases. The cases of the reference are left out: it must meet every case, and no maker of it waits for pages.
+/// Of each group only the smallest program is kept, so that memory does not grow with the number of cases. The cases of the reference are left out: it must meet every case, and no maker of it waits for pages.
 #[derive(Debug)]
 pub struct FailedCases<'r> {
     plan: &'r Plan,
@@ -30,8 +28,6 @@ pub(crate) type LackedFeatures = BTreeMap<(String, String), BTreeSet<String>>;
 #[derive(Clone, Debug)]
 pub(crate) struct FailureGroup {
     pub(crate) shown: CaseEvent,
-    /// The case with the smallest program that has other types than the shown one.
-    pub(crate) second: Option<CaseEvent>,
     pub(crate) cases: Vec<ExplainedCases>,
     /// The arguments that the ids of all cases have, such as the names of places.
     pub(crate) shared: BTreeSet<String>,
@@ -99,7 +95,6 @@ impl<'r> FailedCases<'r> {
         }
         let group = self.groups.entry(key).or_insert_with(|| FailureGroup {
             shown: case.clone(),
-            second: None,
             cases: Vec::new(),
             shared: arguments(&case.id),
         });
@@ -119,18 +114,8 @@ impl FailureGroup {
         ExplainedCases::add(&mut self.cases, some);
         let of_case = arguments(&case.id);
         self.shared.retain(|argument| of_case.contains(argument));
-        let mut other = case;
-        let former;
         if rank(case) < rank(&self.shown) {
-            former = std::mem::replace(&mut self.shown, case.clone());
-            other = &former;
-        }
-        let is_second = match &self.second {
-            Some(second) => rank(other) < rank(second) || types(second) == types(&self.shown),
-            None => true,
-        };
-        if is_second && types(other) != types(&self.shown) {
-            self.second = Some(other.clone());
+            self.shown = case.clone();
         }
     }
 
@@ -157,8 +142,4 @@ fn arguments(id: &str) -> BTreeSet<String> {
         .flat_map(|all| all.split(','))
         .map(str::to_owned)
         .collect()
-}
-
-fn types(case: &CaseEvent) -> Vec<&'static str> {
-    types_of(case.program.as_deref().unwrap_or_default())
 }

@@ -1,9 +1,8 @@
 //! The search: reduces the smallest program of each group on the engine, and merges groups of one cause.
 
-use crate::essence::Essence;
 use crate::failed::{FailedCases, FailureGroup, LackedFeatures};
 use crate::failure_sign::Sign;
-use crate::growing_cause::{GrowingCause, merged, reproducer};
+use crate::growing_cause::{GrowingCause, merged};
 use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduction::{Smallest, is_reducible, reduce};
@@ -129,7 +128,7 @@ fn find_before_end(
         };
         let shown: Vec<(&Sign, &CaseEvent)> =
             groups.iter().map(|(sign, group)| (sign, &group.shown)).collect();
-        let (smallest, left) = asking.in_rounds(&shown, &mut |done| {
+        let smallest = asking.in_rounds(&shown, &mut |done| {
             reported.done += done;
             progress(reported);
         })?;
@@ -147,7 +146,6 @@ fn find_before_end(
                 member.cite_place(case, (identity, search.suite));
             }
         }
-        asking.second_witnesses(&mut causes, left)?;
         end_questions_at(
             begun
                 .checked_add(search.limits.time)
@@ -167,9 +165,8 @@ fn find_before_end(
 fn cases<'s>(failed: &FailedCases<'_>, suite: &'s Suite) -> HashMap<(String, String), &'s Case> {
     let mut wanted: HashMap<(String, String), Option<&Case>> = HashMap::new();
     for group in failed.groups.values() {
-        for event in [Some(&group.shown), group.second.as_ref()].into_iter().flatten() {
-            wanted.insert((event.id.clone(), event.dialect.clone()), None);
-        }
+        let event = &group.shown;
+        wanted.insert((event.id.clone(), event.dialect.clone()), None);
     }
     for case in &suite.cases {
         if let Some(found) = wanted.get_mut(&(case.id.to_string(), case.dialect.as_str().to_owned())) {
@@ -249,12 +246,12 @@ pub(crate) struct Asking<'r> {
 
 impl Asking<'_> {
     /// Reduces the programs of groups: all with few questions, and then those that need more. So a limit of time leaves none unasked.
-    /// Returns them with the number of questions that are left; `progress` hears of each group that is finished.
+    /// `progress` hears of each group that is finished.
     fn in_rounds(
         &self,
         shown: &[(&Sign, &CaseEvent)],
         progress: &mut dyn FnMut(u64),
-    ) -> Result<(Vec<ReducedGroup>, u64), RunError> {
+    ) -> Result<Vec<ReducedGroup>, RunError> {
         let SearchLimits {
             questions: mut left,
             questions_a_group: most,
@@ -287,7 +284,7 @@ impl Asking<'_> {
                 }
             }
         }
-        Ok((found, left))
+        Ok(found)
     }
 
     /// Opens a session with the engine, for questions.
@@ -337,38 +334,5 @@ impl Asking<'_> {
             }
         };
         WorkerPool::new(self.search.plan.jobs).map(shown, open, work)
-    }
-
-    /// Looks for a second witness of the causes that were found in one group only: a case of the group with other types.
-    fn second_witnesses(&self, causes: &mut [GrowingCause], left: u64) -> Result<(), RunError> {
-        let without = |member: &&mut GrowingCause| {
-            member.cause.second.is_none() && member.cause.reduction != Reduced::Not && member.other.is_some()
-        };
-        let mut without: Vec<&mut GrowingCause> = causes.iter_mut().filter(without).collect();
-        if without.is_empty() {
-            return Ok(());
-        }
-        let tries = self
-            .search
-            .limits
-            .questions_a_group
-            .min(left / without.len() as u64);
-        let others: Vec<(Sign, CaseEvent)> = without
-            .iter()
-            .filter_map(|member| Some((member.sign.clone(), member.other.clone()?)))
-            .collect();
-        let smallest = self.smallest(others.iter().map(|(sign, event)| (sign, event)), tries)?;
-        for ((member, (_, event)), smallest) in without.iter_mut().zip(&others).zip(smallest) {
-            let second = reproducer(event, &smallest.smallest);
-            if member
-                .essence
-                .explains(&Essence::of(&smallest.smallest, &smallest.normal))
-                && smallest.smallest.reduction == Reduced::Smallest
-                && member.has_other_types(&second)
-            {
-                member.cause.second = Some(second);
-            }
-        }
-        Ok(())
     }
 }

@@ -11,7 +11,7 @@ use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::Smallest;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
-use crate::words::{types_among, types_of, valued_types, words_in_use};
+use crate::words::{types_of, valued_types};
 use crate::work::operations;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -24,8 +24,6 @@ pub(crate) struct GrowingCause {
     pub(crate) cause: Cause,
     pub(crate) essence: Essence,
     pub(crate) sign: Sign,
-    /// A case of the group with other types than the shown one.
-    pub(crate) other: Option<CaseEvent>,
     /// The arguments that the ids of all cases have.
     shared: BTreeSet<String>,
     /// Whether the shown claim does not bind the engine.
@@ -52,7 +50,9 @@ impl GrowingCause {
         // An operand that the engine does not take alone is shown alone, unless the program does nothing else; so is a valid program
         // that is rejected like one with a mistake.
         let hides = smallest.deviation.sign.is_rejected_otherwise() && normal.program != smallest.program;
-        let is_other = normal.is_operand && !is_plain && !smallest.deviation.sign.accepts();
+        let is_shorter = matches!(normal.deviation.sign.symptom, Symptom::NotImplemented(_))
+            && normal.program.len() < smallest.program.len();
+        let is_other = normal.is_operand && (!is_plain || is_shorter) && !smallest.deviation.sign.accepts();
         let begins = normal.is_beginning() && !shows_initial_value(&smallest.program, &smallest.deviation);
         let is_derived = hides || is_other || begins;
         // A value of quite another type shows best that none is checked.
@@ -112,7 +112,6 @@ impl GrowingCause {
                 basis: basis.to_owned(),
                 ..reproducer(&group.shown, shown)
             },
-            second: None,
             lacked_in: BTreeMap::new(),
             types: vec![types.join(", ")],
             reduction: smallest.reduction,
@@ -125,7 +124,6 @@ impl GrowingCause {
             cause,
             essence,
             sign: shown.deviation.sign.clone(),
-            other: group.second.clone(),
             shared: group.shared.clone(),
             agreeing: 0,
         }
@@ -177,14 +175,6 @@ impl GrowingCause {
             program.len(),
             program,
         )
-    }
-
-    /// Returns whether a program has other types than the shown one where it uses them, so that it is worth a place as a second witness;
-    /// the commands of the page speak one dialect.
-    pub(crate) fn has_other_types(&self, reproducer: &Reproducer) -> bool {
-        let types = |program| types_among(words_in_use(program));
-        let shown = &self.cause.shown;
-        reproducer.dialect == shown.dialect && types(&reproducer.program) != types(&shown.program)
     }
 }
 
@@ -247,9 +237,6 @@ pub(crate) fn merged(mut members: Vec<GrowingCause>) -> Vec<GrowingCause> {
             std::mem::swap(&mut cause.essence, &mut member.essence);
         }
         cause.cause.explain(member.cause);
-        let second = cause.cause.second.take();
-        cause.cause.second = second.filter(|second| cause.has_other_types(second));
-        cause.other = cause.other.take().or(member.other);
     }
     causes
 }

@@ -152,6 +152,13 @@ fn definition(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>) -> Opti
     let TypeSpecificationKind::Named(name) = &ty.kind else {
         return None;
     };
+    let mut units = program
+        .unit
+        .pous()
+        .filter(|pou| pou.kind == PouKind::FunctionBlock);
+    if let Some(block) = units.find(|pou| pou.name.is(name.text)) {
+        return Some(format!("{} : FUNCTION_BLOCK", block.name.text));
+    }
     let declared = program.declared_type(name.text)?;
     let written = match declared.specification.kind {
         TypeSpecificationKind::Structure(_) => "STRUCT".to_owned(),

@@ -3,18 +3,19 @@
 use crate::event::CaseEvent;
 use crate::judge::{differ_in_blanks_only, judge, renders_bit_access, tells_too_little_only};
 use crate::{
-    Answers, Binding, Claim, Fact, Judgement, Lacks, MatchedBaseline, Observed, Plan, Verdict, binding,
-    clip_line, promises,
+    Answers, Binding, Claim, Fact, Judgement, Lacks, MatchedBaseline, Observed, Plan, Symptom, Verdict,
+    binding, clip_line, promises,
 };
+use std::borrow::Cow;
 use std::time::Duration;
 use stickler_engines::Identity;
-use stickler_suite::{Acceptance, Case, Expectation, Suite};
+use stickler_suite::{Acceptance, Case, Expectation, Suite, ToldSymptom};
 use stickler_types::Fault;
 
 /// The basis of all but the accesses of bits in what is rendered: of words, blanks, and of rendering again no document speaks.
 const RENDERING: &str = "rule: rendering";
 
-/// The basis of the line of a diagnostic that came without a place. No document promises that every diagnostic has one.
+/// The basis of the line of a diagnostic that came without a place, where no document of the makers promises that each has one.
 const EVERY_MISTAKE: &str = "rule: every-mistake-is-told";
 
 /// The maximum number of characters that are recorded of a warning without a code.
@@ -40,7 +41,7 @@ impl CaseJudge<'_> {
     #[must_use]
     pub fn event(&self, case: &Case, answers: &Answers, time: Duration) -> CaseEvent {
         let mut judgement = self.judgement(case, answers);
-        let basis = self.basis(case, &judgement).to_owned();
+        let basis = self.basis(case, &judgement).into_owned();
         if let Some(lacks) = self.lacks
             && let waits_for @ [_, ..] = &lacks.waits_for(case, (&answers.run, judgement.verdict), || {
                 promises(case, self.engine, self.suite)
@@ -149,30 +150,33 @@ impl CaseJudge<'_> {
     /// Returns whether the basis of what was missed binds the engine.
     fn binds(&self, case: &Case, missed: &Judgement) -> bool {
         let claim = Claim {
-            basis: self.basis(case, missed),
+            basis: &self.basis(case, missed),
             ..Claim::of(case)
         };
         let binding = binding(claim, Some(self.engine), self.suite);
         binding.binds(self.plan.strict_rules)
     }
 
-    /// Returns the basis of a judgement: that of the case, but a rule of Stickler where nothing was missed but what only the rule
-    /// asks for.
-    fn basis<'c>(&self, case: &'c Case, judgement: &Judgement) -> &'c str {
+    /// Returns the basis of a judgement: that of the case, but what tells of places where nothing but the place of a mistake was missed, and
+    /// a rule of Stickler where nothing was missed but what only the rule asks for.
+    fn basis<'c>(&self, case: &'c Case, judgement: &Judgement) -> Cow<'c, str> {
         let (expected, got) = (&judgement.expected[..], &judgement.got[..]);
-        match judgement.verdict {
-            Verdict::Fail | Verdict::Differs
-                if differ_in_blanks_only(expected, got) || renders_bit_access(expected, got) =>
-            {
-                RENDERING
-            }
-            Verdict::Fail | Verdict::Differs
-                if tells_too_little_only(expected, got, self.plan.needed(self.engine, case)) =>
-            {
-                EVERY_MISTAKE
-            }
-            _ => &case.basis,
+        if !matches!(judgement.verdict, Verdict::Fail | Verdict::Differs) {
+            return Cow::from(&*case.basis);
         }
+        if differ_in_blanks_only(expected, got) || renders_bit_access(expected, got) {
+            return Cow::from(RENDERING);
+        }
+        let needed = self.plan.needed(self.engine, case);
+        if !tells_too_little_only(expected, got, needed) {
+            return Cow::from(&*case.basis);
+        }
+        let symptom = Symptom::of_facts(judgement.verdict, (expected, got), needed);
+        let places = matches!(symptom, Symptom::NoPlace(_)).then(|| {
+            let sources = &self.suite.sources;
+            sources.telling(ToldSymptom::NoPlace, &self.engine.name, "")
+        });
+        places.flatten().map_or(Cow::from(EVERY_MISTAKE), Cow::from)
     }
 }
 

@@ -27,10 +27,6 @@ pub const PROGRAM: &str = "program.st";
 
 /// An event of a run. Its form in a log is up to the log.
 #[derive(Clone, PartialEq, Debug)]
-#[expect(
-    clippy::large_enum_variant,
-    reason = "events are passed on one by one, and nobody keeps many"
-)]
 pub enum Event {
     /// The first event.
     Header(Header),

@@ -3,7 +3,7 @@
 use crate::condition::{Condition, Testable};
 use crate::scan::scan;
 use crate::template::Template;
-use crate::{Dialects, Sources, Suite, Wanted, files, ident, sources};
+use crate::{Dialects, Sources, Suite, ToldSymptom, Wanted, files, ident, sources};
 use stickler_mdtest::{Example, check_examples};
 use stickler_types::DialectName;
 
@@ -110,6 +110,17 @@ fn golden_sources() {
                 "{mistakes}{:?}",
                 sources.get("page").map(|page| &page.limitations)
             ),
+            "told" => {
+                let said = example.text("said");
+                let found = [
+                    sources.telling(ToldSymptom::Crash, "matiec", said),
+                    sources.telling(ToldSymptom::NoPlace, "matiec", said),
+                    sources.of_code("P4035", "matiec"),
+                    sources.of_code("P4035", "ironplc"),
+                ];
+                let found = found.iter().map(|one| one.as_deref().unwrap_or("nothing"));
+                Vec::from_iter(found).join(", ")
+            }
             "chosen" => {
                 let dialect: DialectName = example.text("dialect").parse().unwrap();
                 sources.choose(basis, dialect).unwrap_or("none").to_owned()

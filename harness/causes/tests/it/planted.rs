@@ -35,8 +35,6 @@ fn the_programs_of_three_defects_are_small_and_each_has_all_of_its_claims() {
         .map(|some| some.basis.as_str())
         .collect();
     assert_eq!(bases.len(), 3, "one defect under three claims: {bases:?}");
-    let second = with("gives REAL#0.5").second.as_ref().expect("a second witness");
-    assert!(second.program.contains("SINT"), "{}", second.program);
 }
 
 #[test]

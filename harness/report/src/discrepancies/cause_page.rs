@@ -1,7 +1,7 @@
 //! Writes the page of a cause, and its line in the list of an engine's pages.
 
 use super::Discrepancy;
-use super::page::{Told, block, called, expected_and_got, not_compared, without_agreeing};
+use super::page::{Told, block, called, expected_and_got, not_compared};
 use crate::basis::Basis;
 use crate::markdown::{code, inline, linked};
 use crate::overview::Overview;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use stickler_run::{
     CaseEvent, Cause, EngineHeader, ExplainedCases, Fact, Grade, PROGRAM, RepeatedOutcome, Repeats,
-    Reproducer, SourceHeader, Symptom, Verdict,
+    Reproducer, SourceHeader, Verdict,
 };
 use stickler_types::{Relation, counted, grouped};
 
@@ -178,7 +178,7 @@ pub(crate) fn page(
         let lines = format!("Lines are those of `{PROGRAM}`. {}", not_compared(told.strict));
         let _ = write!(text, "{}\n\n", lines.trim_end());
     }
-    second(&mut text, cause, told.strict);
+    types(&mut text, cause);
     cases(&mut text, cause);
     if let Some(note) = case.and_then(|case| case.baseline.as_ref()) {
         let _ = write!(text, "It is known: {}.\n\n", inline(&noted(note)));
@@ -374,27 +374,8 @@ fn cited(shown: &Reproducer, overview: &Overview) -> String {
     format!("{claim} ({by}: {}, {}{read})", inline(title), inline(kind))
 }
 
-/// Adds the second witness where it misses the same claim with the same symptom, and the types that were seen.
-fn second(text: &mut String, cause: &Cause, strict: Grade) {
-    let symptom =
-        |shown: &Reproducer| Symptom::of_facts(Verdict::Fail, (&shown.expected, &shown.got), strict);
-    let is_same =
-        |second: &&Reproducer| second.basis == cause.shown.basis && symptom(second) == symptom(&cause.shown);
-    if let Some(second) = cause.second.as_ref().filter(is_same) {
-        block(
-            text,
-            "Another program shows the same:",
-            "iecst",
-            &visible(&second.program),
-        );
-        let (expected, got) = (&second.expected, &second.got);
-        let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
-        // Nobody ran the commands with this program, so its codes and lines are told where those of the first one are.
-        let told = Told { printed: "", strict };
-        let line = |facts: String| code(&visible(&facts).replace('\n', "; "));
-        let (wanted, reported) = (line(Fact::text(&wanted)), line(told.text(&reported)));
-        let _ = write!(text, "Expected: {wanted}. Got: {reported}.\n\n");
-    }
+/// Adds the types that were seen.
+fn types(text: &mut String, cause: &Cause) {
     let types: Vec<&str> = cause
         .types
         .iter()

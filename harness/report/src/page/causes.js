@@ -71,7 +71,6 @@ function causeBox(cause, name, open) {
       cause.flaky ? el("p.notice", {}, `By chance: this came in ${cause.flaky[0]} of ${cause.flaky[1]} runs of the same program.`) : null,
       cause.reduction === "partly" ? el("p.dim", {}, "The program is not as small as it can be: the search for causes ended before.") : null,
       cause.types.length > 0 ? el("p", {}, "Seen with: ", cause.types.join("; ")) : null,
-      cause.second ? el("div", {}, el("h3", {}, "Another program"), witnessView(cause.engine, cause.second)) : null,
       explained(cause),
     ];
   }, open);

@@ -73,7 +73,6 @@ struct CauseData<'o> {
     /// The number of runs that showed it and of all runs, where the engine does not do the same each time.
     flaky: Option<(u32, u32)>,
     shown: ReproducerData<'o>,
-    second: Option<ReproducerData<'o>>,
     /// The text for the tracker of the engine, in Markdown.
     report: String,
 }
@@ -166,7 +165,6 @@ fn cause_data<'o>(cause: &'o Cause, overview: &'o Overview) -> CauseData<'o> {
         reduction: cause.reduction,
         flaky: cause.flaky.as_ref().map(|repeats| (repeats.seen, repeats.of)),
         shown: reproducer(&cause.shown),
-        second: cause.second.as_ref().map(reproducer),
         report: cause_page_of(
             &cause.engine,
             overview.engine(&cause.engine),

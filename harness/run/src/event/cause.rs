@@ -26,9 +26,6 @@ pub struct Cause {
     pub title: String,
     /// The program that shows the cause best.
     pub shown: Reproducer,
-    /// A program with other types or another construct that shows the same cause.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub second: Option<Reproducer>,
     /// The elementary types in programs that show the cause, each entry those of one program; not of every case.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub types: Vec<String>,
@@ -232,10 +229,6 @@ impl Cause {
                 self.types.push(types);
             }
         }
-        if self.second.is_none() {
-            let is_different = other.shown.program != self.shown.program && !other.is_partly_reduced();
-            self.second = other.second.or_else(|| is_different.then_some(other.shown));
-        }
     }
 }
 
@@ -276,14 +269,14 @@ mod tests {
     }
 
     #[test]
-    fn of_two_parts_the_smaller_program_is_shown_and_the_other_is_the_second_witness() {
+    fn of_two_parts_the_smaller_program_is_shown() {
         for (first, second) in [("short", "longer"), ("longer", "short")] {
             let mut whole = cause(first, 2);
             assert!(whole.is_same(&cause(second, 3)));
             whole.merge(cause(second, 3));
             assert_eq!(whole.number(), 5);
             assert_eq!((whole.title.as_str(), whole.cases.len()), ("short", 1));
-            assert_eq!(whole.second.expect("a second").program, "longer");
+            assert_eq!(whole.shown.program, "short");
         }
     }
 
