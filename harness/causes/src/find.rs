@@ -5,7 +5,7 @@ use crate::failure_sign::Sign;
 use crate::growing_cause::{GrowingCause, merged};
 use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers};
-use crate::reduction::{Smallest, is_reducible, reduce};
+use crate::reduction::{LONG, Smallest, is_reducible, reduce};
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
@@ -23,9 +23,6 @@ const QUESTIONS_FIRST: [u64; 2] = [1, 16];
 
 /// The time for one question of a search: what takes longer is no smaller program.
 const QUESTION_TIME: Duration = Duration::from_secs(10);
-
-/// The number of bytes of a program above which its group waits for the others.
-const LONG: usize = 10_000;
 
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;

@@ -8,7 +8,7 @@ use crate::failure_sign::{Sign, is_unread};
 use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
 use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
-use crate::reduction::Smallest;
+use crate::reduction::{LONG, Smallest};
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types};
@@ -114,7 +114,11 @@ impl GrowingCause {
             },
             lacked_in: BTreeMap::new(),
             types: vec![types.join(", ")],
-            reduction: smallest.reduction,
+            // No page has room for a long program.
+            reduction: match smallest.reduction {
+                Reduced::Not if shown.program.len() > LONG => Reduced::Partly,
+                reduction => reduction,
+            },
             flaky: smallest.flaky.clone(),
             cases: group.cases.clone(),
         };

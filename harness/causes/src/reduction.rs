@@ -18,6 +18,9 @@ const REPEATS: u32 = 4;
 /// The number of times that a program is run with which the engine does not do the same each time.
 const REPEATS_OF_CHANCE: u32 = 20;
 
+/// The number of bytes of a program above which its group waits for the others, and has no page.
+pub(crate) const LONG: usize = 10_000;
+
 /// The number of smaller programs without an answer in time after which a group is left as it is.
 const MAX_HANGS: u32 = 3;
 
