@@ -6,9 +6,8 @@
 
 use crate::alone::is_loop_alone;
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{
-    IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine, is_beyond_type,
-};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
+use crate::malformed::is_beyond_type;
 use crate::normal_form::Normal;
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;

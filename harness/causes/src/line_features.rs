@@ -24,13 +24,13 @@
 
 use crate::failure_sign::is_unread;
 use crate::lines::{LinePlace, line_with_number, place_of, special_section, unit_of};
-use crate::malformed::forms_of_literals;
+use crate::malformed::{forms_of_literals, is_long};
 use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
 use crate::suspect::unimplemented;
 use crate::words::{LOOPS, converted, has_word, kind, type_of_word, valued_types, words};
-use crate::work::{Role, Work, words_of, works};
+use crate::work::{Role, Work, either_way, of_numbers, words_of, works};
 use std::collections::BTreeSet;
 use stickler_run::Fact;
 use stickler_syntax::source::Span;
@@ -38,7 +38,7 @@ use stickler_syntax::tree::{
     Argument, ExpressionKind, TypeSpecification, TypeSpecificationKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
-use stickler_types::{ElementaryType, Value};
+use stickler_types::Value;
 
 /// The feature of a line that stands among the types.
 const IN_TYPES: &str = "type";
@@ -493,41 +493,6 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     }
 }
 
-/// Returns whether a literal is an integer that 64 bits do not hold.
-fn is_long(literal: &str) -> bool {
-    let (digits, base) = integer(literal);
-    !digits.is_empty()
-        && digits.chars().all(|digit| digit.is_digit(base))
-        && u64::from_str_radix(&digits, base).is_err()
-}
-
-/// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
-pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
-    let own = type_of_word(literal).filter(|_| literal.contains('#'));
-    let (digits, base) = integer(literal);
-    let sign = if literal.contains('-') { -1 } else { 1 };
-    let number = i128::from_str_radix(&digits, base)
-        .ok()
-        .map(|number| sign * number);
-    let holds = |ty: ElementaryType| {
-        let (least, most) = ty.integer_range()?;
-        Some((least..=most).contains(&number?))
-    };
-    let is_held = target.is_some_and(|ty| ty.is_real() || holds(ty) == Some(true));
-    own.and_then(holds) == Some(false) && is_held
-}
-
-/// Returns the digits of an integer literal without its sign, and their base.
-fn integer(literal: &str) -> (String, u32) {
-    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
-    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
-    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
-    (
-        digits,
-        base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10),
-    )
-}
-
 /// Returns whether an argument is passed to a variable of VAR_IN_OUT by its name, in a call at one of some places.
 pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span) -> bool) -> bool {
     let is_in_out = |argument: &Argument<'_>| match argument {
@@ -538,34 +503,4 @@ pub(crate) fn passes_in_out(program: &ReadProgram<'_, '_>, is_here: impl Fn(Span
         let call = program.call(part.id).filter(|_| is_here(part.expression.span));
         call.is_some_and(|(_, arguments)| arguments.iter().any(is_in_out))
     })
-}
-
-/// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
-/// work, and numbers that one family does not have are properties of the value. The conversions of a date and time to its date and to its
-/// time of day have one name.
-fn of_numbers(operation: &str) -> String {
-    let side = |side: &str| match side {
-        "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
-        other => other.to_owned(),
-    };
-    match operation.split_once("_TO_") {
-        Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
-        Some(("dateandtime", "date" | "timeofday")) => "parts of a date and time".to_owned(),
-        _ => operation.to_owned(),
-    }
-}
-
-/// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
-/// types, and one that lacks some of those from and to texts, or of those of durations, dates and times of day, lacks them all.
-fn either_way(operation: &str) -> String {
-    let moments = ["duration", "date", "timeofday", "dateandtime"];
-    match operation.split_once("_TO_") {
-        Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
-        Some((from, into)) if from == "BCD" || into == "BCD" => "conversion of BCD".to_owned(),
-        Some((from, into)) if moments.contains(&from) || moments.contains(&into) => {
-            "conversion of durations, dates and times".to_owned()
-        }
-        Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
-        None => operation.to_owned(),
-    }
 }

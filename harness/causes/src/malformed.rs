@@ -1,4 +1,4 @@
-//! The forms of literals that should not be read, by which their defects are told apart.
+//! The forms and the sizes of literals that should not be read, by which their defects are told apart.
 
 use crate::words::{is_number, kind, type_of_word};
 use std::collections::BTreeSet;
@@ -75,4 +75,39 @@ fn form_of_moment(ty: ElementaryType, value: &str) -> Option<String> {
         }
         _ => None,
     }
+}
+
+/// Returns whether a literal is an integer that 64 bits do not hold.
+pub(crate) fn is_long(literal: &str) -> bool {
+    let (digits, base) = integer(literal);
+    !digits.is_empty()
+        && digits.chars().all(|digit| digit.is_digit(base))
+        && u64::from_str_radix(&digits, base).is_err()
+}
+
+/// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
+pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
+    let own = type_of_word(literal).filter(|_| literal.contains('#'));
+    let (digits, base) = integer(literal);
+    let sign = if literal.contains('-') { -1 } else { 1 };
+    let number = i128::from_str_radix(&digits, base)
+        .ok()
+        .map(|number| sign * number);
+    let holds = |ty: ElementaryType| {
+        let (least, most) = ty.integer_range()?;
+        Some((least..=most).contains(&number?))
+    };
+    let is_held = target.is_some_and(|ty| ty.is_real() || holds(ty) == Some(true));
+    own.and_then(holds) == Some(false) && is_held
+}
+
+/// Returns the digits of an integer literal without its sign, and their base.
+fn integer(literal: &str) -> (String, u32) {
+    let (prefix, digits) = literal.rsplit_once('#').unwrap_or(("", literal));
+    let base = prefix.rsplit('#').next().and_then(|base| base.parse().ok());
+    let digits = digits.trim_start_matches(['-', '+', ' ']).replace('_', "");
+    (
+        digits,
+        base.filter(|base| matches!(base, 2 | 8 | 16)).unwrap_or(10),
+    )
 }

@@ -134,3 +134,33 @@ pub(crate) fn families(name: &str) -> String {
     let sides: Vec<String> = upper.split("_TO_").map(side).collect();
     sides.join("_TO_")
 }
+
+/// Returns the name of a conversion between a real number and an integer without the family of the integer: how it rounds is one piece of
+/// work, and numbers that one family does not have are properties of the value. The conversions of a date and time to its date and to its
+/// time of day have one name.
+pub(crate) fn of_numbers(operation: &str) -> String {
+    let side = |side: &str| match side {
+        "signed" | "unsigned" | "bitstring" => "integer".to_owned(),
+        other => other.to_owned(),
+    };
+    match operation.split_once("_TO_") {
+        Some((from, into)) if from == "real" || into == "real" => format!("{}_TO_{}", side(from), side(into)),
+        Some(("dateandtime", "date" | "timeofday")) => "parts of a date and time".to_owned(),
+        _ => operation.to_owned(),
+    }
+}
+
+/// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
+/// types, and one that lacks some of those from and to texts, or of those of durations, dates and times of day, lacks them all.
+pub(crate) fn either_way(operation: &str) -> String {
+    let moments = ["duration", "date", "timeofday", "dateandtime"];
+    match operation.split_once("_TO_") {
+        Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
+        Some((from, into)) if from == "BCD" || into == "BCD" => "conversion of BCD".to_owned(),
+        Some((from, into)) if moments.contains(&from) || moments.contains(&into) => {
+            "conversion of durations, dates and times".to_owned()
+        }
+        Some((from, into)) => format!("{}_TO_{}", from.min(into), from.max(into)),
+        None => operation.to_owned(),
+    }
+}
