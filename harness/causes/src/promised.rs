@@ -45,7 +45,7 @@ pub(crate) fn promise<'s>(
 }
 
 /// The features of which a wrong value tells by its pattern, whatever the case was about.
-const OF_PATTERNS: [(&str, &str); 9] = [
+pub(crate) const OF_PATTERNS: [(&str, &str); 9] = [
     (
         "conversion to an integer that does not bring it into its range",
         "conversion",

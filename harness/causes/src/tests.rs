@@ -6,6 +6,7 @@ mod tables;
 use crate::essence::Essence;
 use crate::guard::Constructs;
 use crate::normal_form::Normal;
+use crate::promised::OF_PATTERNS;
 use crate::question::{Deviation, Takes};
 use crate::reduction::Smallest;
 use crate::title::title;
@@ -252,4 +253,24 @@ fn a_reduction_makes_only_those_programs_of_others_that_the_table_says() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn each_pattern_that_is_promised_is_one_that_a_value_tells_and_a_feature_promises() {
+    let named = [
+        include_str!("patterns.rs"),
+        include_str!("essence.rs"),
+        include_str!("value_lines.rs"),
+    ]
+    .concat();
+    for (pattern, key) in OF_PATTERNS {
+        assert!(named.contains(&format!("{pattern:?}")), "{pattern}");
+        let features = stickler_suite::Features::built_in();
+        assert!(
+            features
+                .get(key)
+                .is_some_and(|feature| !feature.promised.is_empty()),
+            "{key}"
+        );
+    }
 }
