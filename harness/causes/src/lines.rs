@@ -66,7 +66,12 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
             types.push(entry);
         }
     }
+    let is_field = program
+        .names
+        .iter()
+        .any(|one| is_here(&one) && one.group.is_some());
     let section = match place_of(program, number) {
+        LinePlace::Types if is_field => Some("STRUCT"),
         LinePlace::Types => Some("TYPE"),
         _ => special_section(program, number),
     };
