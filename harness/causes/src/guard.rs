@@ -62,7 +62,7 @@ impl Constructs {
         }
     }
 
-    /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes so little.
+    /// Returns whether a program with these constructs may become one with the constructs `smaller`, for an engine that takes this as the least.
     pub(crate) fn may_become(&self, smaller: &Constructs, takes: Takes) -> bool {
         (takes.no_variables || smaller.has_variables)
             && !smaller.has_empty_section

@@ -115,7 +115,7 @@ impl Deviation {
     }
 }
 
-/// How little an engine takes.
+/// The least that an engine takes as a program.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(crate) struct Takes {
     /// Whether it takes bodies without statements.
@@ -150,7 +150,7 @@ impl Questioner<'_> {
         Ok(self.judged(case, answers)?.1)
     }
 
-    /// Returns how little the engine takes, in the dialect of a case.
+    /// Returns the least that the engine takes as a program, in the dialect of a case.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
