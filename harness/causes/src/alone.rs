@@ -236,60 +236,43 @@ fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<E
     target.filter(|ty| is_number(*ty))
 }
 
-/// Returns calls of a conversion function with a literal and with a variable, or one of another function that the program does not declare
-/// with its one operand, where an expression is one.
+/// Returns calls of a conversion function with a literal and with a variable, the latter in the type of what is computed around it too; or
+/// the call of another function that the program does not declare with its one operand; where an expression is one.
 fn calls_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Vec<Alone> {
-    let with_variable = call_alone(program, part);
-    let literal = |(callee, value): (&str, &str)| {
-        let (_, ty) = converted(callee)?;
-        Some(Alone::new(None, ty, &format!("{callee}({value})")))
-    };
-    let called = program
+    let Some((callee, arguments)) = program
         .call(part.id)
-        .and_then(|(callee, arguments)| match arguments {
-            [Argument::Positional(value)] if !program.declares(callee) => {
-                let value = program
-                    .literal(*value)
-                    .or_else(|| program.initial(program.text(*value)))?;
-                Some((callee, value))
-            }
-            _ => None,
-        });
-    // Around the call the engine may compute in the type of the target.
-    let outer = with_variable.as_ref().and_then(|one| {
-        let ty = calculated(program, part).filter(|ty| *ty != one.ty)?;
-        let [own, other] = [one.ty, ty].map(|ty| format!("    into : {};", ty.name()));
-        Some(Alone {
-            program: one.program.replace(&own, &other),
-            ty,
-            ..one.clone()
-        })
-    });
-    let literal = called.and_then(literal).into_iter();
-    literal.chain(with_variable).chain(outer).collect()
-}
-
-/// Returns a call of a conversion function with a variable, or of another function that the program does not declare with its one operand,
-/// where an expression is one.
-fn call_alone(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<Alone> {
-    let (callee, arguments) = program.call(part.id)?;
-    let Some(Argument::Positional(value)) = arguments.first().filter(|_| !program.declares(callee)) else {
-        return None;
+        .filter(|(callee, _)| !program.declares(callee))
+    else {
+        return Vec::new();
+    };
+    let Some(Argument::Positional(value)) = arguments.first() else {
+        return Vec::new();
     };
     let (literal, initial) = (program.literal(*value), program.initial(program.text(*value)));
-    let operand = literal.or(initial).map(str::to_owned);
-    let (from, ty, operand) = match converted(callee) {
-        Some((from, ty)) => (from, ty, operand.or_else(|| program.some_value(from))),
-        None if arguments.len() > 1 => return None,
-        None => {
-            let ty = program.target(part)?;
-            if let Some(literal) = literal {
-                return Some(Alone::new(None, ty, &format!("{callee}({literal})")));
-            }
-            (program.type_of(*value)?, ty, operand)
+    let operand = literal.or(initial);
+    let with_literal = |ty, operand: &str| Alone::new(None, ty, &format!("{callee}({operand})"));
+    let with_variable = |from, operand, ty| Alone::new(Some((from, operand)), ty, &format!("{callee}(data)"));
+    match (converted(callee), literal) {
+        (Some((from, ty)), _) => {
+            let value = operand.map(str::to_owned).or_else(|| program.some_value(from));
+            let types = std::iter::once(ty).chain(calculated(program, part).filter(|other| *other != ty));
+            let variables = types.map(|ty| with_variable(from, value.clone(), ty));
+            let literal = operand.filter(|_| arguments.len() == 1);
+            let literal = literal.map(|operand| with_literal(ty, operand));
+            literal.into_iter().chain(variables).collect()
         }
-    };
-    Some(Alone::new(Some((from, operand)), ty, &format!("{callee}(data)")))
+        (None, _) if arguments.len() > 1 => Vec::new(),
+        (None, Some(literal)) => {
+            let ty = program.target(part).into_iter();
+            ty.map(|ty| with_literal(ty, literal)).collect()
+        }
+        (None, None) => {
+            let types = program.target(part).zip(program.type_of(*value)).into_iter();
+            types
+                .map(|(ty, from)| with_variable(from, operand.map(str::to_owned), ty))
+                .collect()
+        }
+    }
 }
 
 /// Returns the conversions of each operand to the type of the other, for an operator between numbers of different types. A duration is

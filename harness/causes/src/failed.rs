@@ -10,7 +10,8 @@ const MAX_GROUPS: usize = 4000;
 
 /// The failing cases of a run, in groups with the same symptom and programs of the same shape.
 ///
-/// Of each group only the smallest program is kept, so that memory does not grow with the number of cases. The cases of the reference are left out: it must meet every case, and no maker of it waits for pages.
+/// Of each group only the smallest program is kept, so that memory does not grow with the number of cases. The cases of the reference are
+/// left out: it must meet every case, and no maker of it waits for pages.
 #[derive(Debug)]
 pub struct FailedCases<'r> {
     plan: &'r Plan,

@@ -262,7 +262,7 @@ fn told_symptom(shown: &Smallest, engine: &str, sources: &Sources) -> Option<Str
     sources.telling(symptom, engine, &Fact::text(&shown.deviation.got))
 }
 
-pub(crate) fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
+fn reproducer(event: &CaseEvent, smallest: &Smallest) -> Reproducer {
     Reproducer {
         case: event.id.clone(),
         dialect: event.dialect.clone(),

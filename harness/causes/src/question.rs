@@ -2,7 +2,7 @@
 
 use crate::failed::LackedFeatures;
 use crate::failure_sign::Sign;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
@@ -168,18 +168,9 @@ impl Questioner<'_> {
     /// Returns whether a program uses a feature that the engine lacks, and the whole program of the case does not: such a program shows
     /// that instead.
     pub(crate) fn uses_what_is_lacking(&self, case: &Case, program: &str) -> bool {
-        let engine = &self.judge.engine.name;
-        let lacked = self
-            .lacked
-            .get(&(engine.clone(), case.dialect.as_str().to_owned()));
-        lacked.is_some_and(|lacked| {
-            let used = features(program, Dialect::of(case.dialect));
-            let mut lacking = used.iter().filter(|key| lacked.contains(&***key)).peekable();
-            lacking.peek().is_some() && {
-                let whole = features(&case.source, Dialect::of(case.dialect));
-                lacking.any(|key| !whole.contains(key))
-            }
-        })
+        let key = (self.judge.engine.name.clone(), case.dialect.as_str().to_owned());
+        let lacked = self.lacked.get(&key);
+        lacked.is_some_and(|lacked| brings_in(lacked, (&case.source, program), Dialect::of(case.dialect)))
     }
 
     /// Returns whether the engine answered a case in this search.
@@ -262,6 +253,13 @@ impl Questioner<'_> {
             _ => accepted,
         })
     }
+}
+
+/// Returns whether a program that was made from a whole one uses one of some features which that does not use.
+pub(crate) fn brings_in(some: &BTreeSet<String>, (whole, program): (&str, &str), dialect: &Dialect) -> bool {
+    let used = features(program, dialect);
+    used.iter()
+        .any(|key| some.contains(&**key) && !features(whole, dialect).contains(key))
 }
 
 /// Returns the case with another program in its place, made from its own by changes that keep the deviation `sign`. `None`

@@ -11,13 +11,14 @@ use crate::patterns;
 use crate::plainness;
 use crate::program::{Program, ReadProgram};
 use crate::promised;
-use crate::question::Deviation;
+use crate::question::{self, Deviation};
 use crate::reduction::moved;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::suspect::{self, unimplemented};
 use crate::title::condition;
+use crate::words::ANY;
 use crate::work::{WORKS, operations};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use stickler_run::{CaseEvent, Fact, Grade, Verdict};
 use stickler_suite::Features;
 use stickler_types::{Diagnostic, Dialect, DialectName, Fault, NamedValue, Outcome, Value};
@@ -191,6 +192,17 @@ fn answer(question: &str, inputs: &[String]) -> String {
             });
             found.unwrap_or_default().replace(" END_PROGRAM", "")
         }
+        "with_swapped_operands" => bodies(Vec::from_iter(forms::with_swapped_operands(&program))),
+        "with_measured_text" => {
+            let units = |at: usize| Vec::from_iter(inputs[at].encode_utf16());
+            let found = forms::with_measured_text(&program, "s", (&units(1), &units(2)));
+            bodies(found.into_iter().map(|(program, _)| program).collect())
+        }
+        "brings_in" => yes(question::brings_in(
+            &BTreeSet::from([inputs[2].clone()]),
+            (&text, &whole(&inputs[1])),
+            &ANY,
+        )),
         "turned_round" => bodies(Vec::from_iter(forms::turned_round(&program))),
         "with_whole_output" => lines(forms::with_whole_output(&program)),
         "with_fitting_operand" => lines(forms::with_fitting_operand(&program)),

@@ -214,12 +214,10 @@ fn limitation(text: &mut String, cause: &Cause, overview: &Overview) {
     });
     let code = reason.and_then(|reason| Some(reason.split_once(':')?.0));
     let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
+    let claim = Basis::of(&cause.shown.basis);
     let mut cited = overview.sources().iter().filter(own);
-    let of_claim = cited.find_map(|source| {
-        let section = cause.shown.basis.strip_prefix(&format!("{}: ", source.key))?;
-        source.limitations.get(section)
-    });
-    if let Some(limits) = of_claim {
+    let cited = cited.find(|source| source.key == claim.source);
+    if let Some(limits) = cited.and_then(|source| source.limitations.get(claim.section)) {
         let _ = write!(text, "The source limits what it promises: {limits}.\n\n");
     }
     let said = code.and_then(|code| {

@@ -174,10 +174,10 @@ impl<'s> Survey<'_, 's> {
         engine: &Identity,
     ) -> LackedFeature<'s> {
         let Judgement { verdict, got, .. } = judge(case, answers, self.plan.strict(engine));
-        let (program, got) = self.without_filler(case, got, engine).map_or_else(
-            |got| (Cow::from(&*feature.program), got),
-            |(program, got)| (Cow::from(program), got),
-        );
+        let (program, got) = match self.smaller(case, &got, engine) {
+            Some((program, got)) => (Cow::from(program), got),
+            None => (Cow::from(&*feature.program), got),
+        };
         let basis = promise(
             feature.promises(),
             (&feature.program, case.dialect),
@@ -202,35 +202,20 @@ impl<'s> Survey<'_, 's> {
         }
     }
 
-    /// Returns the program of a case without statements that do nothing, and what the engine does with it, where it refuses that in the same
-    /// words; otherwise what it did with the program of the case.
-    fn without_filler(
-        &self,
-        case: &Case,
-        got: Vec<Fact>,
-        engine: &Identity,
-    ) -> Result<(String, Vec<Fact>), Vec<Fact>> {
-        let of_name = |one: &&&dyn Engine| one.identity().name == engine.name;
-        let Some((asked, program)) = self
-            .engines
-            .iter()
-            .find(of_name)
-            .zip(without_filler(&case.source))
-        else {
-            return Err(got);
-        };
+    /// Returns the program of a case without the statement that does nothing, and what the engine does with it; `None` where it does not refuse
+    /// that in the words `got` of the whole one.
+    fn smaller(&self, case: &Case, got: &[Fact], engine: &Identity) -> Option<(String, Vec<Fact>)> {
+        let mut engines = self.engines.iter();
+        let engine_asked = engines.find(|one| one.identity().name == engine.name)?;
+        let program = without_filler(&case.source)?;
         let smaller = Case::of_program(&case.id, case.dialect, &program);
-        let answers = EngineSession::new(*asked)
-            .run(&smaller.request())
-            .map(Answers::of_run);
+        let answer = EngineSession::new(*engine_asked).run(&smaller.request()).ok()?;
+        let seen = judge(&smaller, &Answers::of_run(answer), self.plan.strict(engine)).got;
         let words = |facts: &[Fact]| {
             let said = facts.iter().filter_map(Fact::diagnostic);
             Vec::from_iter(said.map(|one| (one.code.clone(), one.message.clone())))
         };
-        match answers.map(|answers| judge(&smaller, &answers, self.plan.strict(engine)).got) {
-            Ok(seen) if !words(&got).is_empty() && words(&seen) == words(&got) => Ok((program, seen)),
-            _ => Err(got),
-        }
+        (!words(got).is_empty() && words(&seen) == words(got)).then_some((program, seen))
     }
 
     /// Returns the answers of an engine about programs, from its store where that has them; `None` for those that were not asked
