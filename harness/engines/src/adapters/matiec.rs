@@ -20,30 +20,13 @@ use super::locate::unsupported;
 use super::probe_variable::{ProbeVariables, translate_with, with_shown_probes};
 use super::recipe::{PROGRAM, Purpose, Recipe, Tools, Workplace};
 use super::rename::library_words;
-use super::source::{MainProgram, main_program, words_of};
+use super::source::{MainProgram, main_program};
 use crate::{Diagnostic, NoReproduction, Outcome, Packed, RunRequest};
 use driver::{LOCATIONS, MatiecSubject, driver};
 use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::OnceLock;
 use stickler_types::DialectName;
-
-/// Returns the configuration without which no C is written. It stands behind the program, so that no line of the program moves.
-fn configuration(program: &str) -> String {
-    format!(
-        "\nCONFIGURATION stickler_configuration\n  RESOURCE stickler_resource ON PLC\n    \
-         TASK stickler_task(INTERVAL := T#1s, PRIORITY := 0);\n    \
-         PROGRAM stickler_instance WITH stickler_task : {program};\n  END_RESOURCE\nEND_CONFIGURATION\n"
-    )
-}
-
-/// Returns the configuration that has to stand behind a program; nothing where the program brings its own.
-fn added_configuration(request: &RunRequest<'_>, main: &MainProgram) -> String {
-    match words_of(request).any(|word| word.is("CONFIGURATION")) {
-        true => String::new(),
-        false => configuration(&main.name),
-    }
-}
 
 /// Returns the recipe that translates a text to C.
 fn translation(text: impl Into<String>) -> Recipe {
@@ -104,10 +87,7 @@ impl Adapter for Matiec {
         let probes = ProbeVariables::of(request);
         let text = with_shown_probes(request, main, probes.list())?;
         let driver = driver(&[MatiecSubject::of(request, &probes, &main.name)])?;
-        Ok(execution(
-            text + &added_configuration(request, main),
-            &driver.text(),
-        ))
+        Ok(execution(text, &driver.text()))
     }
 
     fn run(&self, workplace: &Workplace<'_>, request: &RunRequest<'_>) -> Result<Outcome, Outcome> {
@@ -116,21 +96,17 @@ impl Adapter for Matiec {
             return Ok(Outcome::Accepted { warnings });
         };
         let probes = ProbeVariables::of(request);
-        let configuration = added_configuration(request, &main);
         let driver = match driver(&[MatiecSubject::of(request, &probes, &main.name)]) {
             Ok(driver) => driver,
             // A program that is rejected has no values to observe.
             Err(reason) => {
-                translate(
-                    workplace,
-                    &translation(request.source.to_owned() + &configuration),
-                )?;
+                translate(workplace, &translation(request.source))?;
                 return Err(unsupported(reason));
             }
         };
         let text = driver.text();
         let (recipe, warnings) = translate_with(request, &main, probes.list(), |source| {
-            let recipe = execution(format!("{source}{configuration}"), &text);
+            let recipe = execution(source, &text);
             let warnings = translate(workplace, &recipe)?;
             Ok((recipe, warnings))
         })?;

@@ -13,8 +13,7 @@ use crate::{RunRequest, Setting};
 use stickler_types::{ElementaryType, Value};
 
 /// The headers that every driver includes.
-pub(super) const HEADER: &str =
-    "#include \"iec_std_lib.h\"\n#include \"accessor.h\"\n#include <stdio.h>\n#include <string.h>\n";
+pub(super) const HEADER: &str = "#include \"iec_std_lib.h\"\n#include <stdio.h>\n";
 
 /// A translated program that a driver runs: its request, the copies of observed values, and the name of its main program.
 pub(super) struct MatiecSubject<'r, 'c> {
@@ -52,40 +51,50 @@ pub(super) fn driver<'r>(subjects: &[MatiecSubject<'r, '_>]) -> Result<Driver<'r
         .iter()
         .any(|subject| words_of(&subject.request).any(|word| word.is("AT")));
     let translated = translated(own.as_ref(), has_locations);
-    let mut head = format!("{HEADER}#include <time.h>\n\n{translated}\n");
-    if own.is_none() {
-        head.push_str(&memory(subjects));
-    }
-    let instance = |number: usize| match &own {
-        Some(own) => configured(own),
-        None if subjects.len() == 1 => "memory.program".to_owned(),
-        None => format!("memory.program.p{number}"),
+    let (memory, instances) = match &own {
+        Some(own) => (String::new(), vec![configured(own)]),
+        None => memory(subjects),
     };
-    let driven = |(number, subject)| driven(subject, &instance(number), own.is_some());
+    let subjects = subjects.iter().zip(&instances);
     Ok(Driver {
         language: Language::C,
-        head,
+        head: format!("{HEADER}\n{translated}\n{memory}"),
         programs: subjects
-            .iter()
-            .enumerate()
-            .map(driven)
+            .map(|(subject, instance)| driven(subject, instance, own.is_some()))
             .collect::<Result<_, _>>()?,
         compiler: Compiler::Matiec,
     })
 }
 
-/// Returns the declaration of the memory of the programs' variables, around which memory is 0. Only one program runs in a process,
-/// and so the programs share one place: a program that accesses memory beside its variables finds there what it would find alone.
-fn memory(subjects: &[MatiecSubject<'_, '_>]) -> String {
-    let program = match subjects {
-        [only] => format!("    {} program;\n", only.program),
+/// Returns the declaration of the memory of the programs' variables, and the C expression for those of each. Only one program runs in a
+/// process, and so the programs share one place. Around it memory is 0, so that a program which accesses memory beside its variables
+/// finds there what it would find alone; a single program without subscripts has its variables alone, as a person would declare them.
+fn memory(subjects: &[MatiecSubject<'_, '_>]) -> (String, Vec<String>) {
+    let (program, instances) = match subjects {
+        [only] if !only.request.source.contains('[') => {
+            let declaration = format!("static {} program;\n\n", only.program);
+            return (declaration, vec!["program".to_owned()]);
+        }
+        [only] => (
+            format!("    {} program;\n", only.program),
+            vec!["memory.program".to_owned()],
+        ),
         several => {
             let parts = several.iter().enumerate();
             let parts = parts.map(|(number, subject)| format!("        {} p{number};\n", subject.program));
-            format!("    union {{\n{}    }} program;\n", parts.collect::<String>())
+            let instances = (0..several.len()).map(|number| format!("memory.program.p{number}"));
+            (
+                format!("    union {{\n{}    }} program;\n", parts.collect::<String>()),
+                instances.collect(),
+            )
         }
     };
-    format!("static struct {{\n    char before[65536];\n{program}    char behind[65536];\n}} memory;\n\n")
+    (
+        format!(
+            "static struct {{\n    char before[65536];\n{program}    char behind[65536];\n}} memory;\n\n"
+        ),
+        instances,
+    )
 }
 
 /// Returns a program as the driver runs it; `instance` is the C expression for its instance. With a configuration of its own, all

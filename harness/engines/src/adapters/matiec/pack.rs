@@ -5,7 +5,7 @@
 //! named in errors are run alone. No program sees what another does when it runs.
 
 use super::driver::{MatiecSubject, driver};
-use super::{Matiec, configuration, diagnostics, execution};
+use super::{Matiec, diagnostics, execution};
 use crate::adapters::locate::suspects;
 use crate::adapters::probe_variable::{ProbeVariables, with_probes};
 use crate::adapters::recipe::{Purpose, Workplace};
@@ -93,9 +93,6 @@ impl Joined {
             let before = lines;
             lines += u32::try_from(renamed.text.matches('\n').count() + 1).unwrap_or(u32::MAX);
             joined.members.push((before, renamed));
-        }
-        if let Some(first) = members.first() {
-            joined.text.push_str(&configuration(&first.program()));
         }
         joined
     }
@@ -290,8 +287,7 @@ mod tests {
         };
         let joined = Joined::of(&members(&PROGRAMS, &[]));
         let mut found: Vec<Vec<Diagnostic>> = PROGRAMS.iter().map(|_| Vec::new()).collect();
-        let (programs, _) = joined.text.split_once("\nCONFIGURATION").unwrap();
-        for diagnostic in check(programs) {
+        for diagnostic in check(&joined.text) {
             let (number, diagnostic) = joined.original(diagnostic).unwrap();
             found[number].push(diagnostic);
         }
