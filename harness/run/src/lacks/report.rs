@@ -1,6 +1,6 @@
 //! The causes that tell which features an engine lacks, and which cases wait for each.
 
-use super::{LackedFeature, Lacks};
+use super::{LackedFeature, Lacks, is_type};
 use crate::{CaseEvent, Cause, ExplainedCases, Fact, Reduced, Reproducer, Verdict};
 use std::collections::BTreeMap;
 use stickler_engines::{Ability, Engine, reproduce_and_run};
@@ -77,7 +77,7 @@ impl WaitingCases {
             }
         }
         causes.sort_by_key(|cause| std::cmp::Reverse(cause.number()));
-        causes
+        join_types(causes)
     }
 
     /// Returns a feature as one that fails where only the document of a case promises it. What an engine is declared to lack, or cannot be
@@ -96,6 +96,41 @@ impl WaitingCases {
             None => lacked.clone(),
         }
     }
+}
+
+/// Makes one cause of those of data types that the same source promises and the engine refuses in the same words: it has one list of types.
+fn join_types(causes: Vec<Cause>) -> Vec<Cause> {
+    let mut joined: Vec<Cause> = Vec::new();
+    for cause in causes {
+        let said = refused_type(&cause);
+        let is_same = |other: &&mut Cause| {
+            let of = |cause: &Cause| (cause.lacked_in.clone(), cause.shown.basis.clone());
+            said.is_some() && refused_type(other) == said && of(other) == of(&cause)
+        };
+        match joined.iter_mut().find(is_same) {
+            Some(first) => {
+                let several = first.title.replace("data type ", "data types ");
+                first.title = format!("{several}, {}", cause.construct.to_ascii_uppercase());
+                first.construct = format!("{}, {}", first.construct, cause.construct);
+                for some in cause.cases {
+                    ExplainedCases::add(&mut first.cases, some);
+                }
+            }
+            None => joined.push(cause),
+        }
+    }
+    joined
+}
+
+/// Returns what the engine said of the first data type of a cause, without its name; `None` where the cause is the lack of something else.
+fn refused_type(cause: &Cause) -> Option<String> {
+    let first = cause
+        .construct
+        .split(", ")
+        .next()
+        .filter(|first| is_type(first))?;
+    let said = cause.shown.got.iter().find_map(Fact::diagnostic)?;
+    Some(said.message.replace(&first.to_ascii_uppercase(), ""))
 }
 
 fn cause(

@@ -113,6 +113,39 @@ fn a_statement_that_does_nothing_stays_where_a_body_without_one_is_refused_for_t
 }
 
 #[test]
+fn data_types_that_are_refused_in_the_same_words_are_one_cause() {
+    let types = ["LREAL", "DINT", "WORD"];
+    let suite = with_features(types.map(|ty| case(ty, "", (ty, "x := x;"))).to_vec());
+    let said = |ty: &str| match ty {
+        "WORD" => "a WORD is not supported".to_owned(),
+        _ => format!("no type {ty}"),
+    };
+    let answer = move |request: &RunRequest<'_>| {
+        let refused = types
+            .into_iter()
+            .find(|ty| request.source.contains(&format!(": {ty};")));
+        refused.map_or(Outcome::ACCEPTED, |ty| {
+            Outcome::rejected(vec![Diagnostic {
+                message: said(ty),
+                ..Diagnostic::default()
+            }])
+        })
+    };
+    let (_, lacks) = verdicts(&with_jobs(1), &suite, &Puppet::new("little", answer));
+    let found: Vec<(&str, &str, u64)> = lacks
+        .iter()
+        .map(|lack| (&*lack.construct, &*lack.title, lack.number()))
+        .collect();
+    assert_eq!(
+        found,
+        [
+            ("dint, lreal", "the data types DINT, LREAL", 2),
+            ("word", "the data type WORD", 1),
+        ]
+    );
+}
+
+#[test]
 fn a_feature_that_needs_another_is_explained_by_that() {
     let arrays = ("ARRAY[0..1] OF INT", "x[0] := x[1];");
     let suite = with_features(vec![case("element", "", arrays)]);
