@@ -2,7 +2,7 @@
 //!
 //! | what | where |
 //! |---|---|
-//! | a source text made small, by passes and a predicate | [`text`] |
+//! | a source text made small, by passes and a predicate, or a judge of several texts at a time | [`text`], [`text_in_packs`] |
 //! | anything made small, by [`Pass`]es of its own; candidates one by one, or in packs | [`minimise`], [`minimise_in_packs`] |
 //! | the passes for texts, alone or beside others in a [`ReductionMethod`] | [`PASSES`], [`text_pass!`] |
 //! | a text under reduction, and what a pass asks of it | [`TextDraft`], [`TextView`] |
@@ -22,7 +22,7 @@ mod tests;
 mod view;
 
 pub use draft::TextDraft;
-pub use method::{METHOD, PASSES, text};
+pub use method::{METHOD, PASSES, text, text_in_packs};
 pub use passes::declarations::drop_unused;
 pub use rules::{ReferenceRules, TextRules, TextState};
 pub use search::{

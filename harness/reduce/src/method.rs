@@ -2,10 +2,11 @@
 
 use crate::draft::{self, TextDraft};
 use crate::passes::literals::{LiteralStep, lessen};
-use crate::passes::{arrays, chunks, declarations, expressions, statements, values};
+use crate::passes::{arrays, chunks, declarations, expressions, parameters, statements, values};
 use crate::rules::ReferenceRules;
 use crate::{
-    Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason, minimise, text_pass,
+    CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason,
+    minimise_in_packs, text_pass,
 };
 use std::rc::Rc;
 use stickler_types::DialectName;
@@ -24,7 +25,9 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("replace statements by what they guard", statements::splice),
     text_pass!("drop branches", statements::drop_branches),
     text_pass!("forget variables", declarations::forget_variables),
+    text_pass!("drop parameters", parameters::forget_parameters),
     text_pass!("drop sections", declarations::drop_sections),
+    text_pass!("make variables plain", declarations::plain_sections),
     text_pass!("drop empty sections", chunks::drop_empty_sections),
     text_pass!(
         "replace expressions by typed literals",
@@ -93,24 +96,48 @@ pub fn text(
     mut interesting: impl FnMut(&str) -> Interestingness,
     budget: &ReductionBudget<'_>,
 ) -> Reduction<String> {
-    let mut ask = |draft: &TextDraft| {
-        if draft.is_allowed() {
-            interesting(draft.text())
-        } else {
-            Interestingness::Invalid
-        }
-    };
+    text_in_packs(start, dialect, &mut |text: &String| interesting(text), budget)
+}
+
+/// Makes a source text as small as possible, like [`text`], with a judge that may be asked about several candidates at a time.
+pub fn text_in_packs(
+    start: &str,
+    dialect: DialectName,
+    judge: &mut dyn CandidateJudge<String>,
+    budget: &ReductionBudget<'_>,
+) -> Reduction<String> {
     let rules = Rc::new(ReferenceRules::new(start, dialect));
-    let found = minimise(TextDraft::new(start, dialect, rules), &METHOD, &mut ask, budget);
+    let draft = TextDraft::new(start, dialect, rules);
+    let found = minimise_in_packs(draft, &METHOD, &mut AllowedTexts(&mut *judge), budget);
     let mut found = found.map(|draft| draft.text().to_owned());
     if found.ended == StopReason::Smallest
         && let Ok(rendered) = stickler_reference::render(&found.value, dialect)
         && rendered != found.value
     {
         found.tries += 1;
-        if interesting(&rendered) == Interestingness::Interesting {
+        if judge.admits(&rendered)
+            && judge.judge(std::slice::from_ref(&rendered)) == [Interestingness::Interesting]
+        {
             found.value = rendered;
         }
     }
     found
+}
+
+/// A judge of texts that admits only those which keep the rules of their reduction.
+struct AllowedTexts<'j>(&'j mut dyn CandidateJudge<String>);
+
+impl CandidateJudge<TextDraft> for AllowedTexts<'_> {
+    fn admits(&mut self, draft: &TextDraft) -> bool {
+        draft.is_allowed() && self.0.admits(&draft.text().to_owned())
+    }
+
+    fn judge(&mut self, drafts: &[TextDraft]) -> Vec<Interestingness> {
+        let texts: Vec<String> = drafts.iter().map(|draft| draft.text().to_owned()).collect();
+        self.0.judge(&texts)
+    }
+
+    fn pack_size(&self) -> usize {
+        self.0.pack_size()
+    }
 }

@@ -5,5 +5,6 @@ pub(crate) mod chunks;
 pub(crate) mod declarations;
 pub(crate) mod expressions;
 pub(crate) mod literals;
+pub(crate) mod parameters;
 pub(crate) mod statements;
 pub(crate) mod values;

@@ -225,8 +225,8 @@ pub fn minimise_in_packs<T: Clone>(
     }
 }
 
-/// The maximum number of candidates in the first pack: at the beginning many candidates are interesting, and those behind
-/// the first of them were judged for nothing.
+/// The maximum number of candidates in the first pack, and in one after an interesting candidate: at the beginning many candidates are
+/// interesting, and those behind the first of them were judged for nothing.
 const FIRST_PACK_LEN: usize = 4;
 
 struct PassSearch<'a, T> {
@@ -403,7 +403,7 @@ impl<T: Clone> PassSearch<'_, T> {
             self.width = (self.width * 2).min(most);
             return None;
         };
-        self.width = (self.width / 2).max(1);
+        self.width = (self.width / 2).max(most.min(FIRST_PACK_LEN));
         // Those behind it were changes of a base that is no more.
         for key in &pack.keys[first + 1..] {
             self.seen.remove(key);

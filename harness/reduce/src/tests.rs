@@ -130,6 +130,20 @@ fn the_result_of_a_function_becomes_plain_where_it_does_not_matter() {
 }
 
 #[test]
+fn a_parameter_goes_with_its_arguments_where_it_does_not_matter() {
+    let start = "FUNCTION_BLOCK host\nVAR_INPUT\n    first : INT;\n    second : BOOL;\nEND_VAR\nVAR_IN_OUT\n    third : INT;\nEND_VAR\n    \
+                 third := first MOD 3;\nEND_FUNCTION_BLOCK\nFUNCTION twice : INT\nVAR_INPUT\n    a : INT;\n    b : INT;\nEND_VAR\n    \
+                 twice := 0;\nEND_FUNCTION\nPROGRAM main\nVAR\n    inner : host;\n    n : INT;\nEND_VAR\n    inner(first := n, \
+                 second := TRUE, third := n);\n    n := twice(n, 5);\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["inner(", "second :=", "twice("]);
+    accepted(&found.value);
+    for gone in ["first", "third", ", 5", "b : INT"] {
+        assert!(!found.value.contains(gone), "{gone}\n{}", found.value);
+    }
+}
+
+#[test]
 fn a_real_number_keeps_its_exponent_and_loses_its_digits() {
     let start = "PROGRAM main\nVAR\n    a : LREAL;\nEND_VAR\n    a := 8.968310E-44;\nEND_PROGRAM\n";
     accepted(start);

@@ -1,0 +1,82 @@
+//! A pass that drops parameters together with the arguments that are given to them.
+
+use crate::TextView;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::{Argument, Expression, ExpressionKind, Pou, VariableBlock, VariableKind};
+use stickler_syntax::visitor::operands;
+
+/// Drops a parameter of a function or a function block, with the statements of the unit that name it and with its argument in each call.
+pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for unit in view.unit.pous() {
+        let sections = unit.blocks.iter().filter(|section| is_of_parameters(section));
+        let groups = sections.flat_map(|section| section.groups.iter().map(move |group| (section, group)));
+        let calls = calls(view, unit);
+        for (at, (section, group)) in groups.enumerate() {
+            let [name] = &group.names[..] else { continue };
+            let mut edits = Edits::new();
+            for used in view.uses(unit, *name) {
+                edits.extend(used.statement.map(|statement| Edits::removing(statement.span)));
+            }
+            match (&section.groups[..], view.range_of_declaration(group)) {
+                ([_], _) => edits.remove(section.span),
+                (_, Some(declaration)) => edits.remove(declaration),
+                (_, None) => continue,
+            }
+            for call in &calls {
+                edits.extend(without_argument(view, call, (name.text, at)));
+            }
+            changes.push(edits);
+        }
+    }
+    view.only_allowed(changes)
+}
+
+fn is_of_parameters(section: &VariableBlock<'_>) -> bool {
+    matches!(
+        section.kind,
+        VariableKind::Input | VariableKind::Output | VariableKind::InOut
+    )
+}
+
+/// Returns the calls of a unit: of a function by its name, of a function block by that of a variable.
+fn calls<'t>(view: &TextView<'t>, unit: &Pou<'_>) -> Vec<&'t Expression<'t>> {
+    let is_of_unit = |written: &str| written.eq_ignore_ascii_case(unit.name.text);
+    let of_type = view
+        .variables()
+        .filter(|(_, group)| is_of_unit(group.specification.span.text(view.text())));
+    let instances: Vec<&str> = of_type
+        .flat_map(|(_, group)| &group.names)
+        .map(|name| name.text)
+        .collect();
+    let expressions = view.expressions().into_iter().map(|(_, expression)| expression);
+    let calls = expressions.filter(|expression| match &expression.kind {
+        ExpressionKind::Call { callee, .. } => {
+            let callee = &view.text()[view.range_of_expression(*callee)];
+            is_of_unit(callee) || instances.iter().any(|one| one.eq_ignore_ascii_case(callee))
+        }
+        _ => false,
+    });
+    calls.collect()
+}
+
+/// Returns the edit that removes the argument for a parameter from a call; `None` where the call has none for it.
+fn without_argument(view: &TextView<'_>, call: &Expression<'_>, (name, at): (&str, usize)) -> Option<Edits> {
+    let ExpressionKind::Call { callee, arguments } = &call.kind else {
+        return None;
+    };
+    let is_given = |(number, argument): (usize, &Argument<'_>)| match argument {
+        Argument::Positional(_) => number == at,
+        Argument::Named { name: named, .. } | Argument::Output { name: named, .. } => named.is(name),
+    };
+    let number = arguments.iter().enumerate().position(is_given)?;
+    let ends: Vec<usize> = operands(call)
+        .into_iter()
+        .skip(1)
+        .map(|(value, _)| view.range_of_expression(value).end)
+        .collect();
+    let open = view.range_of_expression(*callee).end;
+    view.list_items(open, &ends, call.span.end as usize)
+        .into_iter()
+        .nth(number)
+}
