@@ -82,6 +82,11 @@ impl Essence {
                 normal.way.map(str::to_owned).into_iter().collect(),
                 false,
             ),
+            None if matches!(sign.symptom, Symptom::Unusable(_)) && normal.way.is_some() => (
+                "unusable".to_owned(),
+                normal.way.map(str::to_owned).into_iter().collect(),
+                false,
+            ),
             None if is_beyond => (
                 sign.symptom.word(),
                 words(["typed literal beyond its type"]),

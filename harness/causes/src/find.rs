@@ -22,7 +22,13 @@ const WAVE: usize = 32;
 const QUESTIONS_FIRST: [u64; 2] = [1, 16];
 
 /// The time for one question of a search: what takes longer is no smaller program.
-const QUESTION_TIME: Duration = Duration::from_secs(10);
+const QUESTION_TIME: Duration = Duration::from_secs(4);
+
+/// The time for the questions about one group in each round: others wait for it.
+const GROUP_TIME: Duration = Duration::from_secs(20);
+
+/// The maximum number of programs that an engine is asked about together: of many, some are asked about for nothing.
+const MAX_PACK_LEN: usize = 12;
 
 /// The share of the time of a search that is left for running the commands of reproductions: one part of so many.
 const REPRODUCTION_SHARE: u32 = 10;
@@ -299,6 +305,10 @@ impl Asking<'_> {
             store: self.store,
             answered: &self.answered,
             lacked: self.lacked,
+            pack_size: match self.search.plan.unpacked {
+                true => 1,
+                false => self.engine.pack_size().min(MAX_PACK_LEN),
+            },
         }
     }
 
@@ -313,10 +323,12 @@ impl Asking<'_> {
             let case = self.cases.get(&(event.id.clone(), event.dialect.clone()));
             match case {
                 Some(case) if tries > 0 && !(self.stop)() => {
+                    let begun = Instant::now();
+                    let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
                     let sign = asked.sign(case, sign)?;
-                    let smallest = reduce(asked, (case, event), &sign, tries, self.stop)?;
+                    let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
-                    let normal = normal_form(asked, case, &smallest, left, self.stop)?;
+                    let normal = normal_form(asked, case, &smallest, left, &stop)?;
                     let mut found = ReducedGroup {
                         is_open: smallest.reduction == Reduced::Partly || normal.questions >= left,
                         smallest,

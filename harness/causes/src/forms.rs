@@ -9,7 +9,7 @@ use stickler_suite::without_blank_lines;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    BinaryOperator, ExpressionId, ExpressionKind, Pou, PouKind, StatementKind, UnaryOperator,
+    BinaryOperator, ExpressionId, ExpressionKind, LiteralKind, Pou, PouKind, StatementKind, UnaryOperator,
 };
 use stickler_syntax::visitor::{Place, bodies};
 use stickler_types::{ElementaryType, Observation};
@@ -44,16 +44,17 @@ fn end_of_variables(text: &str, pou: &Pou<'_>) -> Option<usize> {
 }
 
 /// Returns a program with its bodies left out, so that its variables keep what they begin with; none where a unit of it has no
-/// variables. Each body assigns one variable to itself, since not every compiler takes a body without a statement.
+/// variables. In a second form each body assigns one variable to itself, since not every compiler takes a body without a statement.
 pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
-    let mut edits = Edits::new();
+    let (mut edits, mut without) = (Edits::new(), Edits::new());
     for pou in program.unit.pous() {
         let groups = pou.blocks.iter().flat_map(|block| &block.groups);
         let mut own = groups.filter(|group| elementary(group.specification.span.text(text)).is_some());
         let (Some(body), Some(end)) = (body(text, pou), end_of_variables(text, pou)) else {
             return Vec::new();
         };
+        without.remove(body.clone());
         match own.find_map(|group| group.names.first()) {
             Some(own) => edits.replace(body, format!("{0} := {0};", own.text)),
             None => {
@@ -62,7 +63,8 @@ pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> 
             }
         }
     }
-    vec![edits.apply(text)]
+    let without = without_blank_lines(&without.apply(text)).0;
+    vec![without_unused(&without), edits.apply(text)]
 }
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function
@@ -99,6 +101,22 @@ pub(crate) fn with_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
             if changed != text && !found.contains(&changed) {
                 found.push(changed);
             }
+        }
+    }
+    found
+}
+
+/// Returns a program without one of its statements, for each statement of a body that has several: what is wrong may be so before it.
+pub(crate) fn without_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let text = program.text;
+    let several = program.unit.pous().filter(|pou| pou.body.len() > 1);
+    let mut found = Vec::new();
+    for pou in several {
+        let ends = pou.body.iter().skip(1).map(|next| next.span.start as usize);
+        let ends = ends.chain(body(text, pou).map(|body| body.end));
+        for (statement, end) in pou.body.iter().zip(ends) {
+            let changed = Edits::removing(statement.span.start as usize..end).apply(text);
+            found.push(without_unused(&without_blank_lines(&changed).0));
         }
     }
     found
@@ -294,6 +312,36 @@ pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<Str
         );
         is_mixed.then(|| Edits::replacing(part.expression.span, swapped).apply(program.text))
     })
+}
+
+/// Returns a program with variables in the place of the texts and truth values that are operands or arguments; `None` where it has none.
+pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut declared = BTreeSet::new();
+    for part in program.parts.iter().filter(|part| part.place != Place::Value) {
+        let ExpressionKind::Literal(literal) = &part.expression.kind else {
+            continue;
+        };
+        let ty = match literal.kind {
+            LiteralKind::SingleByteText => "STRING",
+            LiteralKind::DoubleByteText => "WSTRING",
+            LiteralKind::Boolean => "BOOL",
+            _ => continue,
+        };
+        let Some(end) = part
+            .statement
+            .and(part.pou)
+            .and_then(|pou| end_of_variables(program.text, pou))
+        else {
+            continue;
+        };
+        let name = format!("given_{}", ty.to_ascii_lowercase());
+        edits.replace(part.expression.span, name.as_str());
+        if declared.insert((end, ty)) {
+            edits.replace(end..end, format!("    {name} : {ty};\n"));
+        }
+    }
+    (!declared.is_empty()).then(|| edits.apply(program.text))
 }
 
 /// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.

@@ -30,6 +30,8 @@ pub(crate) struct Constructs {
     has_empty_section: bool,
     /// Whether a body has no statement, which some compilers reject.
     has_empty_body: bool,
+    /// Whether a semicolon alone is a statement, which some compilers reject.
+    has_empty_statement: bool,
 }
 
 impl Constructs {
@@ -40,10 +42,14 @@ impl Constructs {
         let all = tokens(text);
         let uses = uses(&program);
         let mut limited = literals(text, &all);
-        let features = features(text, &ANY).into_iter().map(String::from);
+        let features: Vec<String> = features(text, &ANY).into_iter().map(String::from).collect();
+        let has_empty_statement = features.iter().any(|key| key == "empty-statement");
         // An operator between two operands does not become one before an operand.
-        limited
-            .extend(features.filter(|key| ["negation", "unary-plus", "empty-statement"].contains(&&**key)));
+        limited.extend(
+            features
+                .into_iter()
+                .filter(|key| ["negation", "unary-plus"].contains(&&**key)),
+        );
         limited.extend(unpromised(&program, &all).into_iter().map(str::to_owned));
         limited.extend(words_alone(text, &all));
         // Of a text that cannot be read nobody reports a name that is not declared. A function may be one of the library.
@@ -58,6 +64,7 @@ impl Constructs {
             has_variables: all.iter().any(|token| token.kind == TokenKind::EndVar),
             has_empty_section: has_pair(&all, |one, next| one.opens_section() && next == TokenKind::EndVar),
             has_empty_body: has_pair(&all, |one, next| one == TokenKind::EndVar && next.closes_pou()),
+            has_empty_statement,
             uses,
         }
     }
@@ -67,6 +74,7 @@ impl Constructs {
         (takes.no_variables || smaller.has_variables)
             && !smaller.has_empty_section
             && (takes.empty_bodies || !smaller.has_empty_body)
+            && (takes.empty_statements || self.has_empty_statement || !smaller.has_empty_statement)
             && smaller.limited.is_subset(&self.limited)
             && smaller.uses.keys().all(|name| self.keeps_uses(name, smaller))
     }
@@ -257,6 +265,20 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
         ExpressionKind::Unary { operand, .. } => program.text(operand),
         _ => program.text(part.id),
     };
+    // Whether an integer literal is a bit string is another question.
+    let is_bit_string = |ty: ElementaryType| ty.is_bit_string() && ty != ElementaryType::Bool;
+    let is_beside_bits = || {
+        let beside = program
+            .parts
+            .iter()
+            .filter(|other| other.around == part.around && other.id != part.id);
+        beside
+            .filter_map(|other| program.type_of(other.id))
+            .any(is_bit_string)
+    };
+    if literal == Some(LiteralKind::Integer) && part.place == Place::Argument && is_beside_bits() {
+        return Some("integer beside a bit string");
+    }
     let is_real = value.starts_with(|first: char| first.is_ascii_digit()) && value.contains('.');
     if is_real && target.is_some_and(is_integer) {
         return Some("real number for an integer");

@@ -15,7 +15,9 @@ use crate::reduction::Smallest;
 use crate::words::tokens;
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
-use stickler_reduce::{Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise};
+use stickler_reduce::{
+    CandidateJudge, Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise_in_packs,
+};
 use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
@@ -128,6 +130,7 @@ pub(crate) fn normal_form(
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
         Symptom::NotRejected(_) if !search.normal.is_unchecked() => search.swapped_operands()?,
         Symptom::NoPlace(_) => search.places()?,
+        Symptom::Unusable(_) => search.variables_for_literals()?,
         _ => {}
     }
     let mut normal = search.normal;
@@ -155,25 +158,18 @@ impl NormalSearch<'_, '_> {
             text: self.normal.program.clone(),
             dialect: self.case.dialect,
         };
-        let (mut error, mut is_start) = (None, true);
         let stop = self.stop;
         let budget = ReductionBudget {
             tries: self.left + 1,
             stop,
         };
-        let mut interesting = |draft: &Draft| {
-            if std::mem::take(&mut is_start) {
-                return Interestingness::Interesting;
-            }
-            match error {
-                Some(_) => Interestingness::Invalid,
-                None => self.judge(&draft.text).unwrap_or_else(|failed| {
-                    error = Some(failed);
-                    Interestingness::Invalid
-                }),
-            }
+        let mut judge = DraftJudge {
+            search: self,
+            is_start: true,
+            error: None,
         };
-        let found = minimise(start, method, &mut interesting, &budget);
+        let found = minimise_in_packs(start, method, &mut judge, &budget);
+        let error = judge.error;
         if found.ended == StopReason::OutOfTries {
             self.left = 0;
         }
@@ -182,6 +178,14 @@ impl NormalSearch<'_, '_> {
 
     /// Takes a program as the normal form if the engine fails with it in the same way.
     fn judge(&mut self, text: &str) -> Result<Interestingness, EngineError> {
+        match self.case_of(text) {
+            Some(case) => self.judge_case(text, &case),
+            None => Ok(Interestingness::Invalid),
+        }
+    }
+
+    /// Returns the case with a program that may be the normal form; `None` where it says nothing.
+    fn case_of(&self, text: &str) -> Option<Case> {
         let former = &self.normal;
         // Of a program that cannot be read, an operand with a literal that the program does not have says nothing: that may not be read
         // either.
@@ -190,17 +194,19 @@ impl NormalSearch<'_, '_> {
             || !(former.deviation.sign.accepts() || is_as_standard(self.case, text))
             || self.asked.uses_what_is_lacking(self.case, text)
         {
-            return Ok(Interestingness::Invalid);
+            return None;
         }
-        let Some(case) = as_the_reference(self.case, text, &self.observe(text)) else {
-            return Ok(Interestingness::Invalid);
-        };
+        let case = as_the_reference(self.case, text, &self.observe(text))?;
         // A value of another type that is right there says nothing.
-        if former.deviation.sign.accepts() && case.expectation.accepted != Acceptance::Rejected {
-            return Ok(Interestingness::Invalid);
-        }
+        let says_nothing =
+            former.deviation.sign.accepts() && case.expectation.accepted != Acceptance::Rejected;
+        (!says_nothing).then_some(case)
+    }
+
+    /// Takes the program of a case as the normal form if the engine fails with it in the same way.
+    fn judge_case(&mut self, text: &str, case: &Case) -> Result<Interestingness, EngineError> {
         self.left = self.left.saturating_sub(1);
-        let seen = self.asked.deviation(&case)?;
+        let seen = self.asked.deviation(case)?;
         let former = &self.normal;
         // A value that wraps is another defect than one that is within the range of its type.
         let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
@@ -293,6 +299,18 @@ impl NormalSearch<'_, '_> {
         Ok(())
     }
 
+    /// Asks for variables in the place of literals: where these are right, it is the literals that are not.
+    fn variables_for_literals(&mut self) -> Result<(), EngineError> {
+        let form = read(&self.normal.program, forms::with_variables_for_literals);
+        let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
+        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
+            self.left -= 1;
+            let is_right = self.asked.deviation(&case)?.is_none();
+            self.normal.way = is_right.then_some("text or truth literal as an operand");
+        }
+        Ok(())
+    }
+
     /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
     /// for that of the result.
     fn swapped_operands(&mut self) -> Result<(), EngineError> {
@@ -305,6 +323,58 @@ impl NormalSearch<'_, '_> {
             self.normal.way = is_rejected.then_some("operation in the type of its first operand");
         }
         Ok(())
+    }
+}
+
+/// The judge of the programs that may be the normal form.
+struct DraftJudge<'d, 's, 'e> {
+    search: &'d mut NormalSearch<'s, 'e>,
+    /// Whether nothing was judged yet: the start is the normal form so far.
+    is_start: bool,
+    /// The reason why the engine cannot be asked any more.
+    error: Option<EngineError>,
+}
+
+impl DraftJudge<'_, '_, '_> {
+    /// Judges programs until one is the normal form: those behind it are judged again, as changes of it.
+    fn judged(&mut self, drafts: &[Draft]) -> Result<Vec<Interestingness>, EngineError> {
+        let cases = drafts.iter().map(|draft| self.search.case_of(&draft.text));
+        let cases: Vec<Option<Case>> = cases.collect();
+        let search = &mut *self.search;
+        search.asked.ask_ahead(cases.iter().flatten(), search.stop)?;
+        let mut answers = Vec::with_capacity(drafts.len());
+        for (draft, case) in drafts.iter().zip(&cases) {
+            answers.push(match case {
+                Some(case) => search.judge_case(&draft.text, case)?,
+                None => Interestingness::Invalid,
+            });
+            if answers.last() == Some(&Interestingness::Interesting) {
+                break;
+            }
+        }
+        answers.resize(drafts.len(), Interestingness::Invalid);
+        Ok(answers)
+    }
+}
+
+impl CandidateJudge<Draft> for DraftJudge<'_, '_, '_> {
+    fn admits(&mut self, _: &Draft) -> bool {
+        self.error.is_none()
+    }
+
+    fn judge(&mut self, drafts: &[Draft]) -> Vec<Interestingness> {
+        if std::mem::take(&mut self.is_start) {
+            return vec![Interestingness::Interesting];
+        }
+        self.judged(drafts).unwrap_or_else(|failed| {
+            self.error = Some(failed);
+            vec![Interestingness::Invalid; drafts.len()]
+        })
+    }
+
+    fn pack_size(&self) -> usize {
+        let symptom = &self.search.normal.deviation.sign.symptom;
+        self.search.asked.pack_size(symptom)
     }
 }
 

@@ -54,6 +54,7 @@ macro_rules! alternatives {
 type NormalPass = Pass<Draft>;
 const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
 const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
+const ONE_LESS: NormalPass = alternatives!("leave a statement out", forms::without_one_statement);
 const BEGINNING: NormalPass = alternatives!("begin a variable of a function block", beginning_blocks);
 const LOOP_ALONE: NormalPass = Pass {
     name: "take a loop alone",
@@ -84,7 +85,9 @@ fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
 /// Returns the passes that find out what of a program a symptom needs.
 fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
     match symptom {
-        Symptom::Value | Symptom::Missing => &[LOOP_ALONE, INITIAL_VALUES, BEGINNING, OPERAND_ALONE],
+        Symptom::Value | Symptom::Missing => {
+            &[LOOP_ALONE, INITIAL_VALUES, BEGINNING, OPERAND_ALONE, ONE_LESS]
+        }
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
         Symptom::NotRejected(_) | Symptom::Rejected(_) => &[OPERAND_ALONE],

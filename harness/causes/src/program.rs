@@ -301,7 +301,7 @@ impl<'t, 's> ReadProgram<'t, 's> {
         }
     }
 
-    /// Returns the elementary type of what a value is given to.
+    /// Returns the elementary type of what a value is given to, or compared with by FOR and CASE.
     pub(crate) fn target(&self, part: &Part<'t, 's>) -> Option<ElementaryType> {
         if let Some(specification) = self.target_specification(part) {
             return self.elementary(specification);
@@ -316,6 +316,14 @@ impl<'t, 's> ReadProgram<'t, 's> {
                 let is_only = matches!(arguments, [Argument::Positional(_)]) && !self.declares(callee);
                 converted(callee).filter(|_| is_only).map(|(from, _)| from)
             }
+            Place::From | Place::To | Place::By => match part.statement?.kind {
+                StatementKind::For { control, .. } => self.type_of(control),
+                _ => None,
+            },
+            Place::Label => match part.statement?.kind {
+                StatementKind::Case { selector, .. } => self.type_of(selector),
+                _ => None,
+            },
             _ => None,
         }
     }

@@ -2,12 +2,15 @@
 
 use crate::failed::LackedFeatures;
 use crate::failure_sign::Sign;
-use std::collections::{BTreeSet, HashMap};
+use crate::reduction::LONG;
+use crate::words::{LOOPS, has_word};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::sync::{Arc, Mutex, PoisonError};
 use stickler_engines::{EngineError, EngineSession};
 use stickler_reference::Limits;
 use stickler_run::{
-    AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored, question,
+    AnswerStore, Answers, CaseJudge, Fact, Grade, Reproducer, Symptom, Verdict, ask, ask_stored,
+    ask_stored_together, question,
 };
 use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
 use stickler_syntax::features::features;
@@ -57,6 +60,8 @@ pub(crate) struct Questioner<'e> {
     pub(crate) answered: &'e SearchAnswers,
     /// The features that engines lack.
     pub(crate) lacked: &'e LackedFeatures,
+    /// The number of programs that the engine is asked about together.
+    pub(crate) pack_size: usize,
 }
 
 /// A deviation that an engine showed on a program.
@@ -66,6 +71,9 @@ pub(crate) struct Deviation {
     pub(crate) expected: Vec<Fact>,
     pub(crate) got: Vec<Fact>,
 }
+
+/// What an engine does with a program, and its deviation where that is one.
+pub(crate) type Judged = (Vec<Fact>, Option<Deviation>);
 
 /// Returns the values that a program has wrong, by the names of their variables: what each must be, and what it is.
 pub(crate) fn wrong_values<'f>(
@@ -122,7 +130,13 @@ pub(crate) struct Takes {
     pub(crate) empty_bodies: bool,
     /// Whether it takes units without variables.
     pub(crate) no_variables: bool,
+    /// Whether it takes a semicolon alone as a statement.
+    pub(crate) empty_statements: bool,
 }
+
+/// A program with a semicolon alone as a statement.
+const EMPTY_STATEMENT: &str =
+    "PROGRAM main\nVAR\n    done : BOOL;\nEND_VAR\n    IF done THEN\n        ;\n    END_IF;\nEND_PROGRAM\n";
 
 /// A program of which no unit has a variable.
 const NO_VARIABLES: &str = "PROGRAM main\nEND_PROGRAM\n";
@@ -150,6 +164,48 @@ impl Questioner<'_> {
         Ok(self.judged(case, answers)?.1)
     }
 
+    /// Asks the engine about the programs that are asked about next, where it takes several together, so that the answers are known then.
+    /// `stop` is asked before each pack.
+    ///
+    /// # Errors
+    /// [`EngineError`] where no session can be opened.
+    pub(crate) fn ask_ahead<'a>(
+        &mut self,
+        cases: impl IntoIterator<Item = &'a Case>,
+        stop: &dyn Fn() -> bool,
+    ) -> Result<(), EngineError> {
+        let mut asked = HashSet::new();
+        // A long program may take all of the time, and one with a loop too, and those beside it with it.
+        let has_loop = |case: &Case| LOOPS.iter().any(|word| has_word(&case.source, word));
+        let is_open = |case: &&Case| {
+            let question = question(case);
+            case.source.len() <= LONG
+                && !has_loop(case)
+                && self.answered.get(&question).is_none()
+                && asked.insert(question)
+        };
+        let open: Vec<&Case> = cases.into_iter().filter(is_open).collect();
+        if self.pack_size < 2 || open.len() < 2 {
+            return Ok(());
+        }
+        let how = (self.pack_size, stop);
+        let answers = ask_stored_together(&mut self.session, &open, self.store, how)?;
+        for (case, answers) in open.iter().zip(answers) {
+            if let Some(answers) = answers {
+                self.answered.keep(question(case), &answers, false);
+            }
+        }
+        Ok(())
+    }
+
+    /// Returns the number of programs with a symptom that are asked about together. One that cannot be run hides what the others do.
+    pub(crate) fn pack_size(&self, symptom: &Symptom) -> usize {
+        match symptom {
+            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => 1,
+            _ => self.pack_size,
+        }
+    }
+
     /// Returns the least that the engine takes as a program, in the dialect of a case.
     ///
     /// # Errors
@@ -162,6 +218,7 @@ impl Questioner<'_> {
         Ok(Takes {
             empty_bodies: takes(EMPTY_BODIES)?,
             no_variables: takes(NO_VARIABLES)?,
+            empty_statements: takes(EMPTY_STATEMENT)?,
         })
     }
 
@@ -193,13 +250,23 @@ impl Questioner<'_> {
         }
     }
 
-    /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation.
+    /// Asks the engine about a case, also where it answered before. Returns what it does, and whether that is a deviation, as often as it was
+    /// asked: at most so often, and once where it takes one program at a time.
     ///
     /// # Errors
     /// [`EngineError`] where no session can be opened.
-    pub(crate) fn again(&mut self, case: &Case) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
-        let answers = ask(&mut self.session, case)?;
-        self.judged(case, answers)
+    pub(crate) fn again(
+        &mut self,
+        case: &Case,
+        (symptom, times): (&Symptom, usize),
+        stop: &dyn Fn() -> bool,
+    ) -> Result<Vec<Judged>, EngineError> {
+        let answers = match self.pack_size(symptom).min(times) {
+            0 | 1 => vec![Some(ask(&mut self.session, case)?)],
+            size => ask_stored_together(&mut self.session, &vec![case; size], None, (size, stop))?,
+        };
+        let answers = answers.into_iter().flatten();
+        answers.map(|answers| self.judged(case, answers)).collect()
     }
 
     /// Returns the sign of a case, of which the run saw `sign`: one that must be rejected and dies may only have been executed.
@@ -215,11 +282,7 @@ impl Questioner<'_> {
         Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
     }
 
-    fn judged(
-        &mut self,
-        case: &Case,
-        answers: Answers,
-    ) -> Result<(Vec<Fact>, Option<Deviation>), EngineError> {
+    fn judged(&mut self, case: &Case, answers: Answers) -> Result<Judged, EngineError> {
         let answers = self.without_execution(case, answers)?;
         let judged = self.judge.judgement(case, &answers);
         if !judged.verdict.is_discrepancy() {

@@ -1,14 +1,16 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
-use crate::alone::{alone, loops_alone, shows};
+use crate::alone::{Alone, alone, loops_alone, shows};
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
 use crate::malformed::words_with_digits;
 use crate::program::{Program, read};
-use crate::question::{Deviation, Questioner, as_the_reference, is_as_standard, with_program, wrong_values};
+use crate::question::{
+    Deviation, Questioner, Takes, as_the_reference, is_as_standard, with_program, wrong_values,
+};
 use std::cell::Cell;
 use stickler_engines::EngineError;
-use stickler_reduce::{Interestingness, ReductionBudget, StopReason};
+use stickler_reduce::{CandidateJudge, Interestingness, ReductionBudget, StopReason, text_in_packs};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::{Case, without_blank_lines};
 use stickler_types::{Code, Observation};
@@ -81,58 +83,34 @@ pub(crate) fn reduce(
     if let Some(found) = operand_alone(asked, (case, event), &unreduced, stop)? {
         return Ok(found);
     }
-    let mut error = None;
-    let mut questions = 0;
+    let takes = asked.takes(case)?;
     // Of a program that takes ever longer with its size, each smaller one may take the whole time of a question.
     let hangs = Cell::new(0);
     let stop = &|| stop() || hangs.get() >= MAX_HANGS;
     let start = unreduced.program.clone();
-    let constructs = Constructs::of(&start);
-    let takes = asked.takes(case)?;
-    // Another literal that should not be read is another mistake, and no document says how large an array may be.
-    let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
-    let unread = matches!(&sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
-    let keeps_literals =
-        |program: &str| !unread || words_with_digits(program).is_subset(&words_with_digits(&start));
-    let found = {
-        let mut interesting = |program: &str| {
-            let may_become = |smaller: &str| {
-                constructs.may_become(&Constructs::of(smaller), takes) && keeps_literals(smaller)
-            };
-            let is_other = program != start;
-            if error.is_some()
-                || is_other && (!may_become(program) || asked.uses_what_is_lacking(case, program))
-            {
-                return Interestingness::Invalid;
-            }
-            let Some(smaller) = with_program(case, sign, program) else {
-                return Interestingness::Invalid;
-            };
-            questions += 1;
-            match asked.deviation(&smaller) {
-                Ok(seen) => Interestingness::from(seen.is_some_and(|seen| {
-                    hangs.set(hangs.get() + u32::from(seen.sign.symptom == Symptom::Hang));
-                    sign.is_kept_by(&seen.sign)
-                        && (has_fault(&event.got) || !has_fault(&seen.got))
-                        && (program == start || has_same_value(event, &seen))
-                })),
-                Err(failed) => {
-                    error = Some(failed);
-                    Interestingness::Invalid
-                }
-            }
-        };
-        let budget = ReductionBudget { tries, stop };
-        let mut found = stickler_reduce::text(&start, case.dialect, &mut interesting, &budget);
-        while takes.empty_bodies && found.ended == StopReason::Smallest {
-            let mut emptied = emptied(&found.value).into_iter();
-            let Some(program) = emptied.find(|one| interesting(one) == Interestingness::Interesting) else {
-                break;
-            };
-            found = stickler_reduce::text(&program, case.dialect, &mut interesting, &budget);
-        }
-        found
+    let mut smaller = SmallerPrograms {
+        asked: &mut *asked,
+        case,
+        event,
+        sign,
+        constructs: Constructs::of(&start),
+        start: &start,
+        takes,
+        hangs: &hangs,
+        stop,
+        questions: 0,
+        error: None,
     };
+    let budget = ReductionBudget { tries, stop };
+    let mut found = text_in_packs(&start, case.dialect, &mut smaller, &budget);
+    while takes.empty_bodies && found.ended == StopReason::Smallest {
+        let mut emptied = emptied(&found.value).into_iter();
+        let Some(program) = emptied.find(|one| smaller.takes_one(one)) else {
+            break;
+        };
+        found = text_in_packs(&program, case.dialect, &mut smaller, &budget);
+    }
+    let SmallerPrograms { questions, error, .. } = smaller;
     if let Some(error) = error {
         return Err(error);
     }
@@ -171,6 +149,104 @@ pub(crate) fn reduce(
     }
 }
 
+/// The judge of what the program of a case may become: the engine is asked about it.
+struct SmallerPrograms<'a, 'e> {
+    asked: &'a mut Questioner<'e>,
+    case: &'a Case,
+    event: &'a CaseEvent,
+    sign: &'a Sign,
+    start: &'a str,
+    constructs: Constructs,
+    takes: Takes,
+    /// The number of programs without an answer in time.
+    hangs: &'a Cell<u32>,
+    stop: &'a dyn Fn() -> bool,
+    /// The number of times that the engine was asked.
+    questions: u64,
+    /// The reason why the engine cannot be asked any more.
+    error: Option<EngineError>,
+}
+
+impl SmallerPrograms<'_, '_> {
+    /// Returns whether the literals of a program may be what they are. Another literal that should not be read is another mistake, and no
+    /// document says how large an array may be.
+    fn keeps_literals(&self, program: &str) -> bool {
+        let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
+        let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
+        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start))
+    }
+
+    /// Judges one program.
+    fn takes_one(&mut self, program: &String) -> bool {
+        self.admits(program) && self.judge(std::slice::from_ref(program)) == [Interestingness::Interesting]
+    }
+
+    /// Returns whether the engine deviates with a program as it does with that of the case.
+    fn deviates(&mut self, program: &str, smaller: &Case) -> Result<bool, EngineError> {
+        self.questions += 1;
+        let seen = self.asked.deviation(smaller)?;
+        let event = self.event;
+        Ok(seen.is_some_and(|seen| {
+            let is_hang = seen.sign.symptom == Symptom::Hang;
+            self.hangs.set(self.hangs.get() + u32::from(is_hang));
+            self.sign.is_kept_by(&seen.sign)
+                && (has_fault(&event.got) || !has_fault(&seen.got))
+                && (program == self.start || has_same_value(event, &seen))
+        }))
+    }
+}
+
+impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
+    fn admits(&mut self, program: &String) -> bool {
+        let may_become = |smaller: &Constructs| self.constructs.may_become(smaller, self.takes);
+        self.error.is_none()
+            && (program == self.start
+                || may_become(&Constructs::of(program))
+                    && self.keeps_literals(program)
+                    && !self.asked.uses_what_is_lacking(self.case, program))
+    }
+
+    fn judge(&mut self, programs: &[String]) -> Vec<Interestingness> {
+        let cases = programs
+            .iter()
+            .map(|program| with_program(self.case, self.sign, program));
+        let cases: Vec<Option<Case>> = cases.collect();
+        let ahead = match self.pack_size() {
+            0 | 1 => Ok(()),
+            _ => self.asked.ask_ahead(cases.iter().flatten(), self.stop),
+        };
+        self.error = ahead.err().or(self.error.take());
+        let mut answers = Vec::with_capacity(programs.len());
+        for (program, case) in programs.iter().zip(&cases) {
+            let deviates = match case {
+                Some(case) if self.error.is_none() => self.deviates(program, case).map(Some),
+                _ => Ok(None),
+            };
+            answers.push(match deviates {
+                Ok(Some(deviates)) => Interestingness::from(deviates),
+                Ok(None) => Interestingness::Invalid,
+                Err(failed) => {
+                    self.error = Some(failed);
+                    Interestingness::Invalid
+                }
+            });
+            // Those behind it are asked about again, as changes of it.
+            if answers.last() == Some(&Interestingness::Interesting) {
+                answers.resize(programs.len(), Interestingness::Invalid);
+                break;
+            }
+        }
+        answers
+    }
+
+    fn pack_size(&self) -> usize {
+        match self.hangs.get() {
+            0 => self.asked.pack_size(&self.sign.symptom),
+            _ => 1,
+        }
+    }
+}
+
 /// Returns what a program may become by the loss of the one statement that a body has.
 fn emptied(text: &str) -> Vec<String> {
     let program = Program::new(text);
@@ -204,16 +280,22 @@ fn operand_alone(
         found.extend(alone(program));
         found.into_iter()
     });
-    for operand in operands.filter(|one| !one.is_initial && is_as_standard(case, &one.program)) {
+    let known = |operand: Alone| {
+        let is_shown = !operand.is_initial && is_as_standard(case, &operand.program);
+        let observe = [Observation::last("into", operand.ty.name())];
+        let asked = as_the_reference(case, &operand.program, &observe).filter(|_| is_shown)?;
+        Some((operand.program, asked))
+    };
+    let operands: Vec<(String, Case)> = operands.filter_map(known).collect();
+    let known: Vec<bool> = operands
+        .iter()
+        .map(|(_, operand)| asked.has_answered(operand))
+        .collect();
+    asked.ask_ahead(operands.iter().map(|(_, operand)| operand), stop)?;
+    for ((program, operand), is_known) in operands.into_iter().zip(known) {
         if stop() {
             return Ok(None);
         }
-        let program = operand.program;
-        let observe = [Observation::last("into", operand.ty.name())];
-        let Some(operand) = as_the_reference(case, &program, &observe) else {
-            continue;
-        };
-        let is_known = asked.has_answered(&operand);
         questions += u64::from(!is_known);
         let seen = asked.deviation(&operand)?;
         let Some(deviation) = seen.filter(|seen| has_same_values(event, seen) && shows(&program, seen))
@@ -274,17 +356,18 @@ fn repeated(
     }
     let is_by_chance_so_far = |repeats: &Repeats| is_by_chance(repeats) && repeats.of < REPEATS_OF_CHANCE;
     while (repeats.of < REPEATS || is_by_chance_so_far(&repeats)) && !stop() {
-        let (got, deviation) = asked.again(case)?;
-        // A busy machine is no property of the compiler, unless the next answer takes too long as well.
-        if matches!(got[..], [Fact::TimedOut { .. }]) && unanswered == 0 {
-            unanswered += 1;
-            continue;
+        for (got, deviation) in asked.again(case, (&sign.symptom, REPEATS as usize), stop)? {
+            // A busy machine is no property of the compiler, unless the next answer takes too long as well.
+            if matches!(got[..], [Fact::TimedOut { .. }]) && unanswered == 0 {
+                unanswered += 1;
+                continue;
+            }
+            let deviation = deviation.filter(|seen| sign.is_kept_by(&seen.sign));
+            repeats.of += 1;
+            repeats.seen += u32::from(deviation.is_some());
+            count(&mut repeats.outcomes, got);
+            found = found.or(deviation);
         }
-        let deviation = deviation.filter(|seen| sign.is_kept_by(&seen.sign));
-        repeats.of += 1;
-        repeats.seen += u32::from(deviation.is_some());
-        count(&mut repeats.outcomes, got);
-        found = found.or(deviation);
     }
     let questions = smallest.questions + u64::from(repeats.of + unanswered);
     if stop() && repeats.seen == repeats.of {

@@ -213,12 +213,16 @@ impl Titled<'_, '_> {
             text => clipped(&text),
         };
         let computed = self.program.computation(name);
-        // A line that only copies a value is not at fault where a loop decides whether it does.
+        // A line that only copies a value, or counts, is not at fault where a loop decides how often it does.
         let loops = |line: u32| {
             let code = self.program.line_text(line).unwrap_or_default();
             let begins = LOOPS.iter().any(|word| code.trim_start().starts_with(word));
             let around = self.program.loop_around(line);
-            let around = around.filter(|_| operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty());
+            let counts = code
+                .split_once(":=")
+                .is_some_and(|(target, value)| has_word(value, target.trim()));
+            let copies = operations(&format!("PROGRAM p {code} END_PROGRAM")).is_empty();
+            let around = around.filter(|_| copies || counts);
             match begins {
                 true => Some(line),
                 false => around.or_else(|| self.program.loop_in_callee(line)),

@@ -5,6 +5,7 @@
 //! again.
 
 use crate::answers::{Answers, ask};
+use crate::pack::{packs, settle};
 use serde::{Deserialize, Serialize};
 use stickler_engines::{Diagnostic, Digest, EngineError, EngineSession, NamedValue, Outcome};
 use stickler_suite::Case;
@@ -41,6 +42,35 @@ pub fn ask_stored(
     let answers = ask(session, case)?;
     if let Some(text) = written(&answers) {
         store.put(&question, &text);
+    }
+    Ok(answers)
+}
+
+/// Asks an engine about several cases like [`ask_stored`], in packs of at most `size` where they may be asked about together. Returns
+/// `None` for those that were not reached before `stopping` held.
+///
+/// # Errors
+/// [`EngineError`] where no session can be opened.
+pub fn ask_stored_together(
+    session: &mut EngineSession<'_>,
+    cases: &[&Case],
+    store: Option<&dyn AnswerStore>,
+    (size, stopping): (usize, &dyn Fn() -> bool),
+) -> Result<Vec<Option<Answers>>, EngineError> {
+    let known = |case: &&Case| store?.get(&question(case)).and_then(read);
+    let mut answers: Vec<Option<Answers>> = cases.iter().map(known).collect();
+    let open: Vec<usize> = (0..cases.len()).filter(|&at| answers[at].is_none()).collect();
+    let asked: Vec<(&Case, usize)> = open.iter().map(|&at| (cases[at], 0)).collect();
+    for pack in packs(&asked, &[size]) {
+        let of_pack: Vec<&Case> = pack.iter().map(|&at| asked[at].0).collect();
+        let settled = settle(session, &of_pack, stopping)?;
+        for (&place, settled) in pack.iter().zip(settled) {
+            let Some((found, _)) = settled else { continue };
+            if let Some((store, text)) = store.zip(written(&found)) {
+                store.put(&question(asked[place].0), &text);
+            }
+            answers[open[place]] = Some(found);
+        }
     }
     Ok(answers)
 }

@@ -25,7 +25,7 @@ mod schedule;
 mod select;
 mod symptom;
 
-pub use answer_store::{AnswerStore, ask_stored, question};
+pub use answer_store::{AnswerStore, ask_stored, ask_stored_together, question};
 pub use answers::{Answers, Rendering, ask, shown_by};
 pub use baseline::{
     Baseline, BaselineError, Blessing, ChangeKind, EngineRun, Entry, EntryChange, MatchedBaseline, bless,

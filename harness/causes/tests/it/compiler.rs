@@ -3,8 +3,8 @@
 use serde::Deserialize;
 use std::sync::Mutex;
 use stickler_engines::{
-    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Reproduction, ReproductionFile,
-    RunRequest, Session,
+    Ability, Engine, EngineError, Grade, Identity, NoReproduction, Outcome, Packed, Reproduction,
+    ReproductionFile, RunRequest, Session,
 };
 use stickler_types::{Diagnostic, DialectName, Fault, Value};
 
@@ -20,6 +20,8 @@ pub struct Defects {
     pub lacks: Option<(String, String)>,
     /// A text at which it crashes, and what it says then.
     pub crashes: Option<(String, String)>,
+    /// Texts in programs of which it makes what cannot be built, and what a compiler of C says then.
+    pub unusable: Vec<(String, String)>,
     /// Whether it dies over each program with a mistake when that is run.
     pub dies_of_mistakes: bool,
     /// The codes of the mistakes that it does not see.
@@ -60,6 +62,8 @@ pub struct DefectiveCompiler {
     pub defects: Defects,
     /// The interval at which programs are rejected, whatever they are; 0 stands for none.
     pub rejects_every: usize,
+    /// The number of programs that it takes together.
+    pub pack_size: usize,
     pub asked: Mutex<Vec<String>>,
 }
 
@@ -77,6 +81,7 @@ impl DefectiveCompiler {
             },
             defects: defects.clone(),
             rejects_every: 0,
+            pack_size: 1,
             asked: Mutex::default(),
         }
     }
@@ -95,6 +100,10 @@ impl Engine for DefectiveCompiler {
 
     fn session(&self) -> Result<Box<dyn Session + '_>, EngineError> {
         Ok(Box::new(Running(self)))
+    }
+
+    fn pack_size(&self) -> usize {
+        self.pack_size
     }
 
     /// Returns the program and the names of what is observed.
@@ -133,6 +142,11 @@ impl Session for Running<'_> {
             }]),
             _ => self.0.defects.run(request),
         }
+    }
+
+    fn run_pack(&mut self, requests: &[RunRequest<'_>]) -> Vec<Packed> {
+        let answered = requests.iter().map(|request| Packed::Answered(self.run(request)));
+        answered.collect()
     }
 
     fn check(&mut self, _: DialectName, _: &str) -> Outcome {
@@ -181,6 +195,11 @@ impl Defects {
         }
         if let Some(reason) = reason(&self.lacks) {
             return Outcome::NotImplemented { reason };
+        }
+        let mut unusable = self.unusable.iter();
+        if let Some((_, reason)) = unusable.find(|(text, _)| request.source.contains(text)) {
+            let reason = reason.clone();
+            return Outcome::Unusable { reason };
         }
         if let Some(outcome) = self
             .rejects

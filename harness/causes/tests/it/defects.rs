@@ -160,6 +160,11 @@ impl PlantedDefect {
             }
         }
         mistakes.extend(found.iter().flat_map(reproduction_mistakes));
+        let mut together = self.compiler();
+        together.pack_size = 48;
+        if self.questions.is_none() && causes(&self.suite(), &together, 1, limits) != found {
+            mistakes.push("other causes are found where programs are run together".to_owned());
+        }
         let runs = compiler.number_asked("");
         if self.most_runs.is_some_and(|most| runs > most) {
             mistakes.push(format!("{runs} programs were run"));

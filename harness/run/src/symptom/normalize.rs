@@ -18,12 +18,14 @@ pub(super) fn normalize_message(message: &str) -> String {
         .to_owned()
 }
 
-/// Returns whether a word has a digit or is the name of an elementary data type in capitals; `time` and `date` are ordinary
-/// words.
+/// Returns whether a word has a digit, or is or ends with the name of an elementary data type in capitals, such as `INLINE_ARRAY_INT`;
+/// `time` and `date` are ordinary words.
 fn is_of_the_program(word: &str) -> bool {
     let name = word.trim_matches(|end: char| !end.is_ascii_alphanumeric());
-    let is_type =
-        ElementaryType::from_name(name).is_some() && name.bytes().all(|byte| !byte.is_ascii_lowercase());
+    let last = name.rsplit('_').next().unwrap_or(name);
+    let is_type = [name, last].iter().any(|name| {
+        ElementaryType::from_name(name).is_some() && name.bytes().all(|byte| !byte.is_ascii_lowercase())
+    });
     is_type || word.contains(|character: char| character.is_ascii_digit())
 }
 
