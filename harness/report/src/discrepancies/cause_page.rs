@@ -274,7 +274,7 @@ fn rule(text: &mut String, shown: &Reproducer, overview: &Overview) {
     if let Some(paragraph) = paragraph.filter(|_| section != "not-stated") {
         let _ = write!(
             text,
-            "The rule is Stickler's own, since no document of the compiler says it: {}\n\n",
+            "The rule is Stickler's own, and binds no compiler: {}\n\n",
             paragraph.trim()
         );
     }

@@ -21,9 +21,13 @@ impl Sources {
         for source in &self.sources {
             for contradiction in &source.contradicts {
                 let is_claimed = |case: &Case| contradiction.is_of(&case.basis, (&case.id, &case.source));
+                // What promises a feature is cited of cases that use it, too.
                 let is_promised = |feature: &Feature| {
                     let mut promises = feature.promises();
-                    promises.any(|basis| contradiction.is_of(basis, ("", &feature.program)))
+                    promises.any(|basis| {
+                        let is_shown = |case: &Case| contradiction.is_of(basis, (&case.id, &case.source));
+                        contradiction.is_of(basis, ("", &feature.program)) || cases.iter().any(is_shown)
+                    })
                 };
                 let is_needed = cases.iter().any(is_claimed) || features.iter().any(is_promised);
                 if !is_needed {
