@@ -223,7 +223,7 @@ pub(crate) const fn compares(operator: BinaryOperator) -> bool {
 }
 
 /// Returns the type of the number that a calculation is assigned to in which an operand stands.
-fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<ElementaryType> {
+pub(crate) fn calculated(program: &ReadProgram<'_, '_>, operand: &Part<'_, '_>) -> Option<ElementaryType> {
     let mut part = *operand;
     while let Some(around) = program.around(&part) {
         let is_calculation = binary(program, around.id).is_some_and(|(operator, ..)| calculates(operator));

@@ -4,7 +4,7 @@
 //! from the kind of deviation: the line that is accepted or rejected wrongly, or, of a wrong value, the conversion that the
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
-use crate::alone::is_loop_alone;
+use crate::alone::{calculated, is_loop_alone};
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
 use crate::malformed::is_beyond_type;
@@ -247,7 +247,13 @@ fn needs(
         // Whatever an engine without places says, it says where by one piece of work; elsewhere what is said of one construct has a place by
         // one.
         Symptom::NoPlace(_) if normal.way.is_some() => ("no place".to_owned(), BTreeSet::new(), false),
-        Symptom::NoPlace(code) => (format!("no place {code}"), line.partial_accesses(), false),
+        // What is wrong with a number has the place of the number.
+        Symptom::NoPlace(code) => {
+            let of_number = [Code::ConstantOverflow, Code::BitStringCaseLabelNotAllowed];
+            let is_of_number = of_number.iter().any(|one| one.as_str() == code);
+            let what = if is_of_number { "number" } else { code };
+            (format!("no place {what}"), line.partial_accesses(), false)
+        }
         Symptom::Text | Symptom::OtherType | Symptom::Error(_) => (symptom, BTreeSet::new(), false),
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
@@ -315,7 +321,10 @@ fn has_literal_beyond_type(smallest: &Smallest) -> bool {
     matches!(&smallest.deviation.sign.symptom, Symptom::NotRejected(code) if is_of_constant(code))
         && read(&smallest.program, |program| {
             let mut literals = program.literals();
-            literals.any(|(part, literal)| is_beyond_type(literal, program.target(part)))
+            literals.any(|(part, literal)| {
+                let target = program.target(part).or_else(|| calculated(program, part));
+                is_beyond_type(literal, target)
+            })
         })
 }
 

@@ -7,7 +7,7 @@ use crate::shape::is_name;
 use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
-use stickler_syntax::names::{DeclaredKind, DeclaredName};
+use stickler_syntax::names::DeclaredName;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
     Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
@@ -288,7 +288,10 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
     // Basis of both: iec-61131-3: 6.5.2.2 (VAR_EXTERNAL; VAR_INPUT: not modifiable within the unit).
     match part.place {
         Place::InitialValue if begins_with_variable(program, name) => Some("initial value of a variable"),
-        _ if is_global(program, name) && part.pou.is_some() && !has_word(program.text, "VAR_EXTERNAL") => {
+        _ if section == Some(VariableKind::Global)
+            && part.pou.is_some()
+            && !has_word(program.text, "VAR_EXTERNAL") =>
+        {
             Some("global variable that is not external")
         }
         _ if section == Some(VariableKind::Input) && is_assigned(program, part) => {
@@ -296,12 +299,6 @@ fn of_value(program: &ReadProgram<'_, '_>, part: &Part<'_, '_>) -> Option<&'stat
         }
         _ => None,
     }
-}
-
-/// Returns whether a program declares a global variable with a name.
-fn is_global(program: &ReadProgram<'_, '_>, name: &str) -> bool {
-    let mut named = program.names.iter().filter(|one| one.name.is(name));
-    named.any(|one| one.kind == DeclaredKind::Variable(VariableKind::Global))
 }
 
 /// Returns whether a unit assigns the variable of its own that a name is, or an element, a field or a bit of it.

@@ -63,17 +63,23 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 9] = [
     ("initial value of a field", "field-initial-value"),
 ];
 
-/// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells;
-/// `None` where it tells of none, or nobody whose word binds the engine promises it.
+/// Returns the basis by which an engine must compute the value of a program, by the construct of which the pattern of the wrong value tells,
+/// or know the variables of the section that alone is at fault; `None` where there is none, or nobody whose word binds the engine
+/// promises it.
 pub(crate) fn promise_of_pattern<'s>(
     constructs: &BTreeSet<String>,
     (program, case): (&str, &Case),
     (engine, suite): (&Identity, &'s Suite),
 ) -> Option<&'s str> {
-    let (_, key) = OF_PATTERNS
-        .iter()
-        .find(|(pattern, _)| constructs.contains(*pattern))?;
-    let feature = suite.features.get(key)?;
+    let mut patterns = OF_PATTERNS.iter();
+    let of_pattern = patterns.find(|(pattern, _)| constructs.contains(*pattern));
+    let of_section = || {
+        let alone = constructs.first().filter(|_| constructs.len() == 1)?;
+        let section = alone.strip_prefix("VAR_")?;
+        Some(format!("var-{}", section.to_ascii_lowercase().replace('_', "-")))
+    };
+    let key = of_pattern.map(|(_, key)| (*key).to_owned()).or_else(of_section)?;
+    let feature = suite.features.get(&key)?;
     stickler_run::promise(feature.promises(), (program, case.dialect), engine, suite)
 }
 

@@ -159,13 +159,20 @@ impl Titled<'_, '_> {
         unit.map_or(String::new(), |unit| format!(" in {unit}"))
     }
 
-    /// Returns the expected diagnostic with this code that did not come; where codes are not compared, the first on whose line
-    /// nothing came.
+    /// Returns the expected diagnostic with this code that did not come on its line; where codes are not compared, the first on whose
+    /// line nothing came.
     fn missing(&self, code: &str) -> Diagnostic {
         // Consumed across the calls: both lists go by line.
         let mut reported = self.got.iter().filter_map(Fact::diagnostic);
         let mut is_missing = |one: &&Diagnostic| match &one.code {
-            Some(one) => one == code,
+            Some(own) => {
+                own == code
+                    && !self
+                        .got
+                        .iter()
+                        .filter_map(Fact::diagnostic)
+                        .any(|reported| (reported.line, &reported.code) == (one.line, &one.code))
+            }
             None => !reported.any(|reported| reported.line == one.line),
         };
         let found = self

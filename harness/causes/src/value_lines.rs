@@ -103,8 +103,15 @@ impl<'t, 's> ReadProgram<'t, 's> {
         declared.map_or_else(|| self.last_statement(), |one| self.line(one.name.span))
     }
 
-    /// Returns with which value a variable begins that nothing assigns, where its type declares one.
+    /// Returns the variable that nothing assigns and that another one is a copy of.
+    fn copied_alone(&self, path: &str) -> Option<&'s str> {
+        let source = self.copied(&self.assignment(path)?)?;
+        self.assignment(source).is_none().then_some(source)
+    }
+
+    /// Returns with which value a variable begins that nothing assigns, or that another one is a copy of, where its type declares one.
     pub(crate) fn initial_value_of_type(&self, path: &str) -> Option<&'static str> {
+        let path = self.copied_alone(path).unwrap_or(path);
         let group = self
             .group(last_name(path))
             .filter(|_| self.computation(path).is_none())?;

@@ -151,12 +151,18 @@ pub(crate) fn of_numbers(operation: &str) -> String {
 }
 
 /// Returns the name of a conversion and its opposite, where an operation is one: a compiler that lacks one of them lacks the pair of
-/// types, and one that lacks some of those from and to texts, or of those of durations, dates and times of day, lacks them all.
+/// types, and one that lacks some of those from and to texts, of those of durations, dates and times of day, or of those between these
+/// and BOOL, lacks them all.
 pub(crate) fn either_way(operation: &str) -> String {
     let moments = ["duration", "date", "timeofday", "dateandtime"];
     match operation.split_once("_TO_") {
         Some((from, into)) if from == "text" || into == "text" => "conversion of texts".to_owned(),
         Some((from, into)) if from == "BCD" || into == "BCD" => "conversion of BCD".to_owned(),
+        Some((from, into))
+            if [from, into].contains(&"boolean") && moments.iter().any(|one| [from, into].contains(one)) =>
+        {
+            "conversion between BOOL and durations, dates and times".to_owned()
+        }
         Some((from, into)) if moments.contains(&from) || moments.contains(&into) => {
             "conversion of durations, dates and times".to_owned()
         }

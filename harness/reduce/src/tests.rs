@@ -130,6 +130,18 @@ fn the_result_of_a_function_becomes_plain_where_it_does_not_matter() {
 }
 
 #[test]
+fn a_function_becomes_the_program_with_the_literals_that_it_is_given() {
+    let start = "FUNCTION combine : LINT\nVAR_INPUT\n    first, second : DINT;\nEND_VAR\n    combine := first * second;\nEND_FUNCTION\n\
+                 PROGRAM main\nVAR\n    into : LINT;\nEND_VAR\n    into := combine(DINT#7, DINT#5);\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["into := ", "*", "7", "5"]);
+    accepted(&found.value);
+    for gone in ["FUNCTION", "combine", "VAR_INPUT"] {
+        assert!(!found.value.contains(gone), "{gone}\n{}", found.value);
+    }
+}
+
+#[test]
 fn a_parameter_goes_with_its_arguments_where_it_does_not_matter() {
     let start = "FUNCTION_BLOCK host\nVAR_INPUT\n    first : INT;\n    second : BOOL;\nEND_VAR\nVAR_IN_OUT\n    third : INT;\nEND_VAR\n    \
                  third := first MOD 3;\nEND_FUNCTION_BLOCK\nFUNCTION twice : INT\nVAR_INPUT\n    a : INT;\n    b : INT;\nEND_VAR\n    \

@@ -1,13 +1,14 @@
 //! Passes that drop or simplify declarations: program organization units, sections, variables, types, initial values.
 
 use crate::TextView;
+use crate::passes::parameters::{argument, calls, is_of_parameters};
 use crate::view::NameUse;
 use std::ops::Range;
 use stickler_syntax::Edits;
 use stickler_syntax::token::TokenKind;
 use stickler_syntax::tree::{
-    Declaration, ExpressionKind, InitializerKind, Name, Pou, PouKind, StatementKind, TypeDeclaration,
-    TypeSpecification, TypeSpecificationKind, VariableGroup,
+    Declaration, Expression, ExpressionKind, InitializerKind, Name, Pou, PouKind, Statement, StatementKind,
+    TypeDeclaration, TypeSpecification, TypeSpecificationKind, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 
@@ -40,14 +41,19 @@ pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
         let name = unit.name.span;
         let head = format!("PROGRAM {}", program.name.text);
         edits.replace(unit.span.start as usize..name.end as usize, head);
+        let call = calls(view, unit).into_iter().next();
         if let Some(result) = &unit.result {
-            let variable = format!(
-                "\nVAR {} : {}; END_VAR",
-                unit.name.text,
-                result.span.text(view.text())
-            );
+            // The result is the variable that receives it.
+            let receiver = call
+                .and_then(|call| receiver(view, call))
+                .unwrap_or(unit.name.text);
+            for used in view.uses(unit, unit.name) {
+                edits.replace(used.expression.span, receiver);
+            }
+            let variable = format!("\nVAR {receiver} : {}; END_VAR", result.span.text(view.text()));
             edits.replace(name.end as usize..result.span.end as usize, variable);
         }
+        edits.extend(call.into_iter().flat_map(|call| begun_inputs(view, unit, call)));
         edits.replace(unit.end, "END_PROGRAM");
         for section in &unit.blocks {
             if let [word, ..] = view.inside(section.span.into())
@@ -59,6 +65,47 @@ pub(crate) fn unit_to_program(view: &TextView<'_>) -> Vec<Edits> {
         edits
     });
     view.only_allowed(changes.collect())
+}
+
+/// Returns the variable to which the result of a call is assigned.
+fn receiver<'t>(view: &TextView<'t>, call: &Expression<'_>) -> Option<&'t str> {
+    let is_assigned = |statement: &&Statement| match statement.kind {
+        StatementKind::Assignment { value, .. } => view.range_of_expression(value) == call.span.into(),
+        _ => false,
+    };
+    let assigning = view.statements().into_iter().find(is_assigned)?;
+    let StatementKind::Assignment { target, .. } = assigning.kind else {
+        return None;
+    };
+    match &view.unit.expression(target)?.kind {
+        ExpressionKind::Name(name) => Some(name.text),
+        _ => None,
+    }
+}
+
+/// Returns the edits by which inputs begin with the literals that a call gives them.
+fn begun_inputs(view: &TextView<'_>, unit: &Pou<'_>, call: &Expression<'_>) -> Vec<Edits> {
+    let sections = unit.blocks.iter().filter(|section| is_of_parameters(section));
+    let groups = sections.flat_map(|section| section.groups.iter().map(move |group| (section, group)));
+    let mut edits = Vec::new();
+    let mut before = 0;
+    for (section, group) in groups {
+        let ty = declared(view, group);
+        let begun = group.names.iter().enumerate().map(|(at, name)| {
+            let value = argument(call, (name.text, before + at))?;
+            let is_literal = matches!(view.unit.expression(value)?.kind, ExpressionKind::Literal(_));
+            let value = view.range_of_expression(value);
+            is_literal.then(|| format!("{} : {ty} := {};", name.text, &view.text()[value]))
+        });
+        let begun: Option<Vec<String>> = begun.collect();
+        before += group.names.len();
+        if let (VariableKind::Input, Some(begun), Some(range)) =
+            (section.kind, begun, view.range_of_declaration(group))
+        {
+            edits.push(Edits::replacing(range, begun.join("\n")));
+        }
+    }
+    edits
 }
 
 /// Drops sections of variables.

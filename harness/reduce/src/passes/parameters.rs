@@ -2,7 +2,9 @@
 
 use crate::TextView;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Argument, Expression, ExpressionKind, Pou, VariableBlock, VariableKind};
+use stickler_syntax::tree::{
+    Argument, Expression, ExpressionId, ExpressionKind, Pou, VariableBlock, VariableKind,
+};
 use stickler_syntax::visitor::operands;
 
 /// Drops a parameter of a function or a function block, with the statements of the unit that name it and with its argument in each call.
@@ -32,7 +34,8 @@ pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
-fn is_of_parameters(section: &VariableBlock<'_>) -> bool {
+/// Returns whether a section declares parameters.
+pub(crate) fn is_of_parameters(section: &VariableBlock<'_>) -> bool {
     matches!(
         section.kind,
         VariableKind::Input | VariableKind::Output | VariableKind::InOut
@@ -40,7 +43,7 @@ fn is_of_parameters(section: &VariableBlock<'_>) -> bool {
 }
 
 /// Returns the calls of a unit: of a function by its name, of a function block by that of a variable.
-fn calls<'t>(view: &TextView<'t>, unit: &Pou<'_>) -> Vec<&'t Expression<'t>> {
+pub(crate) fn calls<'t>(view: &TextView<'t>, unit: &Pou<'_>) -> Vec<&'t Expression<'t>> {
     let is_of_unit = |written: &str| written.eq_ignore_ascii_case(unit.name.text);
     let of_type = view
         .variables()
@@ -65,11 +68,7 @@ fn without_argument(view: &TextView<'_>, call: &Expression<'_>, (name, at): (&st
     let ExpressionKind::Call { callee, arguments } = &call.kind else {
         return None;
     };
-    let is_given = |(number, argument): (usize, &Argument<'_>)| match argument {
-        Argument::Positional(_) => number == at,
-        Argument::Named { name: named, .. } | Argument::Output { name: named, .. } => named.is(name),
-    };
-    let number = arguments.iter().enumerate().position(is_given)?;
+    let number = place(arguments, (name, at))?;
     let ends: Vec<usize> = operands(call)
         .into_iter()
         .skip(1)
@@ -79,4 +78,24 @@ fn without_argument(view: &TextView<'_>, call: &Expression<'_>, (name, at): (&st
     view.list_items(open, &ends, call.span.end as usize)
         .into_iter()
         .nth(number)
+}
+
+/// Returns the value that a call gives a parameter, by its name or its place; `None` where it gives it none.
+pub(crate) fn argument(call: &Expression<'_>, parameter: (&str, usize)) -> Option<ExpressionId> {
+    let ExpressionKind::Call { arguments, .. } = &call.kind else {
+        return None;
+    };
+    match &arguments[place(arguments, parameter)?] {
+        Argument::Positional(value) | Argument::Named { value, .. } => Some(*value),
+        Argument::Output { .. } => None,
+    }
+}
+
+/// Returns the place of the argument for a parameter.
+fn place(arguments: &[Argument<'_>], (name, at): (&str, usize)) -> Option<usize> {
+    let is_given = |(number, argument): (usize, &Argument<'_>)| match argument {
+        Argument::Positional(_) => number == at,
+        Argument::Named { name: named, .. } | Argument::Output { name: named, .. } => named.is(name),
+    };
+    arguments.iter().enumerate().position(is_given)
 }
