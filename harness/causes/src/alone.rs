@@ -2,7 +2,8 @@
 //! asked before the operation around it is blamed.
 
 use crate::program::{Part, ReadProgram};
-use crate::question::{Deviation, all_values, wrong_values};
+use crate::question::{Deviation, wrong_values};
+use crate::smaller_case::all_values;
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
@@ -166,7 +167,7 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
             if let Some(ty) = target.or_else(in_calculation).or(source) {
                 let is_typed = type_of_word(literal) == Some(ty);
                 let plain = literal.split_once('#').filter(|_| is_typed);
-                literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, plain)));
+                literals.extend(plain.map(|(_, plain)| Alone::assigned(ty, &untyped(ty, plain))));
                 literals.push(Alone::assigned(ty, literal));
                 literals.extend(part.statement.is_none().then(|| Alone::initial(ty, literal)));
             }
@@ -190,6 +191,16 @@ pub(crate) fn alone(program: &ReadProgram<'_, '_>) -> Vec<Alone> {
         }
     }
     found
+}
+
+/// Returns what stands behind the type of a literal as a literal without a type: of a bit string with a base, since an integer without one
+/// may be no bit string.
+fn untyped(ty: ElementaryType, digits: &str) -> String {
+    let number = digits.replace('_', "").parse::<u64>().ok();
+    match number.filter(|_| ty.is_bit_string() && ty != ElementaryType::Bool) {
+        Some(number) => format!("16#{number:X}"),
+        None => digits.to_owned(),
+    }
 }
 
 /// Returns the operands of an infix operator that an expression is, with the operator.

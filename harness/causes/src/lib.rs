@@ -56,11 +56,14 @@ mod question;
 mod reduction;
 mod reproduce;
 mod shape;
+mod smaller_case;
+mod smaller_programs;
 mod suspect;
 #[cfg(test)]
 mod tests;
 mod title;
 mod value_lines;
+mod ways;
 mod words;
 mod work;
 

@@ -10,8 +10,10 @@ use crate::forms;
 use crate::passes::{Draft, plain_method, structure_method};
 use crate::patterns::leaves_range;
 use crate::program::read;
-use crate::question::{Deviation, Questioner, all_variables, as_the_reference, is_as_standard};
+use crate::question::{Deviation, Questioner};
 use crate::reduction::Smallest;
+use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
+use crate::ways;
 use crate::words::tokens;
 use std::collections::BTreeSet;
 use stickler_engines::EngineError;
@@ -280,7 +282,7 @@ impl NormalSearch<'_, '_> {
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
     fn other_forms(&mut self) -> Result<(), EngineError> {
         let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
-            (forms::in_two_steps(program), forms::turned_round(program))
+            (ways::in_two_steps(program), ways::turned_round(program))
         });
         let forms = [
             (in_two_steps, "operation in the type of its target"),
@@ -301,7 +303,7 @@ impl NormalSearch<'_, '_> {
 
     /// Asks for variables in the place of literals: where these are right, it is the literals that are not.
     fn variables_for_literals(&mut self) -> Result<(), EngineError> {
-        let form = read(&self.normal.program, forms::with_variables_for_literals);
+        let form = read(&self.normal.program, ways::with_variables_for_literals);
         let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
         if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
             self.left -= 1;
@@ -314,7 +316,7 @@ impl NormalSearch<'_, '_> {
     /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
     /// for that of the result.
     fn swapped_operands(&mut self) -> Result<(), EngineError> {
-        let swapped = read(&self.normal.program, forms::with_swapped_operands);
+        let swapped = read(&self.normal.program, ways::with_swapped_operands);
         let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
         let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
         if let Some(case) = case.filter(|case| is_mistaken(case) && !(self.stop)()) {

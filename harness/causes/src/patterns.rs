@@ -24,6 +24,10 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             wrong.rereads_bits() || wrong.extends_sign(),
             "value that is not converted to the type it is read in",
         ),
+        (
+            wrong.is_no_moment(),
+            "conversion to a date or a time of day that gives none",
+        ),
         (wrong.rounds_twice(), "REAL literal that is rounded twice"),
         (wrong.exceeds_milliseconds(), "milliseconds beyond 32 bits"),
         (
@@ -55,7 +59,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
 }
 
 /// Returns whether the first value that a program has wrong must be another number than each literal of the program, as where a
-/// conversion wraps. Where the program has no number, none left a range.
+/// conversion wraps, or a negative number becomes one without a sign. Where the program has no number, none left a range.
 pub(crate) fn leaves_range(program: &ReadProgram<'_, '_>, deviation: &Deviation) -> bool {
     WrongNumber { program, deviation }.leaves_range()
 }
@@ -113,7 +117,16 @@ impl WrongNumber<'_, '_, '_> {
         };
         // A fraction is dropped or rounded, and a REAL has 24 bits.
         let is_near = |number: f64| (number - expected.abs()).abs() <= 1.0 + expected.abs() * 1e-6;
-        self.amounts().next().is_some() && !self.amounts().any(is_near)
+        self.amounts().next().is_some() && (!self.amounts().any(is_near) || self.converts_negative())
+    }
+
+    /// Returns whether the program converts by name to a type without a sign, and has a negative number.
+    fn converts_negative(&self) -> bool {
+        let is_signed = |literal: &str| literal.starts_with('-') || literal.contains("#-");
+        let mut literals = self.program.literals();
+        let unsigned =
+            |into: ElementaryType| kind(into) == Some("integer") && into.family() != Family::Signed;
+        literals.any(|(_, literal)| is_signed(literal)) && self.conversions().any(|(_, into)| unsigned(into))
     }
 
     /// Returns the number of operations with which the program computes. Calls, elements, conditions and the sign of an operand are none.
@@ -234,6 +247,11 @@ impl WrongNumber<'_, '_, '_> {
         bits.is_some_and(|(_, raw, got)| !fits(raw) && fits(got))
     }
 
+    /// Returns whether the program converts by name to a type of dates or times, and the wrong value has a count that is none of the type.
+    fn is_no_moment(&self) -> bool {
+        self.conversions().next().is_some() && self.values().is_some_and(|(_, got)| is_no_moment(got))
+    }
+
     /// Returns whether the program has a date before 1970 or after 2105, and a wrong date or time.
     fn has_date_beyond_seconds(&self) -> bool {
         let year = |literal: &str| {
@@ -321,6 +339,12 @@ impl WrongNumber<'_, '_, '_> {
         let takes_seconds = expected != 0.0 && (got - expected * MILLISECONDS).abs() < 1.0;
         converts && (counts_seconds || takes_seconds)
     }
+}
+
+/// Returns whether a value is one of a type of dates or times of day with a count that is no date and no time of day, as its text says.
+pub(crate) fn is_no_moment(value: &Value) -> bool {
+    let is_moment = elementary(value.type_name()).is_some_and(ElementaryType::is_date_or_time);
+    is_moment && value.to_string().ends_with("ns")
 }
 
 /// Returns the bits that the values of a type have.

@@ -94,14 +94,33 @@ fn plain_numbers<'p, 't: 'p, 's>(
     values.filter_map(|(part, literal)| Some((part, PlainNumber::read(literal)?)))
 }
 
-/// Returns the changes that make a number of a program plainer.
+/// Plain literals of the types of dates and times.
+const MOMENTS: [(&str, &str); 3] = [
+    ("DT#", "DT#2000-01-02-03:04:05"),
+    ("D#", "D#2000-01-02"),
+    ("TOD#", "TOD#03:04:05"),
+];
+
+/// Returns the dates and times of a program that are not the plain ones, and the plain one of each type.
+fn moments<'p, 't: 'p, 's>(
+    program: &'p ReadProgram<'t, 's>,
+) -> impl Iterator<Item = (&'p Part<'t, 's>, &'static str)> {
+    let plain = |(part, literal): (&'p Part<'t, 's>, &str)| {
+        let (_, plain) = MOMENTS.iter().find(|(prefix, _)| literal.starts_with(prefix))?;
+        (literal != *plain).then_some((part, *plain))
+    };
+    program.literals().filter_map(plain)
+}
+
+/// Returns the changes that make a number, a date or a time of a program plainer.
 pub(crate) fn plainer_numbers(program: &ReadProgram<'_, '_>) -> Vec<Edits> {
+    let moments = moments(program).map(|(part, plain)| Edits::replacing(part.expression.span, plain));
     let change = |(part, number): (&Part<'_, '_>, PlainNumber<'_>)| {
         let span = part.expression.span;
         let plainer = number.plainer().into_iter();
         plainer.map(move |plainer| Edits::replacing(span, plainer))
     };
-    plain_numbers(program).flat_map(change).collect()
+    plain_numbers(program).flat_map(change).chain(moments).collect()
 }
 
 /// Returns how far the types and the numbers of a program are from the plainest.
@@ -114,7 +133,7 @@ pub(crate) fn plainness(program: &ReadProgram<'_, '_>) -> u128 {
             + number.digits.len() as u128
             + u128::from(number.digits.trim_end_matches(['.', '0']) != "1")
     });
-    1000 * types + numbers.sum::<u128>()
+    1000 * types + numbers.sum::<u128>() + 100 * moments(program).count() as u128
 }
 
 /// Returns what is special about the numbers and the numeric types of a program that computes a wrong value.

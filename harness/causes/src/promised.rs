@@ -45,13 +45,17 @@ pub(crate) fn promise<'s>(
 }
 
 /// The features of which a wrong value tells by its pattern, whatever the case was about.
-pub(crate) const OF_PATTERNS: [(&str, &str); 9] = [
+pub(crate) const OF_PATTERNS: [(&str, &str); 10] = [
     (
         "conversion to an integer that does not bring it into its range",
         "conversion",
     ),
     (
         "conversion of a real number outside the range of its target",
+        "conversion",
+    ),
+    (
+        "conversion to a date or a time of day that gives none",
         "conversion",
     ),
     ("REAL literal with the bits of an LREAL", "typed-literal"),

@@ -1,19 +1,18 @@
 //! Makes the program of a failing case as small as it can be while the engine deviates in the same way.
 
 use crate::alone::{Alone, alone, loops_alone, shows};
-use crate::failure_sign::{Sign, is_of_reading};
+use crate::failure_sign::Sign;
 use crate::guard::Constructs;
-use crate::malformed::words_with_digits;
 use crate::program::{Program, read};
-use crate::question::{
-    Deviation, Questioner, Takes, as_the_reference, is_as_standard, with_program, wrong_values,
-};
+use crate::question::{Deviation, Questioner, wrong_values};
+use crate::smaller_case::{as_the_reference, is_as_standard, with_program};
+use crate::smaller_programs::SmallerPrograms;
 use std::cell::Cell;
 use stickler_engines::EngineError;
-use stickler_reduce::{CandidateJudge, Interestingness, ReductionBudget, StopReason, text_in_packs};
+use stickler_reduce::{ReductionBudget, StopReason, text_in_packs};
 use stickler_run::{CaseEvent, Fact, Reduced, RepeatedOutcome, Repeats, Symptom};
 use stickler_suite::{Case, without_blank_lines};
-use stickler_types::{Code, Observation};
+use stickler_types::Observation;
 
 /// The number of times that the smallest program is run to see whether the engine does the same each time.
 const REPEATS: u32 = 4;
@@ -149,104 +148,6 @@ pub(crate) fn reduce(
     }
 }
 
-/// The judge of what the program of a case may become: the engine is asked about it.
-struct SmallerPrograms<'a, 'e> {
-    asked: &'a mut Questioner<'e>,
-    case: &'a Case,
-    event: &'a CaseEvent,
-    sign: &'a Sign,
-    start: &'a str,
-    constructs: Constructs,
-    takes: Takes,
-    /// The number of programs without an answer in time.
-    hangs: &'a Cell<u32>,
-    stop: &'a dyn Fn() -> bool,
-    /// The number of times that the engine was asked.
-    questions: u64,
-    /// The reason why the engine cannot be asked any more.
-    error: Option<EngineError>,
-}
-
-impl SmallerPrograms<'_, '_> {
-    /// Returns whether the literals of a program may be what they are. Another literal that should not be read is another mistake, and no
-    /// document says how large an array may be.
-    fn keeps_literals(&self, program: &str) -> bool {
-        let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
-        let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
-        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start))
-    }
-
-    /// Judges one program.
-    fn takes_one(&mut self, program: &String) -> bool {
-        self.admits(program) && self.judge(std::slice::from_ref(program)) == [Interestingness::Interesting]
-    }
-
-    /// Returns whether the engine deviates with a program as it does with that of the case.
-    fn deviates(&mut self, program: &str, smaller: &Case) -> Result<bool, EngineError> {
-        self.questions += 1;
-        let seen = self.asked.deviation(smaller)?;
-        let event = self.event;
-        Ok(seen.is_some_and(|seen| {
-            let is_hang = seen.sign.symptom == Symptom::Hang;
-            self.hangs.set(self.hangs.get() + u32::from(is_hang));
-            self.sign.is_kept_by(&seen.sign)
-                && (has_fault(&event.got) || !has_fault(&seen.got))
-                && (program == self.start || has_same_value(event, &seen))
-        }))
-    }
-}
-
-impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
-    fn admits(&mut self, program: &String) -> bool {
-        let may_become = |smaller: &Constructs| self.constructs.may_become(smaller, self.takes);
-        self.error.is_none()
-            && (program == self.start
-                || may_become(&Constructs::of(program))
-                    && self.keeps_literals(program)
-                    && !self.asked.uses_what_is_lacking(self.case, program))
-    }
-
-    fn judge(&mut self, programs: &[String]) -> Vec<Interestingness> {
-        let cases = programs
-            .iter()
-            .map(|program| with_program(self.case, self.sign, program));
-        let cases: Vec<Option<Case>> = cases.collect();
-        let ahead = match self.pack_size() {
-            0 | 1 => Ok(()),
-            _ => self.asked.ask_ahead(cases.iter().flatten(), self.stop),
-        };
-        self.error = ahead.err().or(self.error.take());
-        let mut answers = Vec::with_capacity(programs.len());
-        for (program, case) in programs.iter().zip(&cases) {
-            let deviates = match case {
-                Some(case) if self.error.is_none() => self.deviates(program, case).map(Some),
-                _ => Ok(None),
-            };
-            answers.push(match deviates {
-                Ok(Some(deviates)) => Interestingness::from(deviates),
-                Ok(None) => Interestingness::Invalid,
-                Err(failed) => {
-                    self.error = Some(failed);
-                    Interestingness::Invalid
-                }
-            });
-            // Those behind it are asked about again, as changes of it.
-            if answers.last() == Some(&Interestingness::Interesting) {
-                answers.resize(programs.len(), Interestingness::Invalid);
-                break;
-            }
-        }
-        answers
-    }
-
-    fn pack_size(&self) -> usize {
-        match self.hangs.get() {
-            0 => self.asked.pack_size(&self.sign.symptom),
-            _ => 1,
-        }
-    }
-}
-
 /// Returns what a program may become by the loss of the one statement that a body has.
 fn emptied(text: &str) -> Vec<String> {
     let program = Program::new(text);
@@ -322,13 +223,13 @@ fn has_same_values(event: &CaseEvent, seen: &Deviation) -> bool {
 }
 
 /// Returns whether a program stopped with a fault, as one does that is accepted and divides by a variable which lost its value.
-fn has_fault(got: &[Fact]) -> bool {
+pub(crate) fn has_fault(got: &[Fact]) -> bool {
     got.iter().any(|fact| matches!(fact, Fact::Fault { .. }))
 }
 
 /// Returns whether a program has a value wrong in the way in which the case has it: what it must be, and what it is. Of what is no
 /// value, the sign says the way.
-fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
+pub(crate) fn has_same_value(event: &CaseEvent, seen: &Deviation) -> bool {
     let mut now = wrong_values(&seen.expected, &seen.got).peekable();
     now.peek().is_none()
         || now.any(|value| wrong_values(&event.expected, &event.got).any(|other| other == value))

@@ -3,15 +3,16 @@
 
 use crate::failure_sign::OTHER_BLANKS;
 use crate::lines::{LinePlace, clipped, described, line_with_number, place_of, unit_of};
+use crate::patterns::is_no_moment;
 use crate::program::{Program, ReadProgram};
 use crate::reduction::Smallest;
 use crate::suspect::{self, unimplemented};
-use crate::words::{LOOPS, elementary, has_word, tokens};
+use crate::words::{LOOPS, has_word, tokens};
 use crate::work::operations;
 use stickler_engines::OTHER_TYPE;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
-use stickler_types::{Code, Diagnostic, ElementaryType};
+use stickler_types::{Code, Diagnostic};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
 /// diagnostics of an engine without codes, are left out; codes of the engine's own stay.
@@ -214,10 +215,9 @@ impl Titled<'_, '_> {
             return format!("the value of {name} cannot be seen: {}", described(declared));
         };
         // A count that no date or time of day of the type has says nothing to a reader.
-        let is_none = |ty: &str| elementary(ty).is_some_and(ElementaryType::is_date_or_time);
-        let other = match other.to_string() {
-            text if text.ends_with("ns") && is_none(other.type_name()) => format!("no {}", other.type_name()),
-            text => clipped(&text),
+        let other = match is_no_moment(other) {
+            true => format!("no {}", other.type_name()),
+            false => clipped(&other.to_string()),
         };
         let computed = self.program.computation(name);
         // A line that only copies a value, or counts, is not at fault where a loop decides how often it does.

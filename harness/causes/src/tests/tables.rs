@@ -16,6 +16,7 @@ use crate::reduction::moved;
 use crate::shape::{KeptTypes, shape, token_at};
 use crate::suspect::{self, unimplemented};
 use crate::title::condition;
+use crate::ways;
 use crate::words::ANY;
 use crate::work::{WORKS, operations};
 use std::collections::{BTreeMap, BTreeSet};
@@ -186,13 +187,13 @@ fn answer(question: &str, inputs: &[String]) -> String {
         "with_other_operand" => bodies(forms::with_other_operand(&program, 5)),
         "with_other_initial_value" => lines(forms::with_other_operand(&program, 5)),
         "in_two_steps" => {
-            let found = forms::in_two_steps(&program).map(|one| {
+            let found = ways::in_two_steps(&program).map(|one| {
                 one.split_once("END_VAR\n")
                     .map_or(String::new(), |(_, rest)| in_line(rest))
             });
             found.unwrap_or_default().replace(" END_PROGRAM", "")
         }
-        "with_swapped_operands" => bodies(Vec::from_iter(forms::with_swapped_operands(&program))),
+        "with_swapped_operands" => bodies(Vec::from_iter(ways::with_swapped_operands(&program))),
         "with_measured_text" => {
             let units = |at: usize| Vec::from_iter(inputs[at].encode_utf16());
             let found = forms::with_measured_text(&program, "s", (&units(1), &units(2)));
@@ -203,7 +204,8 @@ fn answer(question: &str, inputs: &[String]) -> String {
             (&text, &whole(&inputs[1])),
             &ANY,
         )),
-        "turned_round" => bodies(Vec::from_iter(forms::turned_round(&program))),
+        "turned_round" => bodies(Vec::from_iter(ways::turned_round(&program))),
+        "with_variables_for_literals" => lines(Vec::from_iter(ways::with_variables_for_literals(&program))),
         "with_whole_output" => lines(forms::with_whole_output(&program)),
         "with_fitting_operand" => lines(forms::with_fitting_operand(&program)),
         "with_first_parts" => bodies(forms::with_first_parts(&program)),

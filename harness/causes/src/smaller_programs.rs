@@ -1,0 +1,112 @@
+//! The judge of the smaller programs that a reduction tries: what they may become, and whether the engine still deviates with them.
+
+use crate::failure_sign::{Sign, is_of_reading};
+use crate::guard::Constructs;
+use crate::malformed::words_with_digits;
+use crate::question::{Questioner, Takes};
+use crate::reduction::{has_fault, has_same_value};
+use crate::smaller_case::with_program;
+use std::cell::Cell;
+use stickler_engines::EngineError;
+use stickler_reduce::{CandidateJudge, Interestingness};
+use stickler_run::{CaseEvent, Symptom};
+use stickler_suite::Case;
+use stickler_types::Code;
+
+/// The judge of what the program of a case may become: the engine is asked about it.
+pub(crate) struct SmallerPrograms<'a, 'e> {
+    pub(crate) asked: &'a mut Questioner<'e>,
+    pub(crate) case: &'a Case,
+    pub(crate) event: &'a CaseEvent,
+    pub(crate) sign: &'a Sign,
+    pub(crate) start: &'a str,
+    pub(crate) constructs: Constructs,
+    pub(crate) takes: Takes,
+    /// The number of programs without an answer in time.
+    pub(crate) hangs: &'a Cell<u32>,
+    pub(crate) stop: &'a dyn Fn() -> bool,
+    /// The number of times that the engine was asked.
+    pub(crate) questions: u64,
+    /// The reason why the engine cannot be asked any more.
+    pub(crate) error: Option<EngineError>,
+}
+
+impl SmallerPrograms<'_, '_> {
+    /// Returns whether the literals of a program may be what they are. Another literal that should not be read is another mistake, and no
+    /// document says how large an array may be.
+    fn keeps_literals(&self, program: &str) -> bool {
+        let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
+        let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
+        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start))
+    }
+
+    /// Judges one program.
+    pub(crate) fn takes_one(&mut self, program: &String) -> bool {
+        self.admits(program) && self.judge(std::slice::from_ref(program)) == [Interestingness::Interesting]
+    }
+
+    /// Returns whether the engine deviates with a program as it does with that of the case.
+    fn deviates(&mut self, program: &str, smaller: &Case) -> Result<bool, EngineError> {
+        self.questions += 1;
+        let seen = self.asked.deviation(smaller)?;
+        let event = self.event;
+        Ok(seen.is_some_and(|seen| {
+            let is_hang = seen.sign.symptom == Symptom::Hang;
+            self.hangs.set(self.hangs.get() + u32::from(is_hang));
+            self.sign.is_kept_by(&seen.sign)
+                && (has_fault(&event.got) || !has_fault(&seen.got))
+                && (program == self.start || has_same_value(event, &seen))
+        }))
+    }
+}
+
+impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
+    fn admits(&mut self, program: &String) -> bool {
+        let may_become = |smaller: &Constructs| self.constructs.may_become(smaller, self.takes);
+        self.error.is_none()
+            && (program == self.start
+                || may_become(&Constructs::of(program))
+                    && self.keeps_literals(program)
+                    && !self.asked.uses_what_is_lacking(self.case, program))
+    }
+
+    fn judge(&mut self, programs: &[String]) -> Vec<Interestingness> {
+        let cases = programs
+            .iter()
+            .map(|program| with_program(self.case, self.sign, program));
+        let cases: Vec<Option<Case>> = cases.collect();
+        let ahead = match self.pack_size() {
+            0 | 1 => Ok(()),
+            _ => self.asked.ask_ahead(cases.iter().flatten(), self.stop),
+        };
+        self.error = ahead.err().or(self.error.take());
+        let mut answers = Vec::with_capacity(programs.len());
+        for (program, case) in programs.iter().zip(&cases) {
+            let deviates = match case {
+                Some(case) if self.error.is_none() => self.deviates(program, case).map(Some),
+                _ => Ok(None),
+            };
+            answers.push(match deviates {
+                Ok(Some(deviates)) => Interestingness::from(deviates),
+                Ok(None) => Interestingness::Invalid,
+                Err(failed) => {
+                    self.error = Some(failed);
+                    Interestingness::Invalid
+                }
+            });
+            // Those behind it are asked about again, as changes of it.
+            if answers.last() == Some(&Interestingness::Interesting) {
+                answers.resize(programs.len(), Interestingness::Invalid);
+                break;
+            }
+        }
+        answers
+    }
+
+    fn pack_size(&self) -> usize {
+        match self.hangs.get() {
+            0 => self.asked.pack_size(&self.sign.symptom),
+            _ => 1,
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Other programs that do the same: where the engine does right with one of them, it says in which way the engine does an operation.
+
+use crate::alone::{binary, calculates, compares};
+use crate::forms::{body, end_of_variables};
+use crate::program::ReadProgram;
+use std::collections::BTreeSet;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::{
+    BinaryOperator, ExpressionId, ExpressionKind, LiteralKind, StatementKind, UnaryOperator,
+};
+use stickler_syntax::visitor::Place;
+use stickler_types::ElementaryType;
+
+/// Returns a program with an operation on two values of one type in a statement of its own, before what it gives is converted to
+/// the type of the target; `None` where it has no statement that does both.
+pub(crate) fn in_two_steps(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let text = program.text;
+    program.at(Place::Value).find_map(|part| {
+        let statement = part.statement?;
+        let own = match part.expression.kind {
+            ExpressionKind::Unary {
+                operator: UnaryOperator::Not,
+                operand,
+            } => complemented(program, operand)?,
+            _ => {
+                let (operator, left, right) = binary(program, part.id)?;
+                let own = program.type_of(left)?;
+                Some(own).filter(|own| calculates(operator) && program.type_of(right) == Some(*own))?
+            }
+        };
+        if program.target(part)? == own {
+            return None;
+        }
+        let first = body(text, part.pou?)?.start;
+        let StatementKind::Assignment { target, .. } = statement.kind else {
+            return None;
+        };
+        let mut edits = Edits::replacing(
+            statement.span,
+            format!(
+                "partial := {};\n    {} := partial",
+                program.text(part.id),
+                program.text(target)
+            ),
+        );
+        let section = format!("VAR\n    partial : {};\nEND_VAR\n    ", own.name());
+        // Before the first statement, which may be this one.
+        let head = text[..first].trim_end().len();
+        edits.replace(head..head, format!("\n{}", section.trim_end()));
+        Some(edits.apply(text))
+    })
+}
+
+/// Returns the type of what a complement is made of, which may be another complement in parentheses.
+fn complemented(program: &ReadProgram<'_, '_>, id: ExpressionId) -> Option<ElementaryType> {
+    match program.unit.expression(id)?.kind {
+        ExpressionKind::Parenthesized(inner) => complemented(program, inner),
+        ExpressionKind::Unary {
+            operator: UnaryOperator::Not,
+            operand,
+        } => complemented(program, operand),
+        _ => program.type_of(id),
+    }
+}
+
+/// Returns a program with the operands of an operator in the other order, where they have different types; `None` where it has none.
+pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let given = [Place::Value, Place::Argument, Place::NamedArgument];
+    let mut parts = program.parts.iter().filter(|part| given.contains(&part.place));
+    parts.find_map(|part| {
+        let (operator, left, right) = binary(program, part.id)?;
+        let is_mixed = !compares(operator) && program.type_of(left)? != program.type_of(right)?;
+        let swapped = format!(
+            "{} {} {}",
+            program.text(right),
+            operator.symbol(),
+            program.text(left)
+        );
+        is_mixed.then(|| Edits::replacing(part.expression.span, swapped).apply(program.text))
+    })
+}
+
+/// Returns a program with variables in the place of the texts and truth values that are operands or arguments; `None` where it has none.
+pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut declared = BTreeSet::new();
+    for part in program.parts.iter().filter(|part| part.place != Place::Value) {
+        let ExpressionKind::Literal(literal) = &part.expression.kind else {
+            continue;
+        };
+        let ty = match literal.kind {
+            LiteralKind::SingleByteText => "STRING",
+            LiteralKind::DoubleByteText => "WSTRING",
+            LiteralKind::Boolean => "BOOL",
+            _ => continue,
+        };
+        let Some(end) = part
+            .statement
+            .and(part.pou)
+            .and_then(|pou| end_of_variables(program.text, pou))
+        else {
+            continue;
+        };
+        let name = format!("given_{}", ty.to_ascii_lowercase());
+        edits.replace(part.expression.span, name.as_str());
+        if declared.insert((end, ty)) {
+            edits.replace(end..end, format!("    {name} : {ty};\n"));
+        }
+    }
+    (!declared.is_empty()).then(|| edits.apply(program.text))
+}
+
+/// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.
+pub(crate) fn turned_round(program: &ReadProgram<'_, '_>) -> Option<String> {
+    program.at(Place::Value).find_map(|part| {
+        let (operator, left, right) = binary(program, part.id)?;
+        let types = (program.type_of(left)?, program.type_of(right)?);
+        let turned = match operator {
+            BinaryOperator::Less => BinaryOperator::Greater,
+            BinaryOperator::Greater => BinaryOperator::Less,
+            BinaryOperator::LessOrEqual => BinaryOperator::GreaterOrEqual,
+            BinaryOperator::GreaterOrEqual => BinaryOperator::LessOrEqual,
+            same => same,
+        };
+        let text = format!(
+            "{} {} {}",
+            program.text(right),
+            turned.symbol(),
+            program.text(left)
+        );
+        let is_mixed = compares(operator) && types.0 != types.1;
+        is_mixed.then(|| Edits::replacing(part.expression.span, text).apply(program.text))
+    })
+}
