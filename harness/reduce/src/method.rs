@@ -2,7 +2,9 @@
 
 use crate::draft::{self, TextDraft};
 use crate::passes::literals::{LiteralStep, lessen};
-use crate::passes::{arrays, chunks, declarations, expressions, parameters, statements, values};
+use crate::passes::{
+    arrays, chunks, declarations, expressions, initial_values, parameters, statements, values,
+};
 use crate::rules::ReferenceRules;
 use crate::{
     CandidateJudge, Interestingness, Pass, Reduction, ReductionBudget, ReductionMethod, StopReason,
@@ -60,6 +62,8 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     }),
     text_pass!("drop arguments", expressions::drop_arguments),
     text_pass!("drop initial values", declarations::drop_initials),
+    text_pass!("drop fields", initial_values::forget_fields),
+    text_pass!("drop repetitions", initial_values::drop_repetitions),
     text_pass!("resolve types", declarations::resolve_types),
     text_pass!("unwrap arrays", arrays::unwrap_arrays),
     text_pass!("unwrap structures", arrays::unwrap_structures),
@@ -74,6 +78,10 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("make literals zero", |view| lessen(view, LiteralStep::Zero)),
     text_pass!("make literals one", |view| lessen(view, LiteralStep::One)),
     text_pass!("halve literals", |view| lessen(view, LiteralStep::Half)),
+    text_pass!("keep the second half of texts", |view| lessen(
+        view,
+        LiteralStep::Rest
+    )),
     text_pass!("lessen literals", |view| lessen(view, LiteralStep::Less)),
 ];
 

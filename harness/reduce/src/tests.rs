@@ -142,6 +142,24 @@ fn a_function_becomes_the_program_with_the_literals_that_it_is_given() {
 }
 
 #[test]
+fn what_does_not_matter_in_initial_values_and_texts_goes() {
+    let start = "TYPE\n    POINT : STRUCT\n        x : INT;\n        y : INT;\n    END_STRUCT;\n    BOX : STRUCT\n        list : ARRAY[0..1] OF \
+                 DT;\n    END_STRUCT;\nEND_TYPE\nPROGRAM main\nVAR\n    it : ARRAY[0..1] OF POINT := [2((x := 1, y := 2))];\n    inner : \
+                 BOX;\n    text : STRING := 'ab$R$$$L$0A';\nEND_VAR\n    it[0].x := 0;\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["[", "(x := "]);
+    assert!(
+        !found.value.contains('y') && !found.value.contains("2("),
+        "{}",
+        found.value
+    );
+    let found = reduce(start, &["inner :", "OF DT"]);
+    assert!(!found.value.contains("STRUCT"), "{}", found.value);
+    let found = reduce(start, &["$L"]);
+    assert!(found.value.contains("'$L'"), "{}", found.value);
+}
+
+#[test]
 fn a_parameter_goes_with_its_arguments_where_it_does_not_matter() {
     let start = "FUNCTION_BLOCK host\nVAR_INPUT\n    first : INT;\n    second : BOOL;\nEND_VAR\nVAR_IN_OUT\n    third : INT;\nEND_VAR\n    \
                  third := first MOD 3;\nEND_FUNCTION_BLOCK\nFUNCTION twice : INT\nVAR_INPUT\n    a : INT;\n    b : INT;\nEND_VAR\n    \

@@ -298,7 +298,7 @@ pub(crate) fn drop_initials(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
-/// Replaces declared types of variables by their definitions; an enumeration without a name is another type.
+/// Replaces declared types of variables by their definitions, or by the type of a field; an enumeration without a name is another type.
 pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
     let specifications = view.specifications();
     let mut changes = Vec::new();
@@ -317,6 +317,20 @@ pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
         if !edits.is_empty() {
             edits.remove(type_declaration(view, declared));
             changes.push(edits);
+        }
+        // Of a structure, the type of a field may be what matters.
+        if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
+            for field in fields {
+                let mut edits = Edits::removing(type_declaration(view, declared));
+                for (one, _) in &specifications {
+                    if let TypeSpecificationKind::Named(name) = &one.kind
+                        && name.is(declared.name.text)
+                    {
+                        edits.replace(one.span, field.specification.span.text(view.text()));
+                    }
+                }
+                changes.push(edits);
+            }
         }
     }
     view.only_allowed(changes)

@@ -13,8 +13,10 @@ pub(crate) enum LiteralStep {
     Zero,
     /// Makes numbers 1.
     One,
-    /// Halves numbers and texts.
+    /// Halves numbers, and leaves the first half of texts.
     Half,
+    /// Leaves the second half of texts.
+    Rest,
     /// Makes numbers one less, and texts one character shorter.
     Less,
 }
@@ -40,7 +42,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
         LiteralKind::Integer => {
             let number: i128 = text.replace('_', "").parse().ok()?;
             match step {
-                LiteralStep::Decimal => return None,
+                LiteralStep::Decimal | LiteralStep::Rest => return None,
                 LiteralStep::Zero => 0,
                 LiteralStep::One => 1,
                 LiteralStep::Half => number / 2,
@@ -54,6 +56,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
             let number = u128::from_str_radix(&digits.replace('_', ""), base).ok()?;
             let number = match step {
                 LiteralStep::Decimal => return Some(number.to_string()),
+                LiteralStep::Rest => return None,
                 LiteralStep::Zero => 0,
                 LiteralStep::One => 1,
                 LiteralStep::Half => number / 2,
@@ -66,7 +69,7 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
             }
         }
         LiteralKind::Real => match step {
-            LiteralStep::Decimal => return None,
+            LiteralStep::Decimal | LiteralStep::Rest => return None,
             LiteralStep::Zero => "0.0".to_owned(),
             LiteralStep::One => "1.0".to_owned(),
             // The exponent stays, since it may be what matters.
@@ -82,24 +85,47 @@ fn smaller(kind: LiteralKind, text: &str, step: LiteralStep) -> Option<String> {
         LiteralKind::Duration => match step {
             LiteralStep::Zero => "0s".to_owned(),
             LiteralStep::One => "1s".to_owned(),
-            LiteralStep::Decimal | LiteralStep::Half | LiteralStep::Less => return None,
+            _ => return None,
         },
         LiteralKind::SingleByteText | LiteralKind::DoubleByteText => {
             let quote = text.get(..1)?;
             let inner = text.get(1..text.len().checked_sub(1)?)?;
+            let characters = characters(inner, if quote == "'" { 2 } else { 4 });
+            let number = characters.len();
             let kept = match step {
                 LiteralStep::Decimal => return None,
-                LiteralStep::Zero => 0,
-                LiteralStep::One => 1,
-                LiteralStep::Half => inner.chars().count() / 2,
-                LiteralStep::Less => inner.chars().count().saturating_sub(1),
+                LiteralStep::Zero => 0..0,
+                LiteralStep::One => 0..1,
+                LiteralStep::Half => 0..number / 2,
+                LiteralStep::Rest => number / 2..number,
+                LiteralStep::Less => 0..number.saturating_sub(1),
             };
-            let kept: String = inner.chars().take(kept).collect();
-            format!("{quote}{kept}{quote}")
+            format!("{quote}{}{quote}", characters.get(kept)?.concat())
         }
         LiteralKind::Boolean | LiteralKind::Date | LiteralKind::TimeOfDay | LiteralKind::DateAndTime => {
             return None;
         }
     };
     (smaller != text).then_some(smaller)
+}
+
+/// Splits a text without its quotes into its characters, each as it is written: `a`, `$L`, `$0A`. `digits` is the number of digits of a
+/// character that is written by its number.
+fn characters(text: &str, digits: usize) -> Vec<&str> {
+    let mut found = Vec::new();
+    let mut rest = text;
+    while let Some(first) = rest.chars().next() {
+        let behind = rest.strip_prefix('$').unwrap_or_default();
+        let is_number =
+            behind.len() >= digits && behind.bytes().take(digits).all(|digit| digit.is_ascii_hexdigit());
+        let length = match behind.chars().next() {
+            Some(_) if is_number => 1 + digits,
+            Some(escaped) => 1 + escaped.len_utf8(),
+            None => first.len_utf8(),
+        };
+        let (character, others) = rest.split_at(length);
+        found.push(character);
+        rest = others;
+    }
+    found
 }

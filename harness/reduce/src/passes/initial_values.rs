@@ -1,0 +1,80 @@
+//! Passes over the initial values of arrays and structures.
+
+use crate::TextView;
+use stickler_syntax::Edits;
+use stickler_syntax::tree::{Initializer, InitializerKind, TypeSpecificationKind};
+
+/// Drops a field of a structure with its initial values.
+pub(crate) fn forget_fields(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for declared in view.types() {
+        let TypeSpecificationKind::Structure(fields) = &declared.specification.kind else {
+            continue;
+        };
+        for group in fields.iter().filter(|_| fields.len() > 1) {
+            let ([name], Some(declaration)) = (&group.names[..], view.range_of_declaration(group)) else {
+                continue;
+            };
+            let mut edits = Edits::removing(declaration);
+            for initializer in initializers(view) {
+                let InitializerKind::Structure(values) = &initializer.kind else {
+                    continue;
+                };
+                let ends: Vec<usize> = values.iter().map(|(_, value)| value.span.end as usize).collect();
+                let items = view.list_items(
+                    initializer.span.start as usize,
+                    &ends,
+                    initializer.span.end as usize,
+                );
+                let of_field = values
+                    .iter()
+                    .zip(items)
+                    .filter(|((field, _), _)| field.is(name.text));
+                edits.extend(of_field.map(|(_, item)| item));
+            }
+            changes.push(edits);
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Writes the values of an array that are repeated once, without the number.
+pub(crate) fn drop_repetitions(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = Vec::new();
+    for initializer in initializers(view) {
+        let InitializerKind::Array(elements) = &initializer.kind else {
+            continue;
+        };
+        for element in elements {
+            if let (Some(number), values @ [first, ..]) = (element.repetition, &element.values[..])
+                && let Some(close) = values.last().and_then(|last| view.next(last.span.end as usize))
+            {
+                let mut edits =
+                    Edits::removing(view.range_of_expression(number).start..first.span.start as usize);
+                edits.remove(close.span);
+                changes.push(edits);
+            }
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Returns every initial value, outer ones before those inside them.
+fn initializers<'t>(view: &TextView<'t>) -> Vec<&'t Initializer<'t>> {
+    let of_declarations = view.specifications().into_iter();
+    let mut open: Vec<&Initializer<'_>> = of_declarations
+        .filter_map(|(_, initializer)| initializer)
+        .collect();
+    let mut found = Vec::new();
+    while let Some(initializer) = open.pop() {
+        found.push(initializer);
+        match &initializer.kind {
+            InitializerKind::Array(elements) => {
+                open.extend(elements.iter().flat_map(|element| &element.values))
+            }
+            InitializerKind::Structure(values) => open.extend(values.iter().map(|(_, value)| value)),
+            InitializerKind::Expression(_) => {}
+        }
+    }
+    found
+}
