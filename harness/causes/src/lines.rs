@@ -6,8 +6,8 @@ use stickler_syntax::names::DeclaredName;
 use stickler_syntax::source::Span;
 use stickler_syntax::token::Token;
 use stickler_syntax::tree::{
-    Declaration, Initializer, Pou, PouKind, StatementKind, TypeSpecification, TypeSpecificationKind,
-    VariableBlock,
+    Declaration, Initializer, Pou, PouKind, StatementKind, TypeDeclaration, TypeSpecification,
+    TypeSpecificationKind, VariableBlock,
 };
 use stickler_syntax::visitor::Place;
 
@@ -52,7 +52,8 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
                 let ty = program.declared_type(word).filter(|_| !is_own)?;
                 let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
                 Some(format!("{} : {written}", ty.name.text))
-            });
+            })
+            .or_else(|| enumeration_of(program, word).filter(|_| declared.is_none()));
         let group = declared.filter(|_| !is_own).and_then(|one| one.group);
         let definition = group.and_then(|group| definition(program, &group.specification));
         for entry in entry.map(|entry| entry + &section).into_iter().chain(definition) {
@@ -73,13 +74,33 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     let section = match place_of(program, number) {
         LinePlace::Types if is_field => Some("STRUCT"),
         LinePlace::Types => Some("TYPE"),
-        _ => special_section(program, number),
+        _ => section(program, number),
     };
     let section = section.map_or(String::new(), |head| format!(" in {head}"));
     match types.is_empty() {
         true => format!("`{}`{section}", clipped(code)),
         false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
     }
+}
+
+/// Returns the enumeration that has a value of this name, as it is declared.
+fn enumeration_of(program: &ReadProgram<'_, '_>, value: &str) -> Option<String> {
+    let types = program
+        .unit
+        .declarations
+        .iter()
+        .filter_map(|declaration| match declaration {
+            Declaration::Types(types) => Some(types),
+            _ => None,
+        });
+    let mut types = types.flatten();
+    let has_value = |one: &&TypeDeclaration<'_>| match &one.specification.kind {
+        TypeSpecificationKind::Enumeration { values, .. } => values.iter().any(|(name, _)| name.is(value)),
+        _ => false,
+    };
+    let declared = types.find(has_value)?;
+    let written = written_type(program, &declared.specification, None)?;
+    Some(format!("{} : {written}", declared.name.text))
 }
 
 /// Returns the parameters to which a line gives values without their names, with their types.
@@ -236,6 +257,11 @@ pub(crate) fn place_of<'t, 's>(program: &ReadProgram<'t, 's>, number: u32) -> Li
 /// Returns the word of the section of variables that a line stands in, unless that is the plain one or that of the inputs; of constants, that
 /// they are.
 pub(crate) fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
+    section(program, number).filter(|section| *section != "VAR_INPUT")
+}
+
+/// Returns the word of the section of variables that a line stands in, unless that is the plain one; of constants, that they are.
+fn section<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
     let LinePlace::Section(section) = place_of(program, number) else {
         return None;
     };
@@ -245,7 +271,7 @@ pub(crate) fn special_section<'s>(program: &ReadProgram<'_, 's>, number: u32) ->
         .next()?;
     match head {
         "VAR" if section.constant => Some("VAR CONSTANT"),
-        "VAR" | "VAR_INPUT" => None,
+        "VAR" => None,
         _ => Some(head),
     }
 }

@@ -114,11 +114,11 @@ pub(crate) fn drop_sections(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(sections.map(|section| Edits::removing(section.span)).collect())
 }
 
-/// Makes external variables, and those that begin anew with each call, plain ones.
+/// Makes parameters, external variables, and those that begin anew with each call, plain ones.
 pub(crate) fn plain_sections(view: &TextView<'_>) -> Vec<Edits> {
     let words = view.sections().into_iter();
     let words = words.filter_map(|section| view.inside(section.span.into()).first());
-    let special = words.filter(|word| matches!(word.kind, TokenKind::VarExternal | TokenKind::VarTemp));
+    let special = words.filter(|word| !matches!(word.kind, TokenKind::Var | TokenKind::VarGlobal));
     view.only_allowed(special.map(|word| Edits::replacing(word.span, "VAR")).collect())
 }
 
