@@ -83,7 +83,7 @@ impl Essence {
                 false,
             ),
             None if matches!(sign.symptom, Symptom::Unusable(_)) && normal.way.is_some() => (
-                "unusable".to_owned(),
+                sign.word(),
                 normal.way.map(str::to_owned).into_iter().collect(),
                 false,
             ),

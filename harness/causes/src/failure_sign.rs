@@ -1,5 +1,6 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
+use crate::malformed::forms_of_literals;
 use crate::patterns::amount;
 use crate::program::Program;
 use crate::question::wrong_values;
@@ -95,6 +96,11 @@ impl Sign {
         match self.symptom {
             // A compiler that loses the place of a diagnostic loses it in every program; the others are told by `at`.
             Symptom::NoPlace(_) | Symptom::Text | Symptom::OtherType | Symptom::Error(_) => String::new(),
+            // What is wrong with a literal is told by its form alone.
+            Symptom::NotRejected(ref code) if is_of_reading(code) => {
+                let forms = Vec::from_iter(forms_of_literals(program)).join(" ");
+                format!("{} {forms}", shape(program, self.types()))
+            }
             _ => shape(program, self.types()),
         }
     }

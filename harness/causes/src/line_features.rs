@@ -433,7 +433,12 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
     /// Returns the features of a program of which the compiler makes what cannot be built or dies: its operations, and of a program without
     /// them the forms of its literals and the kinds of its declarations.
     pub(crate) fn of_use(&self) -> Words {
-        let mut features: Words = self.of_fault().iter().map(|one| either_way(one)).collect();
+        // What a compiler of C says of one comparison, it says of all that are called as functions.
+        let named = |one: &String| match &**one {
+            "EQ" | "NE" | "LT" | "LE" | "GT" | "GE" => "comparison called as a function".to_owned(),
+            other => either_way(other),
+        };
+        let mut features: Words = self.of_fault().iter().map(named).collect();
         features.remove("condition");
         if features.is_empty() {
             features.extend(self.suspect_literals(|_| true));

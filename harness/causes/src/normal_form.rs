@@ -308,7 +308,12 @@ impl NormalSearch<'_, '_> {
         if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
             self.left -= 1;
             let is_right = self.asked.deviation(&case)?.is_none();
-            self.normal.way = is_right.then_some("text or truth literal as an operand");
+            let has_text = self.normal.program.contains(['\'', '"']);
+            let way = match has_text {
+                true => "text literal as an operand",
+                false => "truth literal as an operand",
+            };
+            self.normal.way = is_right.then_some(way);
         }
         Ok(())
     }

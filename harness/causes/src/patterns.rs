@@ -305,9 +305,31 @@ impl WrongNumber<'_, '_, '_> {
             _ => raw,
         };
         let error = raw.wrapping_sub(got).cast_signed().unsigned_abs();
-        operations(self.program.text).is_empty()
+        let is_copied = operations(self.program.text).is_empty()
             && magnitude > 1 << f64::MANTISSA_DIGITS
-            && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS)
+            && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS);
+        is_copied || self.has_rounded_literal((ty, raw, got))
+    }
+
+    /// Returns whether the wrong value has the last bits of an integer literal with the digits of its nearest LREAL, where it must have
+    /// those of the literal: what is done with it is right.
+    fn has_rounded_literal(&self, (ty, raw, got): (ElementaryType, u64, u64)) -> bool {
+        let mut literals = self.program.literals();
+        literals.any(|(_, literal)| {
+            let digits = literal.rsplit('#').next().unwrap_or(literal).replace('_', "");
+            let Ok(number) = digits.parse::<i128>() else {
+                return false;
+            };
+            let (nearest, mask) = (number as f64, mask(ty));
+            // A number is written with the digits that tell it from its neighbours, and zeros.
+            let written = format!("{nearest}").parse::<i128>().unwrap_or(nearest as i128);
+            let is_got = [nearest as i128, written]
+                .iter()
+                .any(|rounded| (*rounded as u64) & mask == got & mask);
+            number.unsigned_abs() > 1 << f64::MANTISSA_DIGITS
+                && (number as u64) & mask == raw & mask
+                && is_got
+        })
     }
 
     /// Returns whether a literal of the type REAL is not rounded to one.

@@ -43,8 +43,12 @@ pub(crate) fn unimplemented(program: &ReadProgram<'_, '_>, got: &[Fact]) -> u32 
 /// Returns the last of the lines with most to them, since a plain assignment may be there only because a program needs a statement;
 /// before a plain assignment a declaration in a section that not every program has.
 pub(crate) fn culprit(program: &ReadProgram<'_, '_>) -> u32 {
-    // A call without arguments only leads to the statements of its block.
-    let leads = |line: &str| matches!(words(line)[..], [name, "(", ")", ";"] if program.is_instance(name));
+    // A call without arguments only leads to the statements of its unit.
+    let leads = |line: &str| match words(line)[..] {
+        [name, "(", ")", ";"] => program.is_instance(name),
+        [_, ":=", name, "(", ")", ";"] => program.unit_of(name).is_some(),
+        _ => false,
+    };
     let weighed = |(line, number): &(&str, u32)| match weight(line) {
         _ if leads(line) => 1,
         1 if special_section(program, *number).is_some() => 3,

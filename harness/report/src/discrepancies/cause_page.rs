@@ -171,6 +171,12 @@ pub(crate) fn page(
     limitation(&mut text, cause, overview);
     contradiction(&mut text, cause, overview);
     rule(&mut text, shown, overview);
+    let claim = Basis::of(&shown.basis);
+    let source = overview.source(claim.source);
+    let is_foreign = source.is_some_and(|source| !source.engines.contains(&cause.engine));
+    if cause.differs() && is_foreign && !claim.is_rule() {
+        text.push_str("This source does not bind the compiler, so that the difference is no failure.\n\n");
+    }
     if let Some(repeats) = &cause.flaky {
         by_chance(&mut text, repeats);
     }
