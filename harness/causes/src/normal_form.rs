@@ -381,7 +381,7 @@ impl CandidateJudge<Draft> for DraftJudge<'_, '_, '_> {
 
     fn pack_size(&self) -> usize {
         let symptom = &self.search.normal.deviation.sign.symptom;
-        self.search.asked.pack_size(symptom)
+        self.search.asked.pack_size_of(symptom)
     }
 }
 

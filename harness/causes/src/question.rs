@@ -195,7 +195,7 @@ impl Questioner<'_> {
     }
 
     /// Returns the number of programs with a symptom that are asked about together. One that cannot be run hides what the others do.
-    pub(crate) fn pack_size(&self, symptom: &Symptom) -> usize {
+    pub(crate) fn pack_size_of(&self, symptom: &Symptom) -> usize {
         match symptom {
             Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => 1,
             _ => self.pack_size,
@@ -257,7 +257,7 @@ impl Questioner<'_> {
         (symptom, times): (&Symptom, usize),
         stop: &dyn Fn() -> bool,
     ) -> Result<Vec<Judged>, EngineError> {
-        let answers = match self.pack_size(symptom).min(times) {
+        let answers = match self.pack_size_of(symptom).min(times) {
             0 | 1 => vec![Some(ask(&mut self.session, case)?)],
             size => ask_stored_together(&mut self.session, &vec![case; size], None, (size, stop))?,
         };

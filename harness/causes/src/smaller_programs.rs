@@ -105,7 +105,7 @@ impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
 
     fn pack_size(&self) -> usize {
         match self.hangs.get() {
-            0 => self.asked.pack_size(&self.sign.symptom),
+            0 => self.asked.pack_size_of(&self.sign.symptom),
             _ => 1,
         }
     }

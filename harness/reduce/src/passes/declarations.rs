@@ -1,7 +1,7 @@
 //! Passes that drop or simplify declarations: program organization units, sections, variables, types, initial values.
 
 use crate::TextView;
-use crate::passes::parameters::{argument, calls, is_of_parameters};
+use crate::passes::parameters::{argument, calls, parameters};
 use crate::view::NameUse;
 use std::ops::Range;
 use stickler_syntax::Edits;
@@ -85,11 +85,8 @@ fn receiver<'t>(view: &TextView<'t>, call: &Expression<'_>) -> Option<&'t str> {
 
 /// Returns the edits by which inputs begin with the literals that a call gives them.
 fn begun_inputs(view: &TextView<'_>, unit: &Pou<'_>, call: &Expression<'_>) -> Vec<Edits> {
-    let sections = unit.blocks.iter().filter(|section| is_of_parameters(section));
-    let groups = sections.flat_map(|section| section.groups.iter().map(move |group| (section, group)));
     let mut edits = Vec::new();
-    let mut before = 0;
-    for (section, group) in groups {
+    for (section, group, before) in parameters(unit) {
         let ty = declared(view, group);
         let begun = group.names.iter().enumerate().map(|(at, name)| {
             let value = argument(call, (name.text, before + at))?;
@@ -98,7 +95,6 @@ fn begun_inputs(view: &TextView<'_>, unit: &Pou<'_>, call: &Expression<'_>) -> V
             is_literal.then(|| format!("{} : {ty} := {};", name.text, &view.text()[value]))
         });
         let begun: Option<Vec<String>> = begun.collect();
-        before += group.names.len();
         if let (VariableKind::Input, Some(begun), Some(range)) =
             (section.kind, begun, view.range_of_declaration(group))
         {

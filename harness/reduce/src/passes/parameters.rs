@@ -3,7 +3,7 @@
 use crate::TextView;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
-    Argument, Expression, ExpressionId, ExpressionKind, Pou, VariableBlock, VariableKind,
+    Argument, Expression, ExpressionId, ExpressionKind, Pou, VariableBlock, VariableGroup, VariableKind,
 };
 use stickler_syntax::visitor::operands;
 
@@ -11,10 +11,8 @@ use stickler_syntax::visitor::operands;
 pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
     for unit in view.unit.pous() {
-        let sections = unit.blocks.iter().filter(|section| is_of_parameters(section));
-        let groups = sections.flat_map(|section| section.groups.iter().map(move |group| (section, group)));
         let calls = calls(view, unit);
-        for (at, (section, group)) in groups.enumerate() {
+        for (section, group, at) in parameters(unit) {
             let [name] = &group.names[..] else { continue };
             let mut edits = Edits::new();
             for used in view.uses(unit, *name) {
@@ -34,12 +32,23 @@ pub(crate) fn forget_parameters(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
-/// Returns whether a section declares parameters.
-pub(crate) fn is_of_parameters(section: &VariableBlock<'_>) -> bool {
-    matches!(
-        section.kind,
-        VariableKind::Input | VariableKind::Output | VariableKind::InOut
-    )
+/// Returns the declarations of the parameters of a unit, each with its section and with the number of parameters before it.
+pub(crate) fn parameters<'t, 's>(
+    unit: &'t Pou<'s>,
+) -> impl Iterator<Item = (&'t VariableBlock<'s>, &'t VariableGroup<'s>, usize)> {
+    let is_of_parameters = |section: &&VariableBlock<'_>| {
+        matches!(
+            section.kind,
+            VariableKind::Input | VariableKind::Output | VariableKind::InOut
+        )
+    };
+    let sections = unit.blocks.iter().filter(is_of_parameters);
+    let groups = sections.flat_map(|section| section.groups.iter().map(move |group| (section, group)));
+    groups.scan(0, |before, (section, group)| {
+        let at = *before;
+        *before += group.names.len();
+        Some((section, group, at))
+    })
 }
 
 /// Returns the calls of a unit: of a function by its name, of a function block by that of a variable.
