@@ -51,14 +51,16 @@ pub fn at_once() -> anyhow::Result<()> {
 fn listen() -> anyhow::Result<()> {
     if LISTENING.get().is_none() {
         ctrlc::set_handler(|| {
-            if !ORDERLY.load(Ordering::Relaxed) || STOP.request() {
+            if !ORDERLY.load(Ordering::Relaxed) || STOP.is_requested() {
                 end();
             }
             let ends_engines = ENDS_ENGINES.load(Ordering::Relaxed);
+            // What stops may end the process before anything more is written.
+            report(ends_engines);
+            STOP.request();
             if ends_engines {
                 stickler_engines::stop_all_processes();
             }
-            report(ends_engines);
         })
         .context("cannot listen for Ctrl-C")?;
         LISTENING.get_or_init(|| ());
