@@ -2,10 +2,9 @@
 
 use super::counterparts::{CasesByFeatures, Counterpart, counterparts};
 use super::{LackedFeature, Lacks, Refusal};
-use crate::answer_store::{self, AnswerStore};
+use crate::answer_store::{AnswerStore, ask_stored_together};
 use crate::binding::declared_by;
 use crate::judge::judge;
-use crate::pack::{packs, settle};
 use crate::{Answers, Fact, Judgement, Plan, RunError, Verdict, promise};
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -226,29 +225,16 @@ impl<'s> Survey<'_, 's> {
         asked: &[(Case, Question<'_, '_>)],
     ) -> Result<Vec<Option<Answers>>, RunError> {
         let store = self.stores.get(engine).copied().flatten();
-        let known = |case| answer_store::read(store?.get(&answer_store::question(case))?);
-        let mut answers: Vec<Option<Answers>> = asked.iter().map(|(case, _)| known(case)).collect();
-        let open: Vec<usize> = (0..asked.len()).filter(|&at| answers[at].is_none()).collect();
-        let cases: Vec<(&Case, usize)> = open.iter().map(|&at| (&asked[at].0, 0)).collect();
         let engine = self.engines[engine];
         let size = if self.plan.unpacked { 1 } else { engine.pack_size() };
-        let packs = packs(&cases, &[size]);
-        let ask = |session: &mut EngineSession<'_>, pack: &Vec<usize>| {
-            let cases: Vec<&Case> = pack.iter().map(|&at| cases[at].0).collect();
-            let settled = settle(session, &cases, &|| self.cancel.is_requested())?;
-            Ok::<_, RunError>(settled)
+        let ask = |session: &mut EngineSession<'_>, cases: &[(Case, Question<'_, '_>)]| {
+            let cases: Vec<&Case> = cases.iter().map(|(case, _)| case).collect();
+            let stopping = || self.cancel.is_requested();
+            Ok::<_, RunError>(ask_stored_together(session, &cases, store, (size, &stopping))?)
         };
         let open_session = || Ok(EngineSession::new(engine));
-        let settled = WorkerPool::new(self.plan.jobs).map(packs.iter(), open_session, ask)?;
-        for (place, settled) in packs.iter().flatten().zip(settled.into_iter().flatten()) {
-            let Some((found, _)) = settled else { continue };
-            if let Some(store) = store
-                && let Some(text) = answer_store::written(&found)
-            {
-                store.put(&answer_store::question(cases[*place].0), &text);
-            }
-            answers[open[*place]] = Some(found);
-        }
+        let answers = WorkerPool::new(self.plan.jobs).map(asked.chunks(size), open_session, ask)?;
+        let answers = answers.into_iter().flatten().collect();
         Ok(answers)
     }
 }
