@@ -75,18 +75,17 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
+        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Unusable(_));
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
-            None if sign.accepts() && normal.way.is_some() => (
-                ACCEPTED.to_owned(),
-                normal.way.map(str::to_owned).into_iter().collect(),
-                false,
-            ),
-            None if matches!(sign.symptom, Symptom::Unusable(_)) && normal.way.is_some() => (
-                sign.word(),
-                normal.way.map(str::to_owned).into_iter().collect(),
-                false,
-            ),
+            None if let Some(way) = normal.way.filter(|_| tells_way) => {
+                let symptom = if sign.accepts() {
+                    ACCEPTED.to_owned()
+                } else {
+                    sign.word()
+                };
+                (symptom, words([way]), false)
+            }
             None if is_beyond => (
                 sign.symptom.word(),
                 words(["typed literal beyond its type"]),

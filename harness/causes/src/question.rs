@@ -68,7 +68,7 @@ pub(crate) struct Deviation {
     pub(crate) got: Vec<Fact>,
 }
 
-/// What an engine does with a program, and its deviation where that is one.
+/// The facts of what an engine did with a program, and the deviation from what must happen where there is one.
 pub(crate) type Judged = (Vec<Fact>, Option<Deviation>);
 
 /// Returns the values that a program has wrong, by the names of their variables: what each must be, and what it is.
@@ -170,6 +170,9 @@ impl Questioner<'_> {
         cases: impl IntoIterator<Item = &'a Case>,
         stop: &dyn Fn() -> bool,
     ) -> Result<(), EngineError> {
+        if !self.takes_packs() {
+            return Ok(());
+        }
         let mut asked = HashSet::new();
         // A long program may take all of the time, and one with a loop too, and those beside it with it.
         let has_loop = |case: &Case| LOOPS.iter().any(|word| has_word(&case.source, word));
@@ -181,7 +184,7 @@ impl Questioner<'_> {
                 && asked.insert(question)
         };
         let open: Vec<&Case> = cases.into_iter().filter(is_open).collect();
-        if self.pack_size < 2 || open.len() < 2 {
+        if open.len() < 2 {
             return Ok(());
         }
         let how = (self.pack_size, stop);
@@ -192,6 +195,11 @@ impl Questioner<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Returns whether the engine is asked about several programs together.
+    pub(crate) const fn takes_packs(&self) -> bool {
+        self.pack_size > 1
     }
 
     /// Returns the number of programs with a symptom that are asked about together. One that cannot be run hides what the others do.

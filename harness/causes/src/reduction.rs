@@ -181,22 +181,29 @@ fn operand_alone(
         found.extend(alone(program));
         found.into_iter()
     });
-    let known = |operand: Alone| {
+    let with_case = |operand: Alone| {
         let is_shown = !operand.is_initial && is_as_standard(case, &operand.program);
         let observe = [Observation::last("into", operand.ty.name())];
         let asked = as_the_reference(case, &operand.program, &observe).filter(|_| is_shown)?;
         Some((operand.program, asked))
     };
-    let operands: Vec<(String, Case)> = operands.filter_map(known).collect();
-    let known: Vec<bool> = operands
+    let mut operands = operands.filter_map(with_case);
+    // Most programs show it with the first operand: only where it costs no more are others asked about with it.
+    let first = if asked.takes_packs() { usize::MAX } else { 0 };
+    let ahead: Vec<(String, Case)> = operands.by_ref().take(first).collect();
+    let known: Vec<bool> = ahead
         .iter()
         .map(|(_, operand)| asked.has_answered(operand))
         .collect();
-    asked.ask_ahead(operands.iter().map(|(_, operand)| operand), stop)?;
-    for ((program, operand), is_known) in operands.into_iter().zip(known) {
+    asked.ask_ahead(ahead.iter().map(|(_, operand)| operand), stop)?;
+    for (at, (program, operand)) in ahead.into_iter().chain(operands).enumerate() {
         if stop() {
             return Ok(None);
         }
+        let is_known = known
+            .get(at)
+            .copied()
+            .unwrap_or_else(|| asked.has_answered(&operand));
         questions += u64::from(!is_known);
         let seen = asked.deviation(&operand)?;
         let Some(deviation) = seen.filter(|seen| has_same_values(event, seen) && shows(&program, seen))

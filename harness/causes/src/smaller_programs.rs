@@ -75,10 +75,7 @@ impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
             .iter()
             .map(|program| with_program(self.case, self.sign, program));
         let cases: Vec<Option<Case>> = cases.collect();
-        let ahead = match self.pack_size() {
-            0 | 1 => Ok(()),
-            _ => self.asked.ask_ahead(cases.iter().flatten(), self.stop),
-        };
+        let ahead = self.asked.ask_ahead(cases.iter().flatten(), self.stop);
         self.error = ahead.err().or(self.error.take());
         let mut answers = Vec::with_capacity(programs.len());
         for (program, case) in programs.iter().zip(&cases) {

@@ -302,29 +302,23 @@ pub(crate) fn resolve_types(view: &TextView<'_>) -> Vec<Edits> {
         matches!(one.specification.kind, TypeSpecificationKind::Enumeration { .. })
     };
     for declared in view.types().filter(|one| !is_enumeration(one)) {
-        let mut edits = Edits::new();
-        for (one, _) in &specifications {
-            if let TypeSpecificationKind::Named(name) = &one.kind
-                && name.text.eq_ignore_ascii_case(declared.name.text)
-            {
-                edits.replace(one.span, declared.specification.span.text(view.text()));
-            }
-        }
-        if !edits.is_empty() {
-            edits.remove(type_declaration(view, declared));
-            changes.push(edits);
-        }
         // Of a structure, the type of a field may be what matters.
-        if let TypeSpecificationKind::Structure(fields) = &declared.specification.kind {
-            for field in fields {
-                let mut edits = Edits::removing(type_declaration(view, declared));
-                for (one, _) in &specifications {
-                    if let TypeSpecificationKind::Named(name) = &one.kind
-                        && name.is(declared.name.text)
-                    {
-                        edits.replace(one.span, field.specification.span.text(view.text()));
-                    }
+        let fields = match &declared.specification.kind {
+            TypeSpecificationKind::Structure(fields) => fields.as_slice(),
+            _ => &[],
+        };
+        let fields = fields.iter().map(|field| field.specification.span);
+        for resolved in std::iter::once(declared.specification.span).chain(fields) {
+            let mut edits = Edits::new();
+            for (one, _) in &specifications {
+                if let TypeSpecificationKind::Named(name) = &one.kind
+                    && name.is(declared.name.text)
+                {
+                    edits.replace(one.span, resolved.text(view.text()));
                 }
+            }
+            if !edits.is_empty() {
+                edits.remove(type_declaration(view, declared));
                 changes.push(edits);
             }
         }

@@ -25,7 +25,10 @@ impl Sources {
                 let is_promised = |feature: &Feature| {
                     let mut promises = feature.promises();
                     promises.any(|basis| {
-                        let is_shown = |case: &Case| contradiction.is_of(basis, (&case.id, &case.source));
+                        let is_shown = |case: &Case| {
+                            contradiction.is_of(basis, (&case.id, &case.source))
+                                && case.features().contains(&*feature.key)
+                        };
                         contradiction.is_of(basis, ("", &feature.program)) || cases.iter().any(is_shown)
                     })
                 };
