@@ -11,7 +11,8 @@ use stickler_types::Diagnostic;
 
 /// Returns whether the claim of a case still speaks of a program that was made from the case's: whether the program has the
 /// operations of that line of the case in which its expectation shows, and is not rejected for another line. A claim about a value
-/// says nothing of a program without an operation that the engine cannot read or makes nothing of use of, and one about a mistake nothing of a program without it.
+/// says nothing of a program without an operation that the engine cannot read, makes nothing of use of or stops in, and one about a mistake nothing of a
+/// program without it.
 pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
     let is_mistake = case.expected.iter().any(|fact| fact.diagnostic().is_some());
     // What must be rejected says nothing of what must be accepted.
@@ -47,7 +48,10 @@ pub(crate) fn keeps_claim(case: &CaseEvent, smallest: &Smallest) -> bool {
     let claimed = words_of(on_line, Role::Operation);
     let is_value = matches!(case.expected[..], [Fact::Value { .. }, ..]);
     let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
-    if is_value && claimed.is_empty() && (is_unusable || is_unread(&smallest.deviation.got)) {
+    let is_stopped = matches!(sign.symptom, Symptom::Fault(_));
+    // A call only leads to what the claim is about.
+    let has_none = claimed.iter().all(|operation| is_stopped && operation == "call");
+    if is_value && has_none && (is_unusable || is_stopped || is_unread(&smallest.deviation.got)) {
         return false;
     }
     let kept = operations(&smallest.program);

@@ -6,9 +6,9 @@
 
 use crate::alone::{calculated, is_loop_alone};
 use crate::failure_sign::{Sign, is_of_reading};
-use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, LONG_INTEGER, ProgramAndLine};
+use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::malformed::is_beyond_type;
-use crate::normal_form::Normal;
+use crate::normal_form::{NUMBERS_PLACELESS, Normal};
 use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram, read};
@@ -17,7 +17,7 @@ use crate::value_lines::shows_initial_value;
 use crate::words::{elementary, valued_types};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
-use stickler_types::Code;
+use stickler_types::{Code, Fault};
 
 /// The feature of a place where a value of every type is accepted.
 const UNCHECKED: &str = "unchecked";
@@ -61,11 +61,9 @@ impl Essence {
                 .or_else(|| number_pattern(&read, &normal.deviation)),
             _ => None,
         };
-        // An operation that takes a value of one kind for one of another gives a wrong value, or a fault where that is zero.
         let is_value = match sign.symptom {
             Symptom::Value | Symptom::Missing => true,
-            Symptom::Fault(_) => line.mixes_kinds(),
-            _ => false,
+            _ => divides_wrongly(&line, sign),
         };
         let is_beyond = has_literal_beyond_type(smallest);
         let is_unchecked = normal.is_unchecked() && !is_beyond;
@@ -75,7 +73,7 @@ impl Essence {
             ""
         };
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
-        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Unusable(_));
+        let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Unusable(_) | Symptom::Fault(_));
         let (symptom, mut features, is_contained) = match pattern {
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None if let Some(way) = normal.way.filter(|_| tells_way) => {
@@ -169,6 +167,9 @@ fn needs(
             (symptom, features, names_construct)
         }
         // What the engine says of a literal depends on the place where it stands.
+        Symptom::Rejected(_) if let Some(size) = line.size_of_integers() => {
+            ("rejected literal".to_owned(), words([size]), true)
+        }
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
         }
@@ -217,7 +218,13 @@ fn needs(
                 (!converts || is_by_name) && names_construct,
             )
         }
-        Symptom::Fault(_) if line.mixes_kinds() => (Symptom::Value.word(), line.of_value(false).0, false),
+        Symptom::Fault(_) if divides_wrongly(line, sign) => {
+            (Symptom::Value.word(), line.of_value(false).0, false)
+        }
+        // Whatever stops a program, an engine has its line or has none.
+        Symptom::FaultLine(_) if normal.deviation.got.iter().any(is_fault_without_line) => {
+            ("fault without a line".to_owned(), BTreeSet::new(), false)
+        }
         Symptom::Fault(_) | Symptom::FaultLine(_) | Symptom::NotFaulted(_) => {
             (symptom, line.of_fault(), false)
         }
@@ -245,11 +252,17 @@ fn needs(
         }
         // Whatever an engine without places says, it says where by one piece of work; elsewhere what is said of one construct has a place by
         // one.
-        Symptom::NoPlace(_) if normal.way.is_some() => ("no place".to_owned(), BTreeSet::new(), false),
+        Symptom::NoPlace(_) if normal.way.is_some_and(|way| way != NUMBERS_PLACELESS) => {
+            ("no place".to_owned(), BTreeSet::new(), false)
+        }
         // What is wrong with a number has the place of the number.
         Symptom::NoPlace(code) => {
-            let of_number = [Code::ConstantOverflow, Code::BitStringCaseLabelNotAllowed];
-            let is_of_number = of_number.iter().any(|one| one.as_str() == code);
+            let of_number = [
+                Code::ConstantOverflow,
+                Code::BitStringCaseLabelNotAllowed,
+                Code::BitAccessOutOfRange,
+            ];
+            let is_of_number = normal.way.is_some() || of_number.iter().any(|one| one.as_str() == code);
             let what = if is_of_number { "number" } else { code };
             (format!("no place {what}"), line.partial_accesses(), false)
         }
@@ -257,6 +270,16 @@ fn needs(
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
+}
+
+const fn is_fault_without_line(fact: &Fact) -> bool {
+    matches!(fact, Fact::Fault { line: None, .. })
+}
+
+/// Returns whether a program divides by a value of another kind, which is taken for zero as it may be taken for another wrong value.
+fn divides_wrongly(line: &ProgramAndLine<'_, '_>, sign: &Sign) -> bool {
+    matches!(&sign.symptom, Symptom::Fault(fault) if fault == Fault::DivisionByZero.as_str())
+        && line.mixes_kinds()
 }
 
 /// Returns the features of a mistake with a code that is accepted.
@@ -337,13 +360,12 @@ fn says(got: &[Fact], code: Code) -> bool {
     codes.any(|said| said == code)
 }
 
-/// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large to
-/// be read is that in every form.
+/// Returns the symptom and the features of a program that is rejected although nothing is wrong with it. An integer that is too large is
+/// that in every form and every place.
 fn rejection(line: &ProgramAndLine<'_, '_>, reason: &str, at: &str) -> (String, BTreeSet<String>) {
-    let features = line.of_rejection();
-    match is_of_reading(reason) && features.contains(LONG_INTEGER) {
-        true => (rejected(reason, ""), words([LONG_INTEGER])),
-        false => (rejected(reason, at), features),
+    match line.size_of_integers() {
+        Some(size) => ("rejected literal".to_owned(), words([size])),
+        None => (rejected(reason, at), line.of_rejection()),
     }
 }
 

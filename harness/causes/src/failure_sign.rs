@@ -162,6 +162,10 @@ fn work_of(text: &str) -> String {
         bodies.any(|(start, end)| (start..end).contains(&&work.span.start))
     });
     let mut operations = words_of(stated, Role::Operation);
+    // Nor does what is calculated beside something else.
+    if operations.len() > 1 {
+        operations.remove("arithmetic");
+    }
     operations.remove("condition");
     Vec::from_iter(operations).join(", ")
 }

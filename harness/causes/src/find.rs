@@ -6,6 +6,7 @@ use crate::growing_cause::{GrowingCause, merged};
 use crate::normal_form::{Normal, normal_form};
 use crate::question::{Questioner, SearchAnswers};
 use crate::reduction::{LONG, Smallest, is_reducible, reduce};
+use crate::subjects::Subjects;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
@@ -136,11 +137,17 @@ fn find_before_end(
             progress(reported);
         })?;
         let identity = engine.identity();
+        let bases = groups
+            .iter()
+            .map(|(_, group)| group.shown.basis.as_str())
+            .collect();
+        let subjects = Subjects::of(&bases, &search.suite.cases);
         let pairs = groups.iter().zip(&smallest);
         let members = pairs.map(|((_, group), found)| {
             let case = cases.get(&(group.shown.id.clone(), group.shown.dialect.clone()));
             let found = (&found.smallest, &found.normal);
-            GrowingCause::new(group, found, case.copied(), (identity, search.suite))
+            let case = (case.copied(), &subjects);
+            GrowingCause::new(group, found, case, (identity, search.suite))
         });
         let mut causes = merged(members.collect());
         for member in &mut causes {

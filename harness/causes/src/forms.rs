@@ -119,6 +119,28 @@ pub(crate) fn without_one_statement(program: &ReadProgram<'_, '_>) -> Vec<String
     found
 }
 
+/// Returns programs in which a statement assigns a variable to itself, in the place of one that uses a bit of it or counts with it: the
+/// variable may be at fault, whatever is done with it.
+pub(crate) fn with_whole_variable(program: &ReadProgram<'_, '_>) -> Vec<String> {
+    let is_elementary = |name: &str| {
+        let group = program.group(name);
+        group.is_some_and(|group| elementary(group.specification.span.text(program.text)).is_some())
+    };
+    let used = |part: &Part<'_, '_>| {
+        let name = part.name().filter(|name| is_elementary(name))?;
+        let around = program.around(part).map(|around| &around.expression.kind);
+        let is_bit = matches!(around, Some(ExpressionKind::Bit { .. }));
+        let statement = part
+            .statement
+            .filter(|_| is_bit || part.place == Place::Control)?;
+        Some((statement.span, format!("{name} := {name}")))
+    };
+    let used = program.parts.iter().filter_map(used);
+    used.map(|(span, whole)| Edits::replacing(span, whole).apply(program.text))
+        .map(|changed| without_unused(&changed))
+        .collect()
+}
+
 /// Returns a program in which an output of a call is given to a variable of its own in the place of a bit.
 pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;

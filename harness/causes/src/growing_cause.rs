@@ -9,6 +9,7 @@ use crate::line_features::STANDARD_PARAMETER;
 use crate::normal_form::Normal;
 use crate::promised::{cite, promise, promise_of_pattern, promise_of_place};
 use crate::reduction::{LONG, Smallest};
+use crate::subjects::Subjects;
 use crate::title::title;
 use crate::value_lines::shows_initial_value;
 use crate::words::{types_of, valued_types};
@@ -18,6 +19,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::Identity;
 use stickler_run::{CaseEvent, Cause, Fact, Grade, Reduced, Reproducer, Symptom, Verdict};
 use stickler_suite::{Case, SourceKind, Sources, Suite, ToldSymptom};
+use stickler_types::Dialect;
 
 /// A cause while groups are added to it.
 pub(crate) struct GrowingCause {
@@ -35,11 +37,11 @@ pub(crate) struct GrowingCause {
 }
 
 impl GrowingCause {
-    /// Returns the cause of a group, by its smallest program. `case` is that of the program.
+    /// Returns the cause of a group, by its smallest program. `case` is that of the program, and `subjects` what its claim is about.
     pub(crate) fn new(
         group: &FailureGroup,
         (smallest, normal): (&Smallest, &Normal),
-        case: Option<&Case>,
+        (case, subjects): (Option<&Case>, &Subjects<'_>),
         (engine, suite): (&Identity, &Suite),
     ) -> GrowingCause {
         let sources = &suite.sources;
@@ -58,7 +60,13 @@ impl GrowingCause {
         // A value of quite another type shows best that none is checked.
         let is_as_small = normal.program.len() <= smallest.program.len();
         let is_unchecked = smallest.deviation.sign.accepts() && normal.is_unchecked() && is_as_small;
-        let mut shown = match is_derived || is_unchecked {
+        // The same mistake shows best where nothing else is done.
+        let number = |program: &str| operations(program).len();
+        let is_plainer = smallest.deviation.sign.accepts()
+            && normal.deviation.sign == smallest.deviation.sign
+            && is_as_small
+            && number(&normal.program) < number(&smallest.program);
+        let mut shown = match is_derived || is_unchecked || is_plainer {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
         };
@@ -78,9 +86,14 @@ impl GrowingCause {
         // What the claim of the case does not speak of, another one may promise; no claim but that of the construct speaks of what
         // cannot be read.
         let promised = case
-            .filter(|_| {
+            .filter(|case| {
                 let is_refused = essence.constructs.contains(STANDARD_PARAMETER);
-                is_derived || is_refused || is_missing(&shown, &essence) || is_unread(&shown.deviation.got)
+                let dialect = Dialect::of(case.dialect);
+                is_derived
+                    || is_refused
+                    || is_missing(&shown, &essence)
+                    || is_unread(&shown.deviation.got)
+                    || !subjects.are_kept(&group.shown.basis, &shown.program, dialect)
             })
             .filter(|_| group.shown.verdict != Verdict::Differs)
             .and_then(|case| promise(&shown, case, (engine, suite)));
@@ -90,13 +103,14 @@ impl GrowingCause {
                 promise_of_pattern(&essence.constructs, (&shown.program, case), (engine, suite))
             });
         let promised = of_pattern.or(promised);
-        if let Some(basis) = promised {
+        if let Some(basis) = promised.as_deref() {
             cite(&mut shown.deviation.got, basis, sources);
         }
         // What no program may show is told by who says so, and for what a mistake must be rejected by the page about that.
         let told =
             told_symptom(&shown, &engine.name, sources).filter(|_| group.shown.verdict != Verdict::Differs);
-        let basis = told.as_deref().or(promised).unwrap_or(&group.shown.basis);
+        let basis = told.as_deref().or(promised.as_deref());
+        let basis = basis.unwrap_or(&group.shown.basis);
         let is_derived = is_derived && promised.is_none() && told.is_none();
         shown.deviation.forget_codes(&engine.lacks);
         let shown = &shown;

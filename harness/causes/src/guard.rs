@@ -1,6 +1,7 @@
 //! Constructs that a reduction must keep: a smaller program shows the same defect only where the construct
 //! at fault is still there, and nothing came in that the whole program does not have.
 
+use crate::malformed::has_misplaced_underscore;
 use crate::program::{Part, Program, ReadProgram};
 use crate::question::Takes;
 use crate::shape::is_name;
@@ -153,13 +154,16 @@ fn literal(written: &str) -> Option<String> {
     if written.starts_with(['\'', '"']) {
         return written.get(..1).map(str::to_owned);
     }
+    // Whatever it is a digit of.
+    let is_number = written.starts_with(|first: char| first.is_ascii_digit());
+    if is_number && has_misplaced_underscore(&written.to_ascii_uppercase()) {
+        return Some("misplaced underscore".to_owned());
+    }
     if let Some((prefix, _)) = written.split_once('#') {
         return Some(format!("{}#", prefix.to_ascii_uppercase()));
     }
     let plain = if written.contains('.') { "real" } else { "integer" };
-    written
-        .starts_with(|first: char| first.is_ascii_digit())
-        .then(|| plain.to_owned())
+    is_number.then(|| plain.to_owned())
 }
 
 /// Returns the ways in which the statements use each name, such as `[].` for a bit of an element.
@@ -229,7 +233,8 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
             .is_none()
             .then_some("no program organization unit"),
     );
-    // Basis of these: iec-61131-3: Annex A (`Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
+    // Basis of these: iec-61131-3: Annex A (`Case_Stmt`, `Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
+    found.extend(adjacent(TokenKind::Of, TokenKind::EndCase).then_some("CASE without a branch"));
     let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
     found.extend(is_empty.then_some("empty structure"));
     found.extend(has_empty_resource(program).then_some("resource without a program"));

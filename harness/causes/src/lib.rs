@@ -58,6 +58,7 @@ mod reproduce;
 mod shape;
 mod smaller_case;
 mod smaller_programs;
+mod subjects;
 mod suspect;
 #[cfg(test)]
 mod tests;

@@ -10,7 +10,7 @@
 //! | `call of a block` | the line calls an instance of a function block |
 //! | `conversion function` | a function that converts by its name, for a mistake that is accepted |
 //! | `conversion of texts`, `real_TO_signed` | a conversion by name in either direction, for a program that is rejected wrongly |
-//! | `integer of more than 64 bits` | a literal that no type holds |
+//! | `integer of more than 31 bits`, `63`, `64` | a literal that an `i32`, an `i64` or a `u64` does not hold |
 //! | `parameter of a standard function`, `partial access` | what the line calls or selects |
 //! | `result of a function`, `part of a variable` | what the line assigns; a part is a field, an element or a bit |
 //! | `typed literal beyond its type` | a literal such as `SINT#128` |
@@ -24,7 +24,7 @@
 
 use crate::failure_sign::is_unread;
 use crate::lines::{LinePlace, line_with_number, place_of, special_section, unit_of};
-use crate::malformed::{forms_of_literals, is_long};
+use crate::malformed::{SIZES, forms_of_literals, size_of_integer};
 use crate::normal_form::Normal;
 use crate::program::{Part, ReadProgram};
 use crate::question::{Deviation, wrong_values};
@@ -50,9 +50,6 @@ pub(crate) const IN_STATEMENTS: &str = "statement";
 pub(crate) const LINE_PLACES: [&str; 3] = [IN_TYPES, IN_DECLARATIONS, IN_STATEMENTS];
 /// The feature of a mistake that is a literal without a type.
 pub(crate) const LITERAL: &str = "untyped literal";
-
-/// The feature of an integer literal that 64 bits do not hold.
-pub(crate) const LONG_INTEGER: &str = "integer of more than 64 bits";
 
 /// The feature of a standard function that refuses the types of its arguments.
 pub(crate) const STANDARD_PARAMETER: &str = "parameter of a standard function";
@@ -416,11 +413,18 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
             let written = work.span.text(self.program.text);
             is_here(work.span) && !self.innocent.contains(written)
         };
-        let mut found = words_of(self.works.iter().filter(is_suspect), Role::Literal);
-        let mut numbers = self.program.literals();
-        let is_long = numbers.any(|(part, literal)| is_here(part.expression.span) && is_long(literal));
-        found.extend(is_long.then(|| LONG_INTEGER.to_owned()));
-        found
+        words_of(self.works.iter().filter(is_suspect), Role::Literal)
+    }
+
+    /// Returns the size of the largest integer of the line that matters, where it is one that compilers do not read. A smaller number would
+    /// stand there if it were not the size that matters.
+    pub(crate) fn size_of_integers(&self) -> Option<&'static str> {
+        let here = self
+            .program
+            .literals()
+            .filter(|(part, _)| self.is_on_line(part.expression.span));
+        let sizes = here.filter_map(|(_, literal)| size_of_integer(literal));
+        sizes.max_by_key(|size| SIZES.iter().position(|one| one == size))
     }
 
     /// Returns whether the engine could read the program, and the line that matters has a literal of a form that it may not know,

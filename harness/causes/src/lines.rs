@@ -53,10 +53,24 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
                 let written = written_type(program, &ty.specification, ty.initializer.as_ref())?;
                 Some(format!("{} : {written}", ty.name.text))
             })
+            .or_else(|| {
+                let is_block = |pou: &Pou<'_>| pou.kind == PouKind::FunctionBlock && pou.name.is(word);
+                let block = program
+                    .unit
+                    .pous()
+                    .find(|pou| is_block(pou) && !is_in(pou.name.span))?;
+                Some(format!("{} : FUNCTION_BLOCK", block.name.text))
+            })
             .or_else(|| enumeration_of(program, word).filter(|_| declared.is_none()));
         let group = declared.filter(|_| !is_own).and_then(|one| one.group);
         let definition = group.and_then(|group| definition(program, &group.specification));
-        for entry in entry.map(|entry| entry + &section).into_iter().chain(definition) {
+        let parameters = declared_in_empty(program, code, word);
+        for entry in entry
+            .map(|entry| entry + &section)
+            .into_iter()
+            .chain(definition)
+            .chain(parameters)
+        {
             if types.len() < MAX_TYPES && !types.contains(&entry) {
                 types.push(entry);
             }
@@ -81,6 +95,23 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
         true => format!("`{}`{section}", clipped(code)),
         false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
     }
+}
+
+/// Returns what the block declares that a line calls by a name without arguments, where it does nothing: only that can matter.
+fn declared_in_empty(program: &ReadProgram<'_, '_>, code: &str, name: &str) -> Vec<String> {
+    let is_called = matches!(words(code)[..], [called, "(", ")"] if called == name);
+    let block = program
+        .unit_of(name)
+        .filter(|block| is_called && block.body.is_empty());
+    let is_inside = |one: &&DeclaredName<'_, '_>| {
+        block.is_some_and(|block| one.inside.is_some_and(|unit| unit.span == block.span))
+    };
+    let declared = program.names.iter().filter(is_inside).filter_map(|one| {
+        let section = section(program, program.line(one.name.span));
+        let section = section.map_or(String::new(), |head| format!(" in {head}"));
+        Some(declared_as(program, one)? + &section)
+    });
+    declared.collect()
 }
 
 /// Returns the enumeration that has a value of this name, as it is declared.

@@ -4,6 +4,13 @@ use crate::words::{is_number, kind, type_of_word};
 use std::collections::BTreeSet;
 use stickler_types::ElementaryType;
 
+/// The sizes of integers that compilers do not read, in their order.
+pub(crate) const SIZES: [&str; 3] = [
+    "integer of more than 31 bits",
+    "integer of more than 63 bits",
+    "integer of more than 64 bits",
+];
+
 /// Returns the forms of the literals of a line, where these are no plain numbers.
 pub(crate) fn forms_of_literals(line: &str) -> BTreeSet<String> {
     let line = line.replace(":=", " ");
@@ -50,7 +57,7 @@ fn form_of_number(word: &str) -> Option<String> {
 }
 
 /// Returns whether an underscore of a literal stands elsewhere than between two digits, or between a unit of a duration and a digit.
-fn has_misplaced_underscore(upper: &str) -> bool {
+pub(crate) fn has_misplaced_underscore(upper: &str) -> bool {
     let (prefix, value) = upper.rsplit_once('#').unwrap_or(("", upper));
     let is_hexadecimal = prefix.rsplit('#').next() == Some("16");
     let is_digit = |byte: u8| byte.is_ascii_digit() || is_hexadecimal && byte.is_ascii_hexdigit();
@@ -77,12 +84,21 @@ fn form_of_moment(ty: ElementaryType, value: &str) -> Option<String> {
     }
 }
 
-/// Returns whether a literal is an integer that 64 bits do not hold.
-pub(crate) fn is_long(literal: &str) -> bool {
+/// Returns how large an integer literal is that an `i32`, an `i64` or a `u64` does not hold, with which compilers read them; `None` of a
+/// smaller one and of another literal.
+pub(crate) fn size_of_integer(literal: &str) -> Option<&'static str> {
     let (digits, base) = integer(literal);
-    !digits.is_empty()
-        && digits.chars().all(|digit| digit.is_digit(base))
-        && u64::from_str_radix(&digits, base).is_err()
+    if digits.is_empty() || !digits.chars().all(|digit| digit.is_digit(base)) {
+        return None;
+    }
+    let bits =
+        u128::from_str_radix(&digits, base).map_or(u128::BITS, |number| u128::BITS - number.leading_zeros());
+    match bits {
+        ..=31 => None,
+        32..=63 => Some(SIZES[0]),
+        64 => Some(SIZES[1]),
+        _ => Some(SIZES[2]),
+    }
 }
 
 /// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.

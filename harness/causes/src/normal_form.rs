@@ -86,6 +86,11 @@ impl Normal {
     }
 }
 
+/// The way of an engine whose diagnostics have no places.
+const ALL_PLACELESS: &str = "diagnostics without a place";
+/// The way of an engine that loses the places of numbers.
+pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
+
 /// A program with a variable that is not declared.
 const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
@@ -130,6 +135,12 @@ pub(crate) fn normal_form(
             }
         }
         Symptom::Rejected(_) => search.minimise(&plain_method(false))?,
+        Symptom::Fault(_) => {
+            search.typed_numbers()?;
+            if search.normal.way.is_none() {
+                search.minimise(&plain_method(false))?;
+            }
+        }
         Symptom::NotRejected(_) if !search.normal.is_unchecked() => search.swapped_operands()?,
         Symptom::NoPlace(_) => search.places()?,
         Symptom::Unusable(_) => search.variables_for_literals()?,
@@ -213,6 +224,13 @@ impl NormalSearch<'_, '_> {
         // A value that wraps is another defect than one that is within the range of its type.
         let leaves = |text: &str, seen: &Deviation| read(text, |program| leaves_range(program, seen));
         let stays = |seen: &Deviation| leaves(&former.program, &former.deviation) || !leaves(text, seen);
+        // That one form of a literal is rejected otherwise does not tell that another is accepted.
+        let is_other = |seen: &Deviation| {
+            former.deviation.sign.is_rejected_otherwise()
+                && seen.sign.accepts()
+                && !literals(text).is_subset(&literals(&former.program))
+        };
+        let stays = |seen: &Deviation| stays(seen) && !is_other(seen);
         let same = seen.filter(|seen| is_same(&former.deviation, seen) && stays(seen) && shows(text, seen));
         let is_same = same.is_some();
         if let Some(deviation) = same {
@@ -267,14 +285,30 @@ impl NormalSearch<'_, '_> {
         }
     }
 
-    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all.
+    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. Where the same mistake has a
+    /// place with variables for numbers, it is the numbers that have none.
     fn places(&mut self) -> Result<(), EngineError> {
-        let case = as_the_reference(self.case, UNDECLARED, &[]);
-        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
+        let with_variables = read(&self.normal.program, ways::with_variables_for_numbers);
+        let forms = [
+            (Some(UNDECLARED.to_owned()), true, ALL_PLACELESS),
+            (with_variables, false, NUMBERS_PLACELESS),
+        ];
+        for (form, is_placeless, way) in forms {
+            let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
+            let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
+            let Some(case) = case.filter(|case| is_mistaken(case) && self.left > 0 && !(self.stop)()) else {
+                continue;
+            };
             self.left -= 1;
             let seen = self.asked.deviation(&case)?;
-            let is_lost = seen.is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_)));
-            self.normal.way = is_lost.then_some("diagnostics without a place");
+            let is_so = match is_placeless {
+                true => seen.is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_))),
+                false => seen.is_none(),
+            };
+            if is_so {
+                self.normal.way = Some(way);
+                break;
+            }
         }
         Ok(())
     }
@@ -297,6 +331,19 @@ impl NormalSearch<'_, '_> {
                     break;
                 }
             }
+        }
+        Ok(())
+    }
+
+    /// Asks for numbers with the types of what they are given to: where the program does not stop with these, the others have a type
+    /// of their own.
+    fn typed_numbers(&mut self) -> Result<(), EngineError> {
+        let form = read(&self.normal.program, ways::with_typed_numbers);
+        let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
+        if let Some(case) = case.filter(|_| !(self.stop)()) {
+            self.left = self.left.saturating_sub(1);
+            let is_right = self.asked.deviation(&case)?.is_none();
+            self.normal.way = is_right.then_some("number with a type of its own");
         }
         Ok(())
     }
@@ -410,6 +457,7 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
         (Symptom::NotRejected(_), Symptom::NotRejected(_))
         | (Symptom::NotImplemented(_), Symptom::NotImplemented(_))
         | (Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_), Symptom::Value) => true,
+        (Symptom::Fault(fault), Symptom::Fault(other)) => fault == other,
         _ => false,
     }
 }

@@ -6,11 +6,12 @@ use crate::line_features::passes_in_out;
 use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
-use crate::suspect::{culprit, unimplemented};
+use crate::suspect::{culprit, stopping, unimplemented};
 use crate::words::{valued_types, words};
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use stickler_engines::Identity;
-use stickler_run::{Fact, Symptom};
+use stickler_run::{Fact, Symptom, promise_of};
 use stickler_suite::{Case, Feature, Features, Role, SourceKind, Sources, Suite};
 use stickler_syntax::features::{FeatureUse, feature_uses};
 use stickler_types::Dialect;
@@ -21,7 +22,7 @@ pub(crate) fn promise<'s>(
     shown: &Smallest,
     case: &Case,
     (engine, suite): (&Identity, &'s Suite),
-) -> Option<&'s str> {
+) -> Option<Cow<'s, str>> {
     let Suite { features, .. } = suite;
     let is_of_mistake = shown
         .deviation
@@ -30,7 +31,12 @@ pub(crate) fn promise<'s>(
         .any(|fact| fact.diagnostic().is_some());
     let is_refused = matches!(
         shown.deviation.sign.symptom,
-        Symptom::Rejected(_) | Symptom::NotImplemented(_) | Symptom::Value
+        Symptom::Rejected(_)
+            | Symptom::NotImplemented(_)
+            | Symptom::Unusable(_)
+            | Symptom::Fault(_)
+            | Symptom::Value
+            | Symptom::Missing
     );
     let program = Program::new(&shown.program);
     let program = program.read();
@@ -41,11 +47,18 @@ pub(crate) fn promise<'s>(
         Dialect::of(case.dialect),
         features,
     )?;
-    stickler_run::promise(feature.promises(), (&shown.program, case.dialect), engine, suite)
+    let program = (shown.program.as_str(), case.dialect);
+    match shown.deviation.sign.symptom {
+        // The standard asks of no compiler to have every construct.
+        Symptom::NotImplemented(_) => {
+            stickler_run::promise(feature.promises(), program, engine, suite).map(Cow::from)
+        }
+        _ => promise_of(feature, program, engine, suite),
+    }
 }
 
 /// The features of which a wrong value tells by its pattern, whatever the case was about.
-pub(crate) const OF_PATTERNS: [(&str, &str); 10] = [
+pub(crate) const OF_PATTERNS: [(&str, &str); 13] = [
     (
         "conversion to an integer that does not bring it into its range",
         "conversion",
@@ -61,6 +74,9 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 10] = [
     ("REAL literal with the bits of an LREAL", "typed-literal"),
     ("REAL literal that is rounded twice", "real"),
     ("LREAL literal with the digits of a REAL", "lreal"),
+    ("integer of more than 31 bits", "lint"),
+    ("integer of more than 63 bits", "ulint"),
+    ("integer of more than 64 bits", "lreal"),
     ("FOR loop to its first value", "for"),
     ("FOR loop to the last value of its type", "for"),
     ("initial value of a type", "type-initial-value"),
@@ -74,7 +90,7 @@ pub(crate) fn promise_of_pattern<'s>(
     constructs: &BTreeSet<String>,
     (program, case): (&str, &Case),
     (engine, suite): (&Identity, &'s Suite),
-) -> Option<&'s str> {
+) -> Option<Cow<'s, str>> {
     let mut patterns = OF_PATTERNS.iter();
     let of_pattern = patterns.find(|(pattern, _)| constructs.contains(*pattern));
     let of_section = || {
@@ -84,7 +100,7 @@ pub(crate) fn promise_of_pattern<'s>(
     };
     let key = of_pattern.map(|(_, key)| (*key).to_owned()).or_else(of_section)?;
     let feature = suite.features.get(&key)?;
-    stickler_run::promise(feature.promises(), (program, case.dialect), engine, suite)
+    promise_of(feature, (program, case.dialect), engine, suite)
 }
 
 /// Returns the basis by which an engine must take a value in the one place that all cases of a cause have in common. `None` where they share
@@ -123,6 +139,7 @@ fn line_at_fault(program: &ReadProgram<'_, '_>, shown: &Smallest) -> Option<u32>
                     .unwrap_or_else(|| program.declaration(name)),
             )
         }
+        Symptom::Fault(_) => Some(stopping(program)),
         _ => {
             let named = got.iter().find_map(|fact| fact.diagnostic()?.line);
             Some(named.unwrap_or_else(|| culprit(program)))
@@ -177,7 +194,9 @@ pub(crate) fn specific<'f>(
     let place = |feature: &Feature| features.iter().position(|one| one.key == feature.key);
     // What a conversion promises is its result, not that what it is given is known.
     let converts = found.iter().any(|feature| feature.key == "conversion");
-    let is_promised = !converts && found.iter().all(|feature| !feature.promised.is_empty());
+    let promises = |feature: &&Feature| !feature.promised.is_empty();
+    let is_alone = found.len() == 1 && found[0].tables.contains_key(&3);
+    let is_promised = !converts && (is_alone || found.iter().all(promises));
     let most = found
         .into_iter()
         .max_by_key(|feature| (feature.needs.len(), place(feature)))?;

@@ -6,6 +6,7 @@ use crate::growing_cause::GrowingCause;
 use crate::program::read;
 use crate::question::wrong_values;
 use crate::smaller_case::{as_the_reference, shown_case};
+use crate::title::stops;
 use stickler_engines::{Ability, Reproduction, reproduce_and_run};
 use stickler_run::{Fact, RunError, Symptom, shown_by};
 use stickler_suite::Case;
@@ -34,8 +35,8 @@ impl Asking<'_> {
         for (member, found) in causes.iter_mut().zip(found) {
             if let Some((reproduction, printed)) = found {
                 // What stops a program is told as the compiler told it, which may have been a signal.
-                if let (Symptom::Fault(fault), Some(last)) = (&member.sign.symptom, printed.lines().last()) {
-                    let stops = format!("stops with the fault {fault}");
+                if let (Symptom::Fault(_), Some(last)) = (&member.sign.symptom, printed.lines().last()) {
+                    let stops = stops(&member.cause.shown.got);
                     member.cause.title = member.cause.title.replace(&stops, &format!("stops: {last}"));
                 }
                 member.cause.shown.reproduction = Some(reproduction);
@@ -95,7 +96,7 @@ impl Asking<'_> {
         let case = self.cases.get(&(shown.case.clone(), shown.dialect.clone()))?;
         let case = shown_case_of(case, member);
         let ability = match &member.sign.symptom {
-            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang => Ability::Execute,
+            Symptom::Crash(_) | Symptom::Unusable(_) | Symptom::Hang | Symptom::Fault(_) => Ability::Execute,
             _ => shown_by(&case),
         };
         let request = case.request();

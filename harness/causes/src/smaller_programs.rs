@@ -2,7 +2,7 @@
 
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::guard::Constructs;
-use crate::malformed::words_with_digits;
+use crate::malformed::{forms_of_literals, words_with_digits};
 use crate::question::{Questioner, Takes};
 use crate::reduction::{has_fault, has_same_value};
 use crate::smaller_case::with_program;
@@ -37,7 +37,10 @@ impl SmallerPrograms<'_, '_> {
     fn keeps_literals(&self, program: &str) -> bool {
         let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
         let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
-        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start))
+        let forms = forms_of_literals(program);
+        // A part of such a literal may have its form.
+        let has_form = !forms.is_empty() && forms == forms_of_literals(self.start);
+        !unread || has_form || words_with_digits(program).is_subset(&words_with_digits(self.start))
     }
 
     /// Judges one program.

@@ -67,6 +67,45 @@ pub(crate) fn is_telling(program: &ReadProgram<'_, '_>, number: u32) -> bool {
     is_told || line.trim() == ";" && statements(program).is_empty()
 }
 
+/// Returns the line of the IF, CASE or loop, or of the ELSE, that a line stands behind, in the words of the program; `None` where it stands
+/// in none.
+pub(crate) fn guard_of<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option<&'s str> {
+    use TokenKind::*;
+    let mut closed = 0;
+    let before: Vec<&str> = program
+        .text
+        .lines()
+        .take(number.saturating_sub(1) as usize)
+        .collect();
+    before.into_iter().rev().map(str::trim).find(|line| {
+        let first = tokens(line).first().map(|token| token.kind);
+        closed += usize::from(matches!(
+            first,
+            Some(EndIf | EndCase | EndFor | EndWhile | EndRepeat)
+        ));
+        let opens = matches!(first, Some(If | Case | For | While | Repeat));
+        let is_guard = (opens || matches!(first, Some(Elsif | Else))) && closed == 0;
+        closed -= usize::from(opens && closed > 0);
+        is_guard
+    })
+}
+
+/// Returns the line at which a program most probably stops: the last of the statements with most to them, and of calls only where
+/// nothing is done in what they call.
+pub(crate) fn stopping(program: &ReadProgram<'_, '_>) -> u32 {
+    let does_nothing = |name: &str| program.unit_of(name).is_none_or(|unit| unit.body.is_empty());
+    let weighed = |number: &u32| {
+        let line = program.line_text(*number).unwrap_or_default();
+        let leads = match words(line)[..] {
+            [name, "(", ..] | [_, ":=", name, "(", ..] => !does_nothing(name),
+            _ => false,
+        };
+        (!leads, weight(line))
+    };
+    let most = statements(program).into_iter().max_by_key(weighed);
+    most.unwrap_or_else(|| culprit(program))
+}
+
 /// Returns the lines of statements of a program that are no frame.
 pub(crate) fn statements(program: &ReadProgram<'_, '_>) -> Vec<u32> {
     let lines = program.text.lines().zip(1..);

@@ -68,7 +68,13 @@ impl Titled<'_, '_> {
             Symptom::NoPlace(_) => {
                 format!("{line} is rejected without the place of the mistake: {message}")
             }
-            Symptom::OtherLine(_) => format!("{line}: {mistake} is reported on another line"),
+            Symptom::OtherLine(_) => {
+                let inside = wanted
+                    .line
+                    .and_then(|line| suspect::guard_of(&self.program, line));
+                let inside = inside.map_or(String::new(), |guard| format!(" behind `{}`", clipped(guard)));
+                format!("{line}{inside}: {mistake} is reported on another line")
+            }
             Symptom::Incomplete(code) => {
                 let missing = self.missing(code);
                 let (line, mistake) = (self.line(missing.line), named(&missing));
@@ -102,7 +108,10 @@ impl Titled<'_, '_> {
                 format!("{}: {}", self.line(found), clipped(&Fact::text(got)))
             }
             Symptom::Error(words) => format!("its answer makes no sense: {}", clipped(words)),
-            Symptom::Fault(fault) => format!("{somewhere} stops with the fault {fault}"),
+            Symptom::Fault(_) => {
+                let line = self.line_in_unit(Some(suspect::stopping(&self.program)));
+                format!("{line} {}", stops(got))
+            }
             Symptom::FaultLine(fault) => format!("the fault {fault} is reported without its line"),
             Symptom::NotFaulted(fault) => format!("{somewhere} does not stop with the fault {fault}"),
             Symptom::Text if at == OTHER_BLANKS => "a rendered program has other blanks".to_owned(),
@@ -248,6 +257,18 @@ impl Titled<'_, '_> {
             ),
         }
     }
+}
+
+/// Returns what a program does that stops with a fault, in the words of the engine.
+pub(crate) fn stops(got: &[Fact]) -> String {
+    let mut faults = got.iter().filter_map(|fact| match fact {
+        Fact::Fault { fault, .. } => Some(fault),
+        _ => None,
+    });
+    faults.next().map_or_else(
+        || "stops".to_owned(),
+        |fault| format!("stops with the fault {fault}"),
+    )
 }
 
 /// Returns the first diagnostic among some facts.

@@ -3,6 +3,7 @@
 use crate::alone::{binary, calculates, compares};
 use crate::forms::{body, end_of_variables};
 use crate::program::ReadProgram;
+use crate::words::type_of_word;
 use std::collections::BTreeSet;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
@@ -82,17 +83,33 @@ pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<Str
 
 /// Returns a program with variables in the place of the texts and truth values that are operands or arguments; `None` where it has none.
 pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Option<String> {
+    with_variables(program, |place, kind| match kind {
+        _ if place == Place::Value => None,
+        LiteralKind::SingleByteText => Some("STRING"),
+        LiteralKind::DoubleByteText => Some("WSTRING"),
+        LiteralKind::Boolean => Some("BOOL"),
+        _ => None,
+    })
+}
+
+/// Returns a program with variables in the place of the integers in its statements; `None` where it has none.
+pub(crate) fn with_variables_for_numbers(program: &ReadProgram<'_, '_>) -> Option<String> {
+    with_variables(program, |_, kind| (kind == LiteralKind::Integer).then_some("INT"))
+}
+
+/// Returns a program with variables in the place of the literals in its statements for which `ty` gives a type.
+fn with_variables(
+    program: &ReadProgram<'_, '_>,
+    ty: impl Fn(Place, LiteralKind) -> Option<&'static str>,
+) -> Option<String> {
     let mut edits = Edits::new();
     let mut declared = BTreeSet::new();
-    for part in program.parts.iter().filter(|part| part.place != Place::Value) {
+    for part in &program.parts {
         let ExpressionKind::Literal(literal) = &part.expression.kind else {
             continue;
         };
-        let ty = match literal.kind {
-            LiteralKind::SingleByteText => "STRING",
-            LiteralKind::DoubleByteText => "WSTRING",
-            LiteralKind::Boolean => "BOOL",
-            _ => continue,
+        let Some(ty) = ty(part.place, literal.kind).filter(|_| literal.prefix().is_none()) else {
+            continue;
         };
         let Some(end) = part
             .statement
@@ -108,6 +125,21 @@ pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Opti
         }
     }
     (!declared.is_empty()).then(|| edits.apply(program.text))
+}
+
+/// Returns a program in which the numbers have the types of what they are given to; `None` where it has none without a type.
+pub(crate) fn with_typed_numbers(program: &ReadProgram<'_, '_>) -> Option<String> {
+    let mut edits = Edits::new();
+    let mut is_changed = false;
+    for (part, written) in program.literals() {
+        let is_number = written.starts_with(|first: char| first.is_ascii_digit() || first == '-');
+        let is_plain = is_number && !written.contains(' ') && type_of_word(written).is_none();
+        if let Some(ty) = program.target(part).filter(|_| is_plain) {
+            edits.replace(part.expression.span, format!("{}#{written}", ty.name()));
+            is_changed = true;
+        }
+    }
+    is_changed.then(|| edits.apply(program.text))
 }
 
 /// Returns a program with a comparison turned round, whose operands have different types; `None` where it has none.

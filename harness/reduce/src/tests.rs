@@ -160,6 +160,15 @@ fn what_does_not_matter_in_initial_values_and_texts_goes() {
 }
 
 #[test]
+fn a_statement_that_does_nothing_assigns_the_initial_value() {
+    // A value that does not fit, which no run shows.
+    let start = "PROGRAM main\nVAR\n    r : BYTE := BYTE#256;\nEND_VAR\n    r := r;\nEND_PROGRAM\n";
+    let found = reduce(start, &["r :=", "#256"]);
+    assert!(found.value.contains("r : BYTE;"), "{}", found.value);
+    assert!(found.value.contains("    r := BYTE#256;"), "{}", found.value);
+}
+
+#[test]
 fn a_parameter_goes_with_its_arguments_where_it_does_not_matter() {
     let start = "FUNCTION_BLOCK host\nVAR_INPUT\n    first : INT;\n    second : BOOL;\nEND_VAR\nVAR_IN_OUT\n    third : INT;\nEND_VAR\n    \
                  third := first MOD 3;\nEND_FUNCTION_BLOCK\nFUNCTION twice : INT\nVAR_INPUT\n    a : INT;\n    b : INT;\nEND_VAR\n    \

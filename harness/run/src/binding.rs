@@ -1,5 +1,6 @@
 //! Whether the source of an expectation binds an engine, so that a miss is a failure and not only a difference.
 
+use std::borrow::Cow;
 use stickler_engines::{Compiler, Identity, Reference};
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Source, SourceKind, Suite};
 use stickler_types::{Contradiction, DialectName};
@@ -142,14 +143,22 @@ pub fn promise<'f>(
     promised.into_iter().find(speaks)
 }
 
-/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of the third edition,
-/// which is the one that is cited, is about the feature.
-pub(crate) fn declared_by(
-    feature: &Feature,
-    dialect: DialectName,
+/// Returns the basis by which an engine must take a feature of the language in a program of a dialect: the first one that promises it, or
+/// else the table of the standard by which the dialect declares it; `None` where there is none.
+#[must_use]
+pub fn promise_of<'f>(
+    feature: &'f Feature,
+    (program, dialect): (&str, DialectName),
     engine: &Identity,
     suite: &Suite,
-) -> Option<String> {
+) -> Option<Cow<'f, str>> {
+    let promised = promise(feature.promises(), (program, dialect), engine, suite).map(Cow::from);
+    promised.or_else(|| declared_by(feature, dialect, engine, suite).map(Cow::from))
+}
+
+/// Returns the table of the standard by which a dialect declares a feature; `None` where it does not, or no table of the third edition,
+/// which is the one that is cited, is about the feature.
+fn declared_by(feature: &Feature, dialect: DialectName, engine: &Identity, suite: &Suite) -> Option<String> {
     let row = feature.tables.get(&3)?;
     let table = row.split(',').next().unwrap_or(row);
     let basis = format!("iec-61131-3: {table}");

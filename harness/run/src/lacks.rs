@@ -37,8 +37,6 @@ struct LackedFeature<'s> {
     verdict: Verdict,
     /// The basis that promises the feature; empty where nobody does.
     basis: Cow<'s, str>,
-    /// The minimal program, without statements that do nothing where the engine refuses it in the same way then.
-    program: Cow<'s, str>,
     /// What the engine did with the minimal program.
     got: Vec<Fact>,
 }

@@ -48,7 +48,8 @@ pub enum Symptom {
     NotWarned(String),
     /// The engine warns on a line that must have no diagnostic; holds the code or normalized message of the warning.
     Warned(String),
-    /// The engine stops with a fault where it must stop with none or with another one; holds the actual fault.
+    /// The engine stops with a fault where it must stop with none or with another one; holds the actual fault, or the
+    /// engine's own words for it, normalized.
     Fault(String),
     /// The engine stops with the expected fault, but names another line or none; holds the fault.
     FaultLine(String),
@@ -248,6 +249,7 @@ fn fault(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     match (fault_of(expected), fault_of(got)) {
         (None, None) => None,
         (Some((wanted, _)), Some((reported, _))) if wanted == reported => None,
+        (_, Some((Fault::Own(words), _))) => Some(Symptom::Fault(normalize_message(words))),
         (_, Some((reported, _))) => Some(Symptom::Fault(reported.to_string())),
         (Some((wanted, _)), None) => Some(Symptom::NotFaulted(wanted.to_string())),
     }

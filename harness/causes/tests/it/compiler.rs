@@ -26,8 +26,10 @@ pub struct Defects {
     pub dies_of_mistakes: bool,
     /// The codes of the mistakes that it does not see.
     pub accepts: Vec<String>,
-    /// Whether it says line 1, column 1 of every mistake.
-    pub loses_places: bool,
+    /// Texts of lines about whose mistakes it says line 1, column 1; an empty text is in every line.
+    pub loses_places: Vec<String>,
+    /// A text at which it stops when it runs the program, and what it says then.
+    pub stops: Option<(String, String)>,
     /// Values that it computes wrongly.
     pub computes: Vec<WrongValue>,
     /// Whether a loop that does not end takes all of its time.
@@ -232,10 +234,13 @@ impl Defects {
                     !self.accepts.iter().any(|accepted| accepted == code)
                 };
                 diagnostics.retain(is_seen);
-                if self.loses_places {
-                    for reported in &mut diagnostics {
-                        (reported.line, reported.column) = (Some(1), Some(1));
-                    }
+                let is_lost = |reported: &&mut Diagnostic| {
+                    let line = reported.line.map_or(1, |line| line.max(1)) as usize;
+                    let line = source.lines().nth(line - 1).unwrap_or_default();
+                    self.loses_places.iter().any(|text| line.contains(text))
+                };
+                for reported in diagnostics.iter_mut().filter(is_lost) {
+                    (reported.line, reported.column) = (Some(1), Some(1));
                 }
                 match diagnostics.is_empty() {
                     true => Outcome::ACCEPTED,
@@ -246,6 +251,17 @@ impl Defects {
                 fault: Fault::StepLimit,
                 ..
             } if self.hangs => Outcome::TimedOut { after_ms: 1000 },
+            Outcome::Executed { values, .. }
+                if let Some((_, words)) = self.stops.as_ref().filter(|(text, _)| source.contains(text)) =>
+            {
+                let fault = Fault::reported(words);
+                Outcome::Faulted {
+                    fault,
+                    line: None,
+                    values,
+                    warnings: Vec::new(),
+                }
+            }
             Outcome::Executed { mut values, .. } => {
                 for (name, value) in &mut values {
                     let is_wrong = |wrong: &&WrongValue| {

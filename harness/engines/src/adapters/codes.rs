@@ -20,6 +20,13 @@ impl CompilerCodes {
         (!matches!(meaning, CodeMeaning::Code(_))).then_some(meaning)
     }
 
+    /// Returns whether one of the codes means the same as a code of the registry.
+    pub(super) fn say_codes(&self) -> bool {
+        self.0
+            .values()
+            .any(|meaning| matches!(meaning.0, CodeMeaning::Code(_)))
+    }
+
     /// Returns the diagnostic with the code of the registry that means the same as the compiler's own, if there is one.
     pub(super) fn translated(&self, diagnostic: Diagnostic) -> Diagnostic {
         let meaning = diagnostic.code.as_ref().and_then(|code| self.0.get(code));

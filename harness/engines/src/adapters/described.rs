@@ -158,12 +158,14 @@ fn abilities(description: &Description) -> Vec<Ability> {
     abilities
 }
 
-/// Returns the best grade that the pattern of the diagnostics allows.
+/// Returns the best grade that the pattern of the diagnostics allows. Codes of the compiler's own are compared where the description says
+/// what they mean.
 fn best_grade(description: &Description) -> Grade {
     match &description.diagnostic {
-        Some(pattern) if pattern.0.tells("line") && pattern.0.tells("code") => Grade::Code,
-        Some(pattern) if pattern.0.tells("line") => Grade::Line,
-        _ => Grade::Rejected,
+        Some(pattern) if !pattern.0.tells("line") => Grade::Rejected,
+        Some(pattern) if pattern.0.tells("code") && description.codes.say_codes() => Grade::Code,
+        Some(_) => Grade::Line,
+        None => Grade::Rejected,
     }
 }
 

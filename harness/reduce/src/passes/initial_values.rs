@@ -1,8 +1,11 @@
-//! Passes over the initial values of arrays and structures.
+//! Passes over initial values: those of arrays and structures, and those that a statement can assign.
 
 use crate::TextView;
 use stickler_syntax::Edits;
-use stickler_syntax::tree::{Initializer, InitializerKind, TypeSpecificationKind};
+use stickler_syntax::tree::{
+    ExpressionId, ExpressionKind, Initializer, InitializerKind, Name, StatementKind, TypeSpecificationKind,
+};
+use stickler_syntax::visitor::Place;
 
 /// Drops a field of a structure with its initial values.
 pub(crate) fn forget_fields(view: &TextView<'_>) -> Vec<Edits> {
@@ -32,6 +35,35 @@ pub(crate) fn forget_fields(view: &TextView<'_>) -> Vec<Edits> {
                     .filter(|((field, _), _)| field.is(name.text));
                 edits.extend(of_field.map(|(_, item)| item));
             }
+            changes.push(edits);
+        }
+    }
+    view.only_allowed(changes)
+}
+
+/// Assigns an initial value by the statement that assigns its variable to itself, which is there only because a body needs a statement.
+pub(crate) fn assign_initials(view: &TextView<'_>) -> Vec<Edits> {
+    let name_of = |id: ExpressionId| match &view.unit.expression(id)?.kind {
+        ExpressionKind::Name(name) => Some(*name),
+        _ => None,
+    };
+    let mut changes = Vec::new();
+    for (pou, group) in view.variables() {
+        let ([name], Some(initializer)) = (&group.names[..], &group.initializer) else {
+            continue;
+        };
+        let is_own = |used: Option<Name<'_>>| used.is_some_and(|used| used.is(name.text));
+        let assigned = view.uses(pou, *name).into_iter().find_map(|used| {
+            let StatementKind::Assignment { target, value } = used.statement?.kind else {
+                return None;
+            };
+            (used.place == Place::Target && is_own(name_of(target)) && is_own(name_of(value)))
+                .then_some(value)
+        });
+        if let (InitializerKind::Expression(_), Some(value)) = (&initializer.kind, assigned) {
+            let given = initializer.span.text(view.text());
+            let mut edits = Edits::replacing(view.range_of_expression(value), given);
+            edits.remove(group.specification.span.end as usize..initializer.span.end as usize);
             changes.push(edits);
         }
     }

@@ -19,6 +19,7 @@ pub(super) fn expected_and_got(
     told: &Told<'_>,
 ) {
     let no_answer = |fact: &Fact| matches!(fact, Fact::Crashed { .. } | Fact::TimedOut { .. });
+    let is_fault = |fact: &Fact| matches!(fact, Fact::Fault { .. });
     let is_unusable = |fact: &Fact| matches!(fact, Fact::Unusable { .. });
     let is_rule = Basis::of(basis).is_rule();
     let (wanted, reported) = (without_agreeing(expected, got), without_agreeing(got, expected));
@@ -26,6 +27,8 @@ pub(super) fn expected_and_got(
         block(text, "Expected:", "", NO_CRASH);
     } else if got.iter().any(no_answer) && matches!(expected, [Fact::Accepted]) {
         block(text, by, "", NO_CRASH);
+    } else if got.iter().any(is_fault) && matches!(expected, [Fact::Accepted]) {
+        block(text, by, "", "the program runs to its end");
     } else if is_rule && got.iter().any(is_unusable) {
         block(text, "Expected:", "", "a rejection, or a program that runs");
     } else {

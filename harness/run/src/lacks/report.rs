@@ -1,14 +1,19 @@
 //! The causes that tell which features an engine lacks, and which cases wait for each.
 
 use super::{LackedFeature, Lacks, is_type};
-use crate::{CaseEvent, Cause, ExplainedCases, Fact, Reduced, Reproducer, Verdict};
+use crate::judge::judge;
+use crate::{Answers, CaseEvent, Cause, ExplainedCases, Fact, Grade, Reduced, Reproducer, Verdict};
 use std::collections::BTreeMap;
-use stickler_engines::{Ability, Engine, reproduce_and_run};
-use stickler_suite::Case;
+use stickler_engines::{Ability, Engine, EngineSession, reproduce_and_run};
+use stickler_reduce::{Interestingness, ReductionBudget};
+use stickler_suite::{Case, Feature};
 use stickler_types::DialectName;
 
 /// The maximum number of characters that are kept of what the commands of a reproduction print.
 const MAX_PRINTED: usize = 10_000;
+
+/// The maximum number of questions for a smaller program with a feature.
+const TRIES: u64 = 40;
 
 /// The cases of one engine that wait for features, by the key of the feature.
 #[derive(Debug, Default)]
@@ -152,6 +157,51 @@ fn cause(
     }
 }
 
+/// Returns the smallest program with a feature that an engine refuses as it refuses the minimal program, and what it does with it. The minimal
+/// program is one that every compiler takes which has the feature, and may have more than this one needs.
+fn smallest(lacked: &LackedFeature<'_>, dialect: DialectName, engine: &dyn Engine) -> (String, Vec<Fact>) {
+    let Feature { key, program, .. } = lacked.feature;
+    let refused = refusal(program, &lacked.got);
+    let mut session = EngineSession::new(engine);
+    let mut got = lacked.got.clone();
+    let mut is_refused = |text: &str| {
+        let case = Case::of_program(key, dialect, text);
+        if !case.features().contains(&**key) {
+            return Interestingness::Invalid;
+        }
+        let Ok(outcome) = session.run(&case.request()) else {
+            return Interestingness::Invalid;
+        };
+        let seen = judge(&case, &Answers::of_run(outcome), Grade::Rejected).got;
+        let is_same = refused.is_some() && refusal(text, &seen) == refused;
+        if is_same {
+            got = seen;
+        }
+        Interestingness::from(is_same)
+    };
+    let budget = ReductionBudget {
+        tries: TRIES,
+        ..ReductionBudget::default()
+    };
+    let mut found = stickler_reduce::text(program, dialect, &mut is_refused, &budget).value;
+    // The standard demands a statement, and so do some compilers.
+    let emptied = found.replace("    ;\n", "");
+    if emptied != found && is_refused(&emptied) == Interestingness::Interesting {
+        found = emptied;
+    }
+    (found, got)
+}
+
+/// Returns what an engine says of a program that it refuses: the code and the message, and the text of the line; `None` where it gives
+/// no diagnostic.
+fn refusal<'p>(program: &'p str, got: &[Fact]) -> Option<(Option<String>, String, Option<&'p str>)> {
+    let first = got.iter().find_map(Fact::diagnostic)?;
+    let line = first
+        .line
+        .and_then(|line| program.lines().nth((line as usize).checked_sub(1)?));
+    Some((first.code.clone(), first.message.clone(), line.map(str::trim)))
+}
+
 /// Returns the minimal program of a feature; where the feature fails, with the commands that show it and what they print.
 fn reproducer(
     lacked: &LackedFeature<'_>,
@@ -160,8 +210,12 @@ fn reproducer(
     engine: &dyn Engine,
 ) -> Reproducer {
     let case = waiting.and_then(|waiting| waiting.first.get(dialect.as_str()));
-    let asked = Case::of_program(&lacked.feature.key, dialect, &lacked.program);
     let is_expected = lacked.verdict.is_as_expected();
+    let (program, got) = match is_expected {
+        true => (lacked.feature.program.clone(), lacked.got.clone()),
+        false => smallest(lacked, dialect, engine),
+    };
+    let asked = Case::of_program(&lacked.feature.key, dialect, &program);
     let shown = (!is_expected).then(|| reproduce_and_run(engine, &asked.request(), Ability::Check).ok());
     let (reproduction, printed) = shown.flatten().unzip();
     Reproducer {
@@ -169,9 +223,9 @@ fn reproducer(
         dialect: dialect.as_str().to_owned(),
         basis: lacked.basis.clone().into_owned(),
         about: lacked.feature.title.clone(),
-        program: lacked.program.clone().into_owned(),
+        program,
         expected: vec![Fact::Accepted],
-        got: lacked.got.clone(),
+        got,
         reproduction,
         printed: printed.map_or(String::new(), |printed| {
             let text = printed.map_or_else(|reason| reason, |output| output.text);

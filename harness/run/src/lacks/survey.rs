@@ -3,10 +3,8 @@
 use super::counterparts::{CasesByFeatures, Counterpart, counterparts};
 use super::{LackedFeature, Lacks, Refusal};
 use crate::answer_store::{AnswerStore, ask_stored_together};
-use crate::binding::declared_by;
 use crate::judge::judge;
-use crate::{Answers, Fact, Judgement, Plan, RunError, Verdict, promise};
-use std::borrow::Cow;
+use crate::{Answers, Fact, Judgement, Plan, RunError, Verdict, promise_of};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use stickler_engines::{Engine, EngineSession, Identity, Outcome, Reference};
 use stickler_suite::{Acceptance, Case, Feature, FeatureKey, Suite};
@@ -173,18 +171,7 @@ impl<'s> Survey<'_, 's> {
         engine: &Identity,
     ) -> LackedFeature<'s> {
         let Judgement { verdict, got, .. } = judge(case, answers, self.plan.strict(engine));
-        let (program, got) = match self.smaller(case, &got, engine) {
-            Some((program, got)) => (Cow::from(program), got),
-            None => (Cow::from(&*feature.program), got),
-        };
-        let basis = promise(
-            feature.promises(),
-            (&feature.program, case.dialect),
-            engine,
-            self.suite,
-        )
-        .map(Cow::from);
-        let basis = basis.or_else(|| declared_by(feature, case.dialect, engine, self.suite).map(Cow::from));
+        let basis = promise_of(feature, (&feature.program, case.dialect), engine, self.suite);
         let is_stated = Refusal::of(&answers.run) == Some(Refusal::Stated);
         // Where an adapter cannot ask, that says nothing of the compiler.
         let is_missed = basis.is_some() && !matches!(answers.run, Outcome::Unsupported { .. });
@@ -196,25 +183,8 @@ impl<'s> Survey<'_, 's> {
                 (true, false) => Verdict::Unsupported,
             },
             basis: basis.unwrap_or_default(),
-            program,
             got,
         }
-    }
-
-    /// Returns the program of a case without the statement that does nothing, and what the engine does with it; `None` where it does not refuse
-    /// that in the words `got` of the whole one.
-    fn smaller(&self, case: &Case, got: &[Fact], engine: &Identity) -> Option<(String, Vec<Fact>)> {
-        let mut engines = self.engines.iter();
-        let engine_asked = engines.find(|one| one.identity().name == engine.name)?;
-        let program = without_filler(&case.source)?;
-        let smaller = Case::of_program(&case.id, case.dialect, &program);
-        let answer = EngineSession::new(*engine_asked).run(&smaller.request()).ok()?;
-        let seen = judge(&smaller, &Answers::of_run(answer), self.plan.strict(engine)).got;
-        let words = |facts: &[Fact]| {
-            let said = facts.iter().filter_map(Fact::diagnostic);
-            Vec::from_iter(said.map(|one| (one.code.clone(), one.message.clone())))
-        };
-        (!words(got).is_empty() && words(&seen) == words(got)).then_some((program, seen))
     }
 
     /// Returns the answers of an engine about programs, from its store where that has them; `None` for those that were not asked
@@ -246,31 +216,11 @@ impl<'s> LackedFeature<'s> {
             feature,
             verdict: Verdict::Unsupported,
             basis: "".into(),
-            program: Cow::from(&*feature.program),
             got: vec![Fact::Unsupported {
                 reason: DECLARED.to_owned(),
             }],
         }
     }
-}
-
-/// Returns a program without its statement `x := x;`, and without the declaration of `x` where that is an INT and not the only variable; `None`
-/// where it has no such statement.
-fn without_filler(program: &str) -> Option<String> {
-    let filler = program.lines().find_map(|line| {
-        let (target, value) = line.trim().strip_suffix(';')?.split_once(" := ")?;
-        (target == value).then_some((line, target))
-    });
-    let (statement, name) = filler?;
-    let declaration = format!("{name} : INT;");
-    let is_name = |word: &str| word == name;
-    let uses = program
-        .split(|sign: char| !sign.is_alphanumeric() && sign != '_')
-        .filter(|word| is_name(word));
-    let is_needed = uses.count() > 3 || program.matches(" : ").count() < 2;
-    let is_kept = |line: &&str| *line != statement && (is_needed || line.trim() != declaration);
-    let kept: Vec<&str> = program.lines().filter(is_kept).collect();
-    Some(kept.join("\n") + "\n")
 }
 
 /// Returns whether a dialect has a feature: the reference takes its minimal program.

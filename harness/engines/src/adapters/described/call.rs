@@ -106,7 +106,14 @@ impl DescribedCall<'_> {
             Meaning::Accepted => Ok(executed(text, None)),
             Meaning::Faulted(fault) => Ok(executed(text, Some(fault))),
             other => match description.faults.iter().find(words) {
-                Some((_, fault)) => Ok(executed(text, Some(Fault::reported(fault)))),
+                Some((words, fault)) => {
+                    let own = || behind(words, &text).or_else(|| behind(words, &ended.stderr));
+                    let fault = match fault.is_empty() {
+                        true => Fault::reported(own().unwrap_or_default()),
+                        false => Fault::reported(fault),
+                    };
+                    Ok(executed(text, Some(fault)))
+                }
                 None => self.meant(other, &ended).map(|()| executed(text, None)),
             },
         }
@@ -205,4 +212,10 @@ fn usual(code: i32) -> Meaning {
         1 => Meaning::Rejected,
         _ => Meaning::Crashed,
     }
+}
+
+/// Returns the rest of the line of a text behind some words; `None` where the text does not have them.
+fn behind<'t>(words: &str, text: &'t str) -> Option<&'t str> {
+    let (_, rest) = text.split_once(words)?;
+    rest.lines().next()
 }

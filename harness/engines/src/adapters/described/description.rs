@@ -42,7 +42,8 @@ pub struct Description {
     pub(super) exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
     /// The meanings of the exit codes of `run`.
     pub(super) run_exit: Option<BTreeMap<i32, Parsed<Meaning>>>,
-    /// The texts that `run` writes where a program stops at a fault, and their faults, for which the compiler may have words of its own.
+    /// The texts that `run` writes where a program stops at a fault, and their faults, for which the compiler may have words of its own;
+    /// an empty one stands for what follows on the line.
     #[serde(default)]
     pub(super) faults: BTreeMap<String, String>,
     /// The meanings of the compiler's diagnostic codes.
