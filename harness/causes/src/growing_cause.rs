@@ -66,7 +66,9 @@ impl GrowingCause {
             && normal.deviation.sign == smallest.deviation.sign
             && is_as_small
             && number(&normal.program) < number(&smallest.program);
-        let mut shown = match is_derived || is_unchecked || is_plainer {
+        let has_variables = matches!(normal.deviation.sign.symptom, Symptom::Unusable(_))
+            && normal.program != smallest.program;
+        let mut shown = match is_derived || is_unchecked || is_plainer || has_variables {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
         };

@@ -224,6 +224,12 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
     let of_statement = has_expression_as_statement(program.text, tokens);
     found.extend(repeats_nothing(program, tokens).then_some("repetition of nothing"));
     found.extend(of_statement.then_some("expression as a statement"));
+    let is_positional = |part: &&Part<'_, '_>| {
+        let callee = part.around.and_then(|around| program.call(around));
+        callee.is_some_and(|(name, _)| program.is_instance(name))
+    };
+    let positional = program.at(Place::Argument).find(is_positional);
+    found.extend(positional.map(|_| "argument of a block by its position"));
     found.extend(has_no_result(program).then_some("function without a result"));
     found.extend(
         program

@@ -23,7 +23,7 @@ use stickler_reduce::{
 use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
 use stickler_suite::{Acceptance, Case};
-use stickler_types::Observation;
+use stickler_types::{Code, Observation};
 
 /// The normal form of a small program.
 #[derive(Clone, PartialEq, Debug)]
@@ -244,7 +244,14 @@ impl NormalSearch<'_, '_> {
     /// the small program, since a place of its own may be checked where that of the small one is not.
     fn unchecked_place(&mut self, smallest: &Smallest) -> Result<(), EngineError> {
         let dialect = self.case.dialect;
-        for text in [self.normal.program.clone(), smallest.program.clone()] {
+        // A literal that is accepted alone is checked nowhere, whatever its place takes.
+        let is_of_literal = matches!(
+            &self.normal.deviation.sign.symptom,
+            Symptom::NotRejected(code) if [Code::ConstantOverflow, Code::RealLiteralOutOfRange].iter().any(|one| one.as_str() == code)
+        );
+        let is_alone = is_of_literal && self.normal.program != smallest.program;
+        let small = (!is_alone).then(|| smallest.program.clone());
+        for text in [self.normal.program.clone()].into_iter().chain(small) {
             let other = read(&text, |program| {
                 let line = errors(program.text, dialect).iter().find_map(|error| error.line);
                 let others = line.map_or(Vec::new(), |line| forms::with_other_operand(program, line));
@@ -354,13 +361,18 @@ impl NormalSearch<'_, '_> {
         let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
         if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
             self.left -= 1;
-            let is_right = self.asked.deviation(&case)?.is_none();
+            let seen = self.asked.deviation(&case)?;
             let has_text = self.normal.program.contains(['\'', '"']);
             let way = match has_text {
                 true => "text literal as an operand",
                 false => "truth literal as an operand",
             };
-            self.normal.way = is_right.then_some(way);
+            self.normal.way = seen.is_none().then_some(way);
+            // A literal may be at fault beside what it is an operand of.
+            if let Some(deviation) = seen.filter(|seen| is_same(&self.normal.deviation, seen)) {
+                self.normal.program = case.source.to_string();
+                self.normal.deviation = deviation;
+            }
         }
         Ok(())
     }
@@ -457,7 +469,8 @@ fn is_same(former: &Deviation, seen: &Deviation) -> bool {
         (Symptom::NotRejected(_), Symptom::NotRejected(_))
         | (Symptom::NotImplemented(_), Symptom::NotImplemented(_))
         | (Symptom::Value | Symptom::Missing | Symptom::Hang | Symptom::Fault(_), Symptom::Value) => true,
-        (Symptom::Fault(fault), Symptom::Fault(other)) => fault == other,
+        (Symptom::Fault(words), Symptom::Fault(other))
+        | (Symptom::Unusable(words), Symptom::Unusable(other)) => words == other,
         _ => false,
     }
 }

@@ -47,7 +47,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             "conversion to an integer that does not bring it into its range",
         ),
         (
-            wrong.rounds_to_lreal(),
+            wrong.rounds_to_lreal() || wrong.compares_beyond_lreal(),
             "integer literal with the bits of an LREAL",
         ),
         (wrong.keeps_lreal(), "REAL literal with the bits of an LREAL"),
@@ -309,6 +309,16 @@ impl WrongNumber<'_, '_, '_> {
             && magnitude > 1 << f64::MANTISSA_DIGITS
             && error <= 1 << (u64::BITS - f64::MANTISSA_DIGITS);
         is_copied || self.has_rounded_literal((ty, raw, got))
+    }
+
+    /// Returns whether the program only compares integer literals of which one is beyond those that an LREAL tells apart.
+    fn compares_beyond_lreal(&self) -> bool {
+        let is_truth_value = self.bits().is_some_and(|(ty, ..)| ty == ElementaryType::Bool);
+        let only_compares = operations(self.program.text)
+            .into_iter()
+            .eq(["comparison".to_owned()]);
+        let is_beyond = |amount: f64| amount > 2_f64.powi(f64::MANTISSA_DIGITS as i32);
+        is_truth_value && only_compares && self.amounts().any(is_beyond) && self.program.names.len() < 3
     }
 
     /// Returns whether the wrong value has the last bits of an integer literal with the digits of its nearest LREAL, where it must have

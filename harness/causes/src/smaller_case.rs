@@ -169,10 +169,14 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
             })
         }
         // No program may make a compiler crash.
-        Outcome::Rejected { .. } if is_open && matches!(symptom, Symptom::Crash(_)) => Some(Expectation {
-            accepted: Acceptance::Observed,
-            ..Expectation::default()
-        }),
+        Outcome::Rejected { .. }
+            if is_open && matches!(symptom, Symptom::Crash(_) | Symptom::Unusable(_)) =>
+        {
+            Some(Expectation {
+                accepted: Acceptance::Observed,
+                ..Expectation::default()
+            })
+        }
         // What is wrong with the program is gone, and the engine may still reject it.
         Outcome::Executed { .. } if must_be_rejected => {
             // A mistake that is told twice is not the reason for which a program without it is rejected.

@@ -246,11 +246,9 @@ fn contradiction(text: &mut String, cause: &Cause, overview: &Overview) {
         basis, case, program, ..
     } = &cause.shown;
     let own = |source: &&SourceHeader| source.engines.contains(&cause.engine);
-    for source in overview.sources().iter().filter(own) {
-        let mut contradicts = source.contradicts.iter();
-        let Some(other) = contradicts.find(|other| other.is_of(basis, (case, program))) else {
-            continue;
-        };
+    let sources = overview.sources().iter().filter(own);
+    let told = sources.flat_map(|source| source.contradicts.iter().map(move |other| (source, other)));
+    for (source, other) in told.filter(|(_, other)| other.is_of(basis, (case, program))) {
         let section = linked(
             &format!("{}: {}", source.key, other.section),
             &source.address_of(&other.section),
