@@ -34,6 +34,8 @@ pub(crate) struct GrowingCause {
     pub(crate) rank: u8,
     /// The number of cases with the same essence that rest on the shown claim.
     agreeing: u64,
+    /// The number of cases of the group whose program is shown.
+    own: u64,
 }
 
 impl GrowingCause {
@@ -146,6 +148,7 @@ impl GrowingCause {
             sign: shown.deviation.sign.clone(),
             shared: group.shared.clone(),
             agreeing: 0,
+            own: group.number(),
         }
     }
 
@@ -178,9 +181,9 @@ impl GrowingCause {
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
-    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then the
-    /// smaller program.
-    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, Reverse<u64>, usize, &str) {
+    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then what at
+    /// least twice as many cases show, then the smaller program.
+    pub(crate) fn preference(&self) -> (bool, u8, bool, u8, Reverse<u64>, Reverse<u32>, usize, &str) {
         let program = &self.cause.shown.program;
         (
             self.differs,
@@ -192,6 +195,7 @@ impl GrowingCause {
             self.cause.shown.is_derived,
             self.rank,
             Reverse(self.agreeing),
+            Reverse(self.own.max(1).ilog2()),
             program.len(),
             program,
         )

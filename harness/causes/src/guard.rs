@@ -11,7 +11,8 @@ use stickler_syntax::features::features;
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
+    Configuration, Declaration, ExpressionId, ExpressionKind, InitializerKind, LiteralKind,
+    TypeSpecificationKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
@@ -239,6 +240,7 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
             .is_none()
             .then_some("no program organization unit"),
     );
+    found.extend(has_more_values(program).then_some("more values than elements"));
     // Basis of these: iec-61131-3: Annex A (`Case_Stmt`, `Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
     found.extend(adjacent(TokenKind::Of, TokenKind::EndCase).then_some("CASE without a branch"));
     let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
@@ -328,6 +330,31 @@ fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
         .filter(|section| !section.constant)
         .flat_map(|section| &section.groups);
     variables.any(|group| group.names.iter().any(|one| one.is(name)))
+}
+
+/// Returns whether an array of one dimension, whose limits are numbers, begins with more values than it has elements.
+fn has_more_values(program: &ReadProgram<'_, '_>) -> bool {
+    let number = |id: ExpressionId| program.text(id).replace('_', "").parse::<i64>().ok();
+    let mut groups = program.names.iter().filter_map(|one| one.group);
+    groups.any(|group| {
+        let (TypeSpecificationKind::Array { dimensions, .. }, Some(initializer)) =
+            (&group.specification.kind, &group.initializer)
+        else {
+            return false;
+        };
+        let ([(low, high)], InitializerKind::Array(elements)) = (&dimensions[..], &initializer.kind) else {
+            return false;
+        };
+        let size = number(*high)
+            .zip(number(*low))
+            .map(|(high, low)| high.saturating_sub(low).saturating_add(1));
+        let values = elements.iter().map(|element| {
+            let times = element.repetition.map_or(Some(1), number).unwrap_or(1);
+            times.saturating_mul(element.values.len().max(1) as i64)
+        });
+        let number = values.fold(0_i64, i64::saturating_add);
+        size.is_some_and(|size| number > size)
+    })
 }
 
 /// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.

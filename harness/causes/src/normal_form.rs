@@ -292,32 +292,35 @@ impl NormalSearch<'_, '_> {
         }
     }
 
-    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. Where the same mistake has a
-    /// place with variables for numbers, it is the numbers that have none.
+    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. It is the numbers that have none
+    /// where the mistake is one of a number, or has a place with variables for them.
     fn places(&mut self) -> Result<(), EngineError> {
-        let with_variables = read(&self.normal.program, ways::with_variables_for_numbers);
-        let forms = [
-            (Some(UNDECLARED.to_owned()), true, ALL_PLACELESS),
-            (with_variables, false, NUMBERS_PLACELESS),
-        ];
-        for (form, is_placeless, way) in forms {
-            let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
-            let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
-            let Some(case) = case.filter(|case| is_mistaken(case) && self.left > 0 && !(self.stop)()) else {
-                continue;
-            };
-            self.left -= 1;
-            let seen = self.asked.deviation(&case)?;
-            let is_so = match is_placeless {
-                true => seen.is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_))),
-                false => seen.is_none(),
-            };
-            if is_so {
-                self.normal.way = Some(way);
-                break;
-            }
+        let undeclared = as_the_reference(self.case, UNDECLARED, &[]);
+        if self
+            .deviation_of(undeclared.as_ref())?
+            .flatten()
+            .is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_)))
+        {
+            self.normal.way = Some(ALL_PLACELESS);
+            return Ok(());
+        }
+        let form = read(&self.normal.program, ways::with_variables_for_numbers);
+        let Some(form) = form else { return Ok(()) };
+        let is_of_number = errors(&form, self.case.dialect).is_empty();
+        let case = as_the_reference(self.case, &form, &[]);
+        if is_of_number || self.deviation_of(case.as_ref())? == Some(None) {
+            self.normal.way = Some(NUMBERS_PLACELESS);
         }
         Ok(())
+    }
+
+    /// Returns how the engine deviates with a case; `None` where there is none, or no question is left.
+    fn deviation_of(&mut self, case: Option<&Case>) -> Result<Option<Option<Deviation>>, EngineError> {
+        let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) else {
+            return Ok(None);
+        };
+        self.left -= 1;
+        self.asked.deviation(case).map(Some)
     }
 
     /// Asks for other forms of the program: where one is right, it says how the engine does the operation.

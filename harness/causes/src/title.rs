@@ -45,7 +45,7 @@ impl Titled<'_, '_> {
         let (mistake, message) = (named(&wanted), said(&reported));
         match symptom {
             // The line does not show the mistake, so the title names it.
-            Symptom::NotRejected(code) => match (summary(code), wanted.code) {
+            Symptom::NotRejected(code) => match (self.wrong(code, wanted.line), wanted.code) {
                 (Some(wrong), Some(code)) => format!("{line} is accepted, though {wrong} ({code})"),
                 (Some(wrong), None) => format!("{line} is accepted, though {wrong}"),
                 (None, _) => format!("{line} is accepted, not rejected"),
@@ -155,6 +155,17 @@ impl Titled<'_, '_> {
     fn line_in_unit(&self, number: Option<u32>) -> String {
         let number = self.telling(number);
         described(&self.program, number) + &self.unit(number)
+    }
+
+    /// Returns what a code says is wrong on a line: a subscript has the code of an operator.
+    fn wrong(&self, code: &str, number: Option<u32>) -> Option<&'static str> {
+        let line = self.program.line_text(self.telling(number)).unwrap_or_default();
+        let done = operations(&format!("PROGRAM p {line} END_PROGRAM"));
+        let only_subscripts = done.iter().all(|one| one == "subscript or list") && line.contains('[');
+        match code == Code::OperatorOperandTypeMismatch.as_str() && only_subscripts {
+            true => Some("what has a subscript is no array"),
+            false => summary(code),
+        }
     }
 
     fn telling(&self, number: Option<u32>) -> u32 {
