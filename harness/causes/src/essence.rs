@@ -9,7 +9,7 @@ use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
-use crate::patterns::{has_first_bit, number_pattern};
+use crate::patterns::{counts_beyond_limit, has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram, read};
 use crate::reduction::Smallest;
@@ -18,6 +18,9 @@ use crate::words::{elementary, valued_types};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::{Code, Fault};
+
+/// The pattern of a loop whose variable wraps before it passes its limit.
+const TO_LAST_VALUE: &str = "FOR loop to the last value of its type";
 
 /// The feature of a place where a value of every type is accepted.
 const UNCHECKED: &str = "unchecked";
@@ -55,6 +58,8 @@ impl Essence {
         let pattern = match sign.symptom {
             Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
+            // A loop that never ends counts on.
+            Symptom::Hang if counts_beyond_limit(&read) => Some(TO_LAST_VALUE),
             Symptom::Value => line
                 .lost_value_of_type(&normal.deviation)
                 .or(normal.way)
@@ -75,6 +80,7 @@ impl Essence {
         let named = |symptom: &str| format!("{by_chance}{}", symptom.trim_end());
         let tells_way = sign.accepts() || matches!(sign.symptom, Symptom::Unusable(_) | Symptom::Fault(_));
         let (symptom, mut features, is_contained) = match pattern {
+            Some(TO_LAST_VALUE) => (Symptom::Value.word(), words([TO_LAST_VALUE]), false),
             Some(pattern) => (sign.symptom.word(), words([pattern]), false),
             None if let Some(way) = normal.way.filter(|_| tells_way) => {
                 let symptom = if sign.accepts() {

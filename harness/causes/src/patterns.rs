@@ -6,6 +6,7 @@ use crate::question::{Deviation, wrong_values};
 use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeSet;
+use stickler_syntax::tree::StatementKind;
 use stickler_syntax::visitor::Place;
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -71,6 +72,30 @@ pub(crate) fn has_first_bit(program: &ReadProgram<'_, '_>) -> bool {
         let is_unsigned = |ty: &ElementaryType| kind(*ty) == Some("integer") && ty.family() != Family::Signed;
         let number = amount(literal).zip(ty.filter(is_unsigned));
         number.is_some_and(|(number, ty)| number >= 2_f64.powi(ty.bits() as i32 - 1))
+    })
+}
+
+/// Returns whether a FOR loop of a program counts to a number behind which no step stays within the type of its variable, so that a
+/// variable which wraps never passes it.
+pub(crate) fn counts_beyond_limit(program: &ReadProgram<'_, '_>) -> bool {
+    let number = |id| {
+        let literal = program.literal(id)?;
+        let digits = literal.rsplit('#').next()?.replace(['_', ' '], "");
+        digits.parse::<i128>().ok()
+    };
+    let mut limits = program.at(Place::To);
+    limits.any(|part| {
+        let Some(StatementKind::For { control, to, by, .. }) =
+            part.statement.map(|statement| &statement.kind)
+        else {
+            return false;
+        };
+        let range = program.type_of(*control).and_then(ElementaryType::integer_range);
+        let step = by.map_or(Some(1), number);
+        let (Some((least, most)), Some(to), Some(step)) = (range, number(*to), step) else {
+            return false;
+        };
+        step != 0 && !(least..=most).contains(&to.saturating_add(step))
     })
 }
 
@@ -183,7 +208,9 @@ impl WrongNumber<'_, '_, '_> {
             let most = ty.and_then(most);
             self.amounts().any(|number| Some(number) == most)
         };
-        self.computed() == 0 && valued_types(self.program.text).len() < 2 && counted.any(counts)
+        let is_plain = self.computed() == 0 && valued_types(self.program.text).len() < 2;
+        let is_counted_on = self.numbers().is_some_and(|(wanted, got)| got > wanted);
+        is_plain && counted.any(counts) || is_counted_on && counts_beyond_limit(self.program)
     }
 
     /// Returns whether the wrong value has the bits that a literal of the program has in another type, and no function converts it.

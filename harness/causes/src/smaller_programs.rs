@@ -6,6 +6,7 @@ use crate::malformed::{forms_of_literals, words_with_digits};
 use crate::question::{Questioner, Takes};
 use crate::reduction::{has_fault, has_same_value};
 use crate::smaller_case::with_program;
+use crate::words::{LOOPS, has_word, words};
 use std::cell::Cell;
 use stickler_engines::EngineError;
 use stickler_reduce::{CandidateJudge, Interestingness};
@@ -43,6 +44,22 @@ impl SmallerPrograms<'_, '_> {
         !unread || has_form || words_with_digits(program).is_subset(&words_with_digits(self.start))
     }
 
+    /// Returns whether a program with a loop still leaves it where the whole program does, by an EXIT: without that it may never end.
+    fn keeps_exits(&self, program: &str) -> bool {
+        let is_run = matches!(
+            self.sign.symptom,
+            Symptom::Value | Symptom::Missing | Symptom::Fault(_)
+        );
+        let exits = |text: &str| {
+            words(text)
+                .iter()
+                .filter(|word| word.eq_ignore_ascii_case("EXIT"))
+                .count()
+        };
+        let has_loop = LOOPS.iter().any(|word| has_word(program, word));
+        !(is_run && has_loop) || exits(program) >= exits(self.start)
+    }
+
     /// Judges one program.
     pub(crate) fn takes_one(&mut self, program: &String) -> bool {
         self.admits(program) && self.judge(std::slice::from_ref(program)) == [Interestingness::Interesting]
@@ -70,6 +87,7 @@ impl CandidateJudge<String> for SmallerPrograms<'_, '_> {
             && (program == self.start
                 || may_become(&Constructs::of(program))
                     && self.keeps_literals(program)
+                    && self.keeps_exits(program)
                     && !self.asked.uses_what_is_lacking(self.case, program))
     }
 
