@@ -10,7 +10,7 @@ use crate::subjects::Subjects;
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
 use stickler_engines::{Engine, EngineSession, end_questions_at};
-use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError};
+use stickler_run::{AnswerStore, CaseEvent, CaseJudge, Cause, Fact, Grade, Plan, Reduced, RunError, Symptom};
 use stickler_suite::{Case, Suite};
 use stickler_workers::{Cancellation, WorkerPool};
 
@@ -198,7 +198,9 @@ struct ReducedGroup {
 impl ReducedGroup {
     fn unreduced(event: &CaseEvent, sign: &Sign) -> ReducedGroup {
         let mut smallest = Smallest::unreduced(event, sign);
-        if is_reducible(&sign.symptom) {
+        // What dies and must be rejected may only be accepted.
+        let is_mistake = event.expected.iter().any(|fact| fact.diagnostic().is_some());
+        if is_reducible(&sign.symptom) || is_mistake && sign.symptom == Symptom::Hang {
             smallest.reduction = Reduced::Partly;
         }
         ReducedGroup {
@@ -316,6 +318,7 @@ impl Asking<'_> {
                 true => 1,
                 false => self.engine.pack_size().min(MAX_PACK_LEN),
             },
+            only_checks: false,
         }
     }
 
@@ -332,7 +335,9 @@ impl Asking<'_> {
                 Some(case) if tries > 0 && !(self.stop)() => {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
-                    let sign = asked.sign(case, sign)?;
+                    let died = sign;
+                    let sign = asked.sign(case, died)?;
+                    asked.only_checks = sign != *died;
                     let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, &stop)?;

@@ -141,7 +141,7 @@ pub(crate) fn with_whole_variable(program: &ReadProgram<'_, '_>) -> Vec<String> 
         .collect()
 }
 
-/// Returns a program in which an output of a call is given to a variable of its own in the place of a bit.
+/// Returns programs in which an output of a call, or a value, is given to a variable of its own in the place of a bit.
 pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
     let is_bit = |part: &&Part<'_, '_>| matches!(part.expression.kind, ExpressionKind::Bit { .. });
@@ -151,8 +151,8 @@ pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
         edits.replace(end..end, "    received : BOOL;\n");
         Some(without_unused(&edits.apply(text)))
     };
-    let bits = program.at(Place::OutputArgument).filter(is_bit);
-    bits.filter_map(change).collect()
+    let given = program.at(Place::OutputArgument).chain(program.at(Place::Target));
+    given.filter(is_bit).filter_map(change).collect()
 }
 
 /// Returns programs that measure a text in the end, each with what it observes: the length of the text where that is wrong, or else

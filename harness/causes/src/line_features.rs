@@ -149,6 +149,13 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
                 false => self.place().to_owned(),
             });
         }
+        // A compiler that does not look at located variables checks nothing of them.
+        let is_located = |word: &&str| {
+            let group = self.program.group(word);
+            group.is_some_and(|group| group.location.is_some())
+        };
+        let located = words(self.text()).into_iter().find(is_located);
+        features.extend(located.map(|_| "AT".to_owned()));
         features
     }
 

@@ -58,6 +58,8 @@ pub(crate) struct Questioner<'e> {
     pub(crate) lacked: &'e LackedFeatures,
     /// The number of programs that the engine is asked about together.
     pub(crate) pack_size: usize,
+    /// Whether programs that must be rejected are only checked: they may die, or never end, when they are run.
+    pub(crate) only_checks: bool,
 }
 
 /// A deviation that an engine showed on a program.
@@ -152,7 +154,10 @@ impl Questioner<'_> {
         let answers = match self.answered.get(&question) {
             Some(known) => known.answers,
             None => {
-                let answers = ask_stored(&mut self.session, case, self.store)?;
+                let answers = match self.only_checks && case.expectation.accepted == Acceptance::Rejected {
+                    true => Answers::of_run(self.session.check(case.dialect, &case.source)?),
+                    false => ask_stored(&mut self.session, case, self.store)?,
+                };
                 self.answered.keep(question, &answers, false);
                 answers
             }
@@ -266,6 +271,7 @@ impl Questioner<'_> {
         stop: &dyn Fn() -> bool,
     ) -> Result<Vec<Judged>, EngineError> {
         let answers = match self.pack_size_of(symptom).min(times) {
+            _ if self.only_checks => return Ok(vec![self.checked(case)?]),
             0 | 1 => vec![Some(ask(&mut self.session, case)?)],
             size => ask_stored_together(&mut self.session, &vec![case; size], None, (size, stop))?,
         };
@@ -284,6 +290,12 @@ impl Questioner<'_> {
         }
         let seen = self.deviation(case)?;
         Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
+    }
+
+    /// Returns what the engine does with a case that it only checks.
+    fn checked(&mut self, case: &Case) -> Result<Judged, EngineError> {
+        let checked = self.session.check(case.dialect, &case.source)?;
+        self.judged(case, Answers::of_run(checked))
     }
 
     fn judged(&mut self, case: &Case, answers: Answers) -> Result<Judged, EngineError> {

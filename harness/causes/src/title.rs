@@ -157,6 +157,17 @@ impl Titled<'_, '_> {
         described(&self.program, number) + &self.unit(number)
     }
 
+    /// Returns whether a line assigns an element by a subscript that is no number, and another variable than this is at fault.
+    fn assigns_another(&self, line: u32, name: &str) -> bool {
+        let code = self.program.line_text(line).unwrap_or_default();
+        let target = code.split_once(":=").map_or("", |(target, _)| target.trim());
+        let subscript = target
+            .split_once('[')
+            .and_then(|(_, rest)| rest.split(']').next());
+        let is_computed = subscript.is_some_and(|subscript| subscript.trim().parse::<i64>().is_err());
+        is_computed && !target.eq_ignore_ascii_case(name)
+    }
+
     /// Returns what a code says is wrong on a line: a subscript has the code of an operator.
     fn wrong(&self, code: &str, number: Option<u32>) -> Option<&'static str> {
         let line = self.program.line_text(self.telling(number)).unwrap_or_default();
@@ -209,7 +220,7 @@ impl Titled<'_, '_> {
         let extra = extra.find_map(Fact::diagnostic).cloned().unwrap_or_default();
         if extra.line.is_none() && extra.code.is_some() && extra.code == wanted.code {
             let (line, mistake) = (self.line(wanted.line), named(wanted));
-            return format!("{line}: {mistake} is reported once more, without a place");
+            return format!("{line}: {mistake} is reported once more, without its place");
         }
         let (line, message) = (self.line(extra.line), said(&extra));
         format!("{line} is reported although nothing is wrong there: {message}")
@@ -259,12 +270,14 @@ impl Titled<'_, '_> {
             condition(&self.program, line).or_else(|| loops(line))
         });
         match (decides, computed) {
-            // A line computes the value: the title tells what it gives.
-            (None, Some(line)) => format!("{} gives {other}, not {value}", described(line)),
+            // A line computes the value: the title tells what it gives, if it names what has the value.
+            (None, Some(line)) if !self.assigns_another(line, name) => {
+                format!("{} gives {other}, not {value}", described(line))
+            }
             // A condition decides the value, or nothing computes it: the title tells that line, and names the variable.
-            (line, _) => format!(
+            (line, computed) => format!(
                 "{}: {name} is {other}, not {value}",
-                described(line.unwrap_or(declared))
+                described(line.or(computed).unwrap_or(declared))
             ),
         }
     }
