@@ -7,6 +7,7 @@ use crate::smaller_case::all_values;
 use crate::words::{converted, is_number, type_of_word};
 use crate::work::{Role, works};
 use std::collections::HashSet;
+use stickler_reference::errors;
 use stickler_syntax::Edits;
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{
@@ -98,7 +99,8 @@ pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -
         Some((ty, only.rsplit_once('#')?.1.to_owned()))
     });
     let loops: Vec<_> = loops.collect();
-    let plain = (!loops.is_empty()).then(|| (ElementaryType::Int, "1".to_owned()));
+    let ends_at_once = !loops.is_empty() || has_loop_to_its_first_value(program, dialect);
+    let plain = ends_at_once.then(|| (ElementaryType::Int, "1".to_owned()));
     // What was never assigned is 0.
     let shown = loops.into_iter().filter(|(_, only)| only != "0").chain(plain);
     let alone = |(ty, only): (ElementaryType, String)| {
@@ -113,6 +115,27 @@ pub(crate) fn loops_alone(program: &ReadProgram<'_, '_>, dialect: DialectName) -
         }
     };
     shown.map(alone).collect()
+}
+
+/// Returns whether the last value of a FOR loop is the first one at some time, wherever the loop stands: a loop before it that ends only
+/// where they differ never ends.
+fn has_loop_to_its_first_value(program: &ReadProgram<'_, '_>, dialect: DialectName) -> bool {
+    let mut edits = Edits::new();
+    for part in program.at(Place::From) {
+        if let Some(statement) = part.statement
+            && let StatementKind::For { to, .. } = statement.kind
+        {
+            let limits = [part.id, to].map(|limit| program.text(limit));
+            let waits = format!("REPEAT\nUNTIL ({}) <> ({})\nEND_REPEAT;\n", limits[0], limits[1]);
+            let start = statement.span.start as usize;
+            edits.replace(start..start, waits);
+        }
+    }
+    let waiting = edits.apply(program.text);
+    waiting != program.text
+        && all_values(program.text, dialect).1.is_some()
+        && errors(&waiting, dialect).is_empty()
+        && all_values(&waiting, dialect).1.is_none()
 }
 
 /// Returns whether a program is one of those that [`loops_alone`] makes.

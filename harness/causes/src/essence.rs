@@ -19,6 +19,11 @@ use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::{Code, Fault};
 
+/// The extensions of the source files of compilers.
+const SOURCE_FILES: [&str; 12] = [
+    "c", "cc", "cpp", "cxx", "h", "hpp", "rs", "go", "java", "cs", "js", "ts",
+];
+
 /// The pattern of a loop whose variable wraps before it passes its limit.
 const TO_LAST_VALUE: &str = "FOR loop to the last value of its type";
 
@@ -237,6 +242,10 @@ fn needs(
         Symptom::Hang => (symptom, line.loops(), false),
         Symptom::Crash(words) | Symptom::Unusable(words) => {
             let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
+            // Where in its own source a compiler fails says more than its words.
+            if let Some(place) = crash_place(&normal.deviation.got) {
+                return (format!("crash at {place}"), BTreeSet::new(), false);
+            }
             // What a compiler of C says of a header that was written for it depends on what follows.
             let symptom = match unusable_header(&normal.deviation.got) {
                 Some(header) => format!("unusable {header}"),
@@ -276,6 +285,30 @@ fn needs(
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
+}
+
+/// Returns the file and the line of a compiler's own source that it names where it crashes, as in `vm/src/stack.rs:62:46` and `in file parse.cc
+/// at line 400`; `None` where it names none.
+fn crash_place(got: &[Fact]) -> Option<String> {
+    let reason = got.iter().find_map(|fact| match fact {
+        Fact::Crashed { reason } => Some(reason),
+        _ => None,
+    })?;
+    let trimmed = |word: &str| word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_owned();
+    let words: Vec<String> = reason.split_whitespace().map(trimmed).collect();
+    words.iter().enumerate().find_map(|(at, word)| {
+        let mut parts = word.split(':');
+        let file = parts.next()?.rsplit('/').next()?;
+        let (_, extension) = file.rsplit_once('.')?;
+        SOURCE_FILES.contains(&extension).then_some(())?;
+        let is_number = |word: &&str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit());
+        let mut behind = words[at + 1..].iter().take(3).map(String::as_str);
+        let line = parts
+            .next()
+            .filter(is_number)
+            .or_else(|| behind.find(is_number))?;
+        Some(format!("{file}:{line}"))
+    })
 }
 
 const fn is_fault_without_line(fact: &Fact) -> bool {

@@ -11,8 +11,8 @@ use stickler_syntax::features::features;
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    Configuration, Declaration, ExpressionId, ExpressionKind, InitializerKind, LiteralKind,
-    TypeSpecificationKind, VariableKind,
+    Configuration, Declaration, ExpressionId, ExpressionKind, Initializer, InitializerKind, LiteralKind,
+    TypeSpecification, TypeSpecificationKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
@@ -332,29 +332,38 @@ fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
     variables.any(|group| group.names.iter().any(|one| one.is(name)))
 }
 
-/// Returns whether an array of one dimension, whose limits are numbers, begins with more values than it has elements.
+/// Returns whether an array of one dimension, whose limits are numbers, begins with more values than it has elements: a variable, or a field of
+/// one.
 fn has_more_values(program: &ReadProgram<'_, '_>) -> bool {
-    let number = |id: ExpressionId| program.text(id).replace('_', "").parse::<i64>().ok();
     let mut groups = program.names.iter().filter_map(|one| one.group);
     groups.any(|group| {
-        let (TypeSpecificationKind::Array { dimensions, .. }, Some(initializer)) =
-            (&group.specification.kind, &group.initializer)
-        else {
-            return false;
-        };
-        let ([(low, high)], InitializerKind::Array(elements)) = (&dimensions[..], &initializer.kind) else {
-            return false;
-        };
-        let size = number(*high)
-            .zip(number(*low))
-            .map(|(high, low)| high.saturating_sub(low).saturating_add(1));
-        let values = elements.iter().map(|element| {
-            let times = element.repetition.map_or(Some(1), number).unwrap_or(1);
-            times.saturating_mul(element.values.len().max(1) as i64)
-        });
-        let number = values.fold(0_i64, i64::saturating_add);
-        size.is_some_and(|size| number > size)
+        let initializer = group.initializer.as_ref();
+        initializer.is_some_and(|initializer| exceeds(program, &group.specification, initializer))
     })
+}
+
+fn exceeds(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>, initializer: &Initializer<'_>) -> bool {
+    let number = |id: ExpressionId| program.text(id).replace('_', "").parse::<i64>().ok();
+    match (&ty.kind, &initializer.kind) {
+        (_, InitializerKind::Structure(values)) => values.iter().any(|(field, value)| {
+            let group = program.group(field.text);
+            group.is_some_and(|group| exceeds(program, &group.specification, value))
+        }),
+        (TypeSpecificationKind::Array { dimensions, .. }, InitializerKind::Array(elements)) => {
+            let [(low, high)] = &dimensions[..] else {
+                return false;
+            };
+            let limits = number(*high).zip(number(*low));
+            let size = limits.map(|(high, low)| high.saturating_sub(low).saturating_add(1));
+            let values = elements.iter().map(|element| {
+                let times = element.repetition.map_or(Some(1), number).unwrap_or(1);
+                times.saturating_mul(element.values.len().max(1) as i64)
+            });
+            let number = values.fold(0_i64, i64::saturating_add);
+            size.is_some_and(|size| number > size)
+        }
+        _ => false,
+    }
 }
 
 /// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.

@@ -12,6 +12,7 @@ use crate::work::operations;
 use stickler_engines::OTHER_TYPE;
 use stickler_run::{Fact, Symptom};
 use stickler_syntax::token::TokenKind;
+use stickler_syntax::tree::Pou;
 use stickler_types::{Code, Diagnostic};
 
 /// Returns the title of a cause, by the smallest program that shows it. Stickler's own codes, which an adapter gives to the
@@ -186,7 +187,9 @@ impl Titled<'_, '_> {
 
     /// Returns the words about the unit that a line stands in; none of a PROGRAM, and of a line among the types.
     fn unit(&self, number: u32) -> String {
-        let is_inside = !matches!(place_of(&self.program, number), LinePlace::Types);
+        let is_head = |pou: &Pou<'_>| self.program.line(pou.name.span) == number;
+        let is_inside = !matches!(place_of(&self.program, number), LinePlace::Types)
+            && !self.program.unit.pous().any(is_head);
         let unit = unit_of(&self.program, number).filter(|_| is_inside);
         unit.map_or(String::new(), |unit| format!(" in {unit}"))
     }

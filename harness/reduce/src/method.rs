@@ -64,6 +64,7 @@ pub const PASSES: &[Pass<TextDraft>] = &[
     text_pass!("drop initial values", declarations::drop_initials),
     text_pass!("assign initial values", initial_values::assign_initials),
     text_pass!("drop fields", initial_values::forget_fields),
+    text_pass!("shorten arrays", initial_values::shorten_arrays),
     text_pass!("drop repetitions", initial_values::drop_repetitions),
     text_pass!("resolve types", declarations::resolve_types),
     text_pass!("unwrap arrays", arrays::unwrap_arrays),

@@ -160,6 +160,27 @@ fn what_does_not_matter_in_initial_values_and_texts_goes() {
 }
 
 #[test]
+fn an_array_gets_shorter_with_the_values_that_it_begins_with() {
+    let start = "TYPE\n    BOX : STRUCT\n        list : ARRAY[0..2] OF INT;\n    END_STRUCT;\nEND_TYPE\nPROGRAM main\nVAR\n    it : BOX := (list := \
+                 [7, 8, 9]);\n    other : ARRAY[1..3] OF INT := [4, 5, 6];\nEND_VAR\n    it.list[0] := other[1];\nEND_PROGRAM\n";
+    accepted(start);
+    let found = reduce(start, &["(list := [7", ":= [4", "it.list[0]"]);
+    accepted(&found.value);
+    for (kept, gone) in [
+        ("[7])", "8"),
+        ("[4];", "5"),
+        ("[0..0]", "..2"),
+        ("ARRAY[0..0] OF INT := [4]", "..3"),
+    ] {
+        assert!(
+            found.value.contains(kept) && !found.value.contains(gone),
+            "{kept} {gone}\n{}",
+            found.value
+        );
+    }
+}
+
+#[test]
 fn a_statement_that_does_nothing_assigns_the_initial_value() {
     // A value that does not fit, which no run shows.
     let start = "PROGRAM main\nVAR\n    r : BYTE := BYTE#256;\nEND_VAR\n    r := r;\nEND_PROGRAM\n";

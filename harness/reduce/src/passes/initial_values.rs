@@ -70,6 +70,57 @@ pub(crate) fn assign_initials(view: &TextView<'_>) -> Vec<Edits> {
     view.only_allowed(changes)
 }
 
+/// Leaves an array of one dimension its first element, with the value that this begins with.
+pub(crate) fn shorten_arrays(view: &TextView<'_>) -> Vec<Edits> {
+    let fields = view
+        .types()
+        .filter_map(|declared| match &declared.specification.kind {
+            TypeSpecificationKind::Structure(fields) => Some(fields),
+            _ => None,
+        });
+    let of_field = |field: &Name<'_>| {
+        let mut found = Vec::new();
+        for initializer in initializers(view) {
+            if let InitializerKind::Structure(values) = &initializer.kind {
+                let values = values.iter().filter(|(name, _)| name.is(field.text));
+                found.extend(values.map(|(_, value)| value));
+            }
+        }
+        found
+    };
+    let fields = fields.flatten().filter_map(|group| match &group.names[..] {
+        [name] => Some((&group.specification, of_field(name))),
+        _ => None,
+    });
+    let variables = view.specifications().into_iter();
+    let variables = variables.map(|(specification, own)| (specification, own.into_iter().collect()));
+    let mut changes = Vec::new();
+    for (specification, lists) in variables.chain(fields) {
+        let TypeSpecificationKind::Array { dimensions, .. } = &specification.kind else {
+            continue;
+        };
+        let [(low, high)] = dimensions[..] else { continue };
+        let least = &view.text()[view.range_of_expression(low)];
+        let mut edits = Edits::replacing(view.range_of_expression(high), least);
+        let lists: Vec<&Initializer<'_>> = lists;
+        for list in lists {
+            let InitializerKind::Array(elements) = &list.kind else {
+                continue;
+            };
+            let single = elements.iter().map(|element| match &element.values[..] {
+                [value] if element.repetition.is_none() => Some(value.span.end as usize),
+                _ => None,
+            });
+            let ends: Option<Vec<usize>> = single.collect();
+            if let Some([first, .., last]) = ends.as_deref() {
+                edits.remove(*first..*last);
+            }
+        }
+        changes.push(edits);
+    }
+    view.only_allowed(changes)
+}
+
 /// Writes the values of an array that are repeated once, without the number.
 pub(crate) fn drop_repetitions(view: &TextView<'_>) -> Vec<Edits> {
     let mut changes = Vec::new();
