@@ -5,11 +5,13 @@
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
 use crate::alone::{calculated, is_loop_alone};
+use crate::crash_place::crash_place;
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
+use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
 use crate::malformed::is_beyond_type;
 use crate::normal_form::{NUMBERS_PLACELESS, Normal};
-use crate::patterns::{counts_beyond_limit, has_first_bit, number_pattern};
+use crate::patterns::{has_first_bit, number_pattern};
 use crate::plainness::value_features;
 use crate::program::{Program, ReadProgram, read};
 use crate::reduction::Smallest;
@@ -18,14 +20,6 @@ use crate::words::{elementary, valued_types};
 use std::collections::BTreeSet;
 use stickler_run::{Fact, Grade, Symptom, Verdict};
 use stickler_types::{Code, Fault};
-
-/// The extensions of the source files of compilers.
-const SOURCE_FILES: [&str; 12] = [
-    "c", "cc", "cpp", "cxx", "h", "hpp", "rs", "go", "java", "cs", "js", "ts",
-];
-
-/// The pattern of a loop whose variable wraps before it passes its limit.
-const TO_LAST_VALUE: &str = "FOR loop to the last value of its type";
 
 /// The feature of a place where a value of every type is accepted.
 const UNCHECKED: &str = "unchecked";
@@ -64,7 +58,7 @@ impl Essence {
             Symptom::Value if normal.is_beginning() => Some("initial value in a FUNCTION_BLOCK"),
             Symptom::Value if is_loop_alone(&normal.program) => Some("FOR loop to its first value"),
             // A loop that never ends counts on.
-            Symptom::Hang if counts_beyond_limit(&read) => Some(TO_LAST_VALUE),
+            Symptom::Hang if loop_beyond_limit(&read).is_some() => Some(TO_LAST_VALUE),
             Symptom::Value => line
                 .lost_value_of_type(&normal.deviation)
                 .or(normal.way)
@@ -178,8 +172,9 @@ fn needs(
             (symptom, features, names_construct)
         }
         // What the engine says of a literal depends on the place where it stands.
-        Symptom::Rejected(_) if let Some(size) = line.size_of_integers() => {
-            ("rejected literal".to_owned(), words([size]), true)
+        Symptom::Rejected(reason) if line.size_of_integers().is_some() => {
+            let (symptom, features) = rejection(line, reason, &sign.at);
+            (symptom, features, true)
         }
         Symptom::Rejected(_) if line.has_special_literal() => {
             ("rejected literal".to_owned(), line.of_rejection(), true)
@@ -285,30 +280,6 @@ fn needs(
         Symptom::OtherLine(_) | Symptom::Incomplete(_) => (symptom, line.of_mistake(false), false),
         _ => (symptom, BTreeSet::from([sign.shape(&normal.program)]), false),
     }
-}
-
-/// Returns the file and the line of a compiler's own source that it names where it crashes, as in `vm/src/stack.rs:62:46` and `in file parse.cc
-/// at line 400`; `None` where it names none.
-fn crash_place(got: &[Fact]) -> Option<String> {
-    let reason = got.iter().find_map(|fact| match fact {
-        Fact::Crashed { reason } => Some(reason),
-        _ => None,
-    })?;
-    let trimmed = |word: &str| word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_owned();
-    let words: Vec<String> = reason.split_whitespace().map(trimmed).collect();
-    words.iter().enumerate().find_map(|(at, word)| {
-        let mut parts = word.split(':');
-        let file = parts.next()?.rsplit('/').next()?;
-        let (_, extension) = file.rsplit_once('.')?;
-        SOURCE_FILES.contains(&extension).then_some(())?;
-        let is_number = |word: &&str| !word.is_empty() && word.bytes().all(|byte| byte.is_ascii_digit());
-        let mut behind = words[at + 1..].iter().take(3).map(String::as_str);
-        let line = parts
-            .next()
-            .filter(is_number)
-            .or_else(|| behind.find(is_number))?;
-        Some(format!("{file}:{line}"))
-    })
 }
 
 const fn is_fault_without_line(fact: &Fact) -> bool {

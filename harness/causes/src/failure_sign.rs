@@ -162,7 +162,7 @@ fn work_of(text: &str) -> String {
         bodies.any(|(start, end)| (start..end).contains(&&work.span.start))
     });
     let mut operations = words_of(stated, Role::Operation);
-    // Nor does what is calculated beside something else.
+    // What is calculated beside something else does not matter.
     if operations.len() > 1 {
         operations.remove("arithmetic");
     }

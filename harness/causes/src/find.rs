@@ -198,7 +198,7 @@ struct ReducedGroup {
 impl ReducedGroup {
     fn unreduced(event: &CaseEvent, sign: &Sign) -> ReducedGroup {
         let mut smallest = Smallest::unreduced(event, sign);
-        // What dies and must be rejected may only be accepted.
+        // A program that must be rejected, and never ends, may be made smaller as one that is accepted.
         let is_mistake = event.expected.iter().any(|fact| fact.diagnostic().is_some());
         if is_reducible(&sign.symptom) || is_mistake && sign.symptom == Symptom::Hang {
             smallest.reduction = Reduced::Partly;
@@ -336,8 +336,9 @@ impl Asking<'_> {
                     let begun = Instant::now();
                     let stop = || (self.stop)() || begun.elapsed() > GROUP_TIME;
                     let died = sign;
+                    asked.only_checks = false;
                     let sign = asked.sign(case, died)?;
-                    asked.only_checks = sign != *died;
+                    asked.only_checks = sign.accepts() && sign != *died;
                     let smallest = reduce(asked, (case, event), &sign, tries, &stop)?;
                     let left = tries.saturating_sub(smallest.questions).max(tries / 4);
                     let normal = normal_form(asked, case, &smallest, left, &stop)?;

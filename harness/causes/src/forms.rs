@@ -142,7 +142,7 @@ pub(crate) fn with_whole_variable(program: &ReadProgram<'_, '_>) -> Vec<String> 
 }
 
 /// Returns programs in which an output of a call, or a value, is given to a variable of its own in the place of a bit.
-pub(crate) fn with_whole_output(program: &ReadProgram<'_, '_>) -> Vec<String> {
+pub(crate) fn with_variable_for_bit(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
     let is_bit = |part: &&Part<'_, '_>| matches!(part.expression.kind, ExpressionKind::Bit { .. });
     let change = |part: &Part<'_, '_>| {

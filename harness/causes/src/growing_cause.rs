@@ -68,9 +68,8 @@ impl GrowingCause {
             && normal.deviation.sign == smallest.deviation.sign
             && is_as_small
             && number(&normal.program) < number(&smallest.program);
-        let has_variables = matches!(normal.deviation.sign.symptom, Symptom::Unusable(_))
-            && normal.program != smallest.program;
-        let mut shown = match is_derived || is_unchecked || is_plainer || has_variables {
+        let is_other_form = is_plainer || normal.has_variables;
+        let mut shown = match is_derived || is_unchecked || is_other_form {
             true => normal.as_smallest(smallest),
             false => smallest.clone(),
         };
@@ -78,7 +77,10 @@ impl GrowingCause {
         let is_missing_alone = is_other && matches!(shown.deviation.sign.symptom, Symptom::NotImplemented(_));
         let is_derived = match is_missing_alone {
             true => !keeps_claim(&group.shown, &shown),
-            false => is_derived || is_loop_alone(&shown.program) || !keeps_claim(&group.shown, smallest),
+            false => {
+                let claimed = if is_other_form { &shown } else { smallest };
+                is_derived || is_loop_alone(&shown.program) || !keeps_claim(&group.shown, claimed)
+            }
         };
         // No page of a code says how often it is told.
         let is_told_twice = matches!(&shown.deviation.sign.symptom, Symptom::Surplus(code)
@@ -185,8 +187,8 @@ impl GrowingCause {
     }
 
     /// Returns the order of members with one essence, of which the first is shown: those whose claim binds the engine, then programs
-    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then what at
-    /// least twice as many cases show, then the smaller program.
+    /// of which the claim of their case still speaks, then claims by their rank and by the number of cases that rest on them, then what more cases
+    /// show, by powers of two, then the smaller program.
     pub(crate) fn preference(&self) -> (bool, u8, bool, u8, Reverse<u64>, Reverse<u32>, usize, &str) {
         let program = &self.cause.shown.program;
         (

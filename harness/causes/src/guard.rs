@@ -5,14 +5,14 @@ use crate::malformed::has_misplaced_underscore;
 use crate::program::{Part, Program, ReadProgram};
 use crate::question::Takes;
 use crate::shape::is_name;
+use crate::surplus_values::has_more_values;
 use crate::words::{ANY, elementary, has_word, tokens, words};
 use std::collections::{BTreeMap, BTreeSet};
 use stickler_syntax::features::features;
 use stickler_syntax::names::DeclaredName;
 use stickler_syntax::token::{Token, TokenKind};
 use stickler_syntax::tree::{
-    Configuration, Declaration, ExpressionId, ExpressionKind, Initializer, InitializerKind, LiteralKind,
-    TypeSpecification, TypeSpecificationKind, VariableKind,
+    Configuration, Declaration, ExpressionId, ExpressionKind, LiteralKind, VariableKind,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
@@ -155,7 +155,7 @@ fn literal(written: &str) -> Option<String> {
     if written.starts_with(['\'', '"']) {
         return written.get(..1).map(str::to_owned);
     }
-    // Whatever it is a digit of.
+    // An underscore that separates no digits is read by mistake in one way, in an integer and in a real number.
     let is_number = written.starts_with(|first: char| first.is_ascii_digit());
     if is_number && has_misplaced_underscore(&written.to_ascii_uppercase()) {
         return Some("misplaced underscore".to_owned());
@@ -242,7 +242,8 @@ fn unpromised(program: &ReadProgram<'_, '_>, tokens: &[Token]) -> BTreeSet<&'sta
     );
     found.extend(has_more_values(program).then_some("more values than elements"));
     // Basis of these: iec-61131-3: Annex A (`Case_Stmt`, `Struct_Decl`, `Config_Decl`, `Single_Resource_Decl`, `Task_Init`).
-    found.extend(adjacent(TokenKind::Of, TokenKind::EndCase).then_some("CASE without a branch"));
+    let has_no_branch = [TokenKind::EndCase, TokenKind::Else].map(|end| adjacent(TokenKind::Of, end));
+    found.extend(has_no_branch.contains(&true).then_some("CASE without a branch"));
     let is_empty = adjacent(TokenKind::Struct, TokenKind::EndStruct);
     found.extend(is_empty.then_some("empty structure"));
     found.extend(has_empty_resource(program).then_some("resource without a program"));
@@ -330,40 +331,6 @@ fn begins_with_variable(program: &ReadProgram<'_, '_>, name: &str) -> bool {
         .filter(|section| !section.constant)
         .flat_map(|section| &section.groups);
     variables.any(|group| group.names.iter().any(|one| one.is(name)))
-}
-
-/// Returns whether an array of one dimension, whose limits are numbers, begins with more values than it has elements: a variable, or a field of
-/// one.
-fn has_more_values(program: &ReadProgram<'_, '_>) -> bool {
-    let mut groups = program.names.iter().filter_map(|one| one.group);
-    groups.any(|group| {
-        let initializer = group.initializer.as_ref();
-        initializer.is_some_and(|initializer| exceeds(program, &group.specification, initializer))
-    })
-}
-
-fn exceeds(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>, initializer: &Initializer<'_>) -> bool {
-    let number = |id: ExpressionId| program.text(id).replace('_', "").parse::<i64>().ok();
-    match (&ty.kind, &initializer.kind) {
-        (_, InitializerKind::Structure(values)) => values.iter().any(|(field, value)| {
-            let group = program.group(field.text);
-            group.is_some_and(|group| exceeds(program, &group.specification, value))
-        }),
-        (TypeSpecificationKind::Array { dimensions, .. }, InitializerKind::Array(elements)) => {
-            let [(low, high)] = &dimensions[..] else {
-                return false;
-            };
-            let limits = number(*high).zip(number(*low));
-            let size = limits.map(|(high, low)| high.saturating_sub(low).saturating_add(1));
-            let values = elements.iter().map(|element| {
-                let times = element.repetition.map_or(Some(1), number).unwrap_or(1);
-                times.saturating_mul(element.values.len().max(1) as i64)
-            });
-            let number = values.fold(0_i64, i64::saturating_add);
-            size.is_some_and(|size| number > size)
-        }
-        _ => false,
-    }
 }
 
 /// Returns whether something is repeated zero times, as in `[0(5)]`, or counted by zero, or nothing is repeated, as in `[5()]`.

@@ -35,6 +35,7 @@
 
 mod alone;
 mod claim;
+mod crash_place;
 mod essence;
 mod failed;
 mod failure_sign;
@@ -45,6 +46,7 @@ mod guard;
 mod key;
 mod line_features;
 mod lines;
+mod loop_limits;
 mod malformed;
 mod normal_form;
 mod passes;
@@ -59,6 +61,7 @@ mod shape;
 mod smaller_case;
 mod smaller_programs;
 mod subjects;
+mod surplus_values;
 mod suspect;
 #[cfg(test)]
 mod tests;

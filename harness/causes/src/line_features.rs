@@ -20,6 +20,7 @@
 //! | `initial value by name` | a variable begins with what has a name, such as a constant |
 //! | `initial value`, `assigned value` | how a variable gets a wrong value where nothing is computed |
 //! | `conversion` | a number becomes one of another type as an initial value or an output argument |
+//! | `AT` | a located variable, for a mistake that is accepted |
 //! | `conversion integer and text` | an assignment or an operation converts between values of these kinds |
 
 use crate::failure_sign::is_unread;
@@ -423,13 +424,11 @@ impl<'t, 's> ProgramAndLine<'t, 's> {
         words_of(self.works.iter().filter(is_suspect), Role::Literal)
     }
 
-    /// Returns the size of the largest integer of the line that matters, where it is one that compilers do not read. A smaller number would
-    /// stand there if it were not the size that matters.
+    /// Returns the size of the largest integer of the line that matters, where it is one that compilers do not read. The reduction would have
+    /// left a smaller number if the size did not matter.
     pub(crate) fn size_of_integers(&self) -> Option<&'static str> {
-        let here = self
-            .program
-            .literals()
-            .filter(|(part, _)| self.is_on_line(part.expression.span));
+        let literals = self.program.literals();
+        let here = literals.filter(|(part, _)| self.is_on_line(part.expression.span));
         let sizes = here.filter_map(|(_, literal)| size_of_integer(literal));
         sizes.max_by_key(|size| SIZES.iter().position(|one| one == size))
     }

@@ -104,17 +104,20 @@ pub(crate) fn size_of_integer(literal: &str) -> Option<&'static str> {
 /// Returns whether a literal is an integer with a type that does not hold it, and is given to another type which does.
 pub(crate) fn is_beyond_type(literal: &str, target: Option<ElementaryType>) -> bool {
     let own = type_of_word(literal).filter(|_| literal.contains('#'));
-    let (digits, base) = integer(literal);
-    let sign = if literal.contains('-') { -1 } else { 1 };
-    let number = i128::from_str_radix(&digits, base)
-        .ok()
-        .map(|number| sign * number);
+    let number = number_of_literal(literal);
     let holds = |ty: ElementaryType| {
         let (least, most) = ty.integer_range()?;
         Some((least..=most).contains(&number?))
     };
     let is_held = target.is_some_and(|ty| ty.is_real() || holds(ty) == Some(true));
     own.and_then(holds) == Some(false) && is_held
+}
+
+/// Returns the number that an integer literal is, in any base; `None` of another literal, and of one that 128 bits do not hold.
+pub(crate) fn number_of_literal(literal: &str) -> Option<i128> {
+    let (digits, base) = integer(literal);
+    let number = i128::from_str_radix(&digits, base).ok()?;
+    Some(if literal.contains('-') { -number } else { number })
 }
 
 /// Returns the digits of an integer literal without its sign, and their base.

@@ -34,6 +34,8 @@ pub(crate) struct Normal {
     pub(crate) is_operand: bool,
     /// The way in which the engine does an operation, or tells a mistake, where another program shows it.
     pub(crate) way: Option<&'static str>,
+    /// Whether the program has variables in the place of literals, and fails as well.
+    pub(crate) has_variables: bool,
     /// Whether the engine was asked for each operand of the program alone, so that none of them fails but the program does.
     pub(crate) is_asked: bool,
     /// The number of times that the engine was asked.
@@ -47,6 +49,7 @@ impl Normal {
             program: smallest.program.clone(),
             deviation: smallest.deviation.clone(),
             is_operand: false,
+            has_variables: false,
             way: None,
             is_asked: false,
             questions: 0,
@@ -375,6 +378,7 @@ impl NormalSearch<'_, '_> {
             if let Some(deviation) = seen.filter(|seen| is_same(&self.normal.deviation, seen)) {
                 self.normal.program = case.source.to_string();
                 self.normal.deviation = deviation;
+                self.normal.has_variables = true;
             }
         }
         Ok(())

@@ -67,7 +67,8 @@ const LOOP_ALONE: NormalPass = Pass {
     },
 };
 const ONE_STATEMENT: NormalPass = alternatives!("keep one statement", forms::with_one_statement);
-const WHOLE_OUTPUT: NormalPass = alternatives!("give a value to a variable", forms::with_whole_output);
+const VARIABLE_FOR_BIT: NormalPass =
+    alternatives!("give a value to a variable", forms::with_variable_for_bit);
 const WHOLE_VARIABLE: NormalPass = alternatives!("assign a whole variable", forms::with_whole_variable);
 const FIRST_PARTS: NormalPass = alternatives!("select the first parts", forms::with_first_parts);
 const FITTING_OPERAND: NormalPass = alternatives!("give the right type", forms::with_fitting_operand);
@@ -92,8 +93,8 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
         // A loop may have no end, and a division stop, because a variable does not begin with its value.
         Symptom::Hang | Symptom::Fault(_) => &[INITIAL_VALUES],
         Symptom::NotRejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE],
-        Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, WHOLE_OUTPUT, SAME_TYPES],
-        Symptom::NotImplemented(_) => &[ONE_STATEMENT, WHOLE_OUTPUT],
+        Symptom::Rejected(_) => &[OPERAND_ALONE, WHOLE_VARIABLE, VARIABLE_FOR_BIT, SAME_TYPES],
+        Symptom::NotImplemented(_) => &[ONE_STATEMENT, VARIABLE_FOR_BIT],
         Symptom::OtherCode { .. } | Symptom::Surplus(_) | Symptom::OtherLine(_) => {
             &[FIRST_PARTS, OPERAND_ALONE, FITTING_OPERAND, SAME_TYPES]
         }

@@ -1,12 +1,15 @@
 //! Patterns of numbers: what of its origin a wrong value shows by its number alone.
 
+use crate::alone::binary;
 use crate::forms::named_types;
+use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
+use crate::malformed::number_of_literal;
 use crate::program::ReadProgram;
 use crate::question::{Deviation, wrong_values};
 use crate::words::{converted, elementary, is_number, kind, type_of_word, valued_types, words};
 use crate::work::operations;
 use std::collections::BTreeSet;
-use stickler_syntax::tree::StatementKind;
+use stickler_syntax::tree::BinaryOperator;
 use stickler_syntax::visitor::Place;
 use stickler_types::{ElementaryType, Family, Value};
 
@@ -42,7 +45,7 @@ pub(crate) fn number_pattern(program: &ReadProgram<'_, '_>, deviation: &Deviatio
             wrong.converts_out_of_range(),
             "conversion of a real number outside the range of its target",
         ),
-        (wrong.counts_to_limit(), "FOR loop to the last value of its type"),
+        (wrong.counts_to_limit(), TO_LAST_VALUE),
         (
             wrong.keeps_range(),
             "conversion to an integer that does not bring it into its range",
@@ -75,28 +78,18 @@ pub(crate) fn has_first_bit(program: &ReadProgram<'_, '_>) -> bool {
     })
 }
 
-/// Returns whether a FOR loop of a program counts to a number behind which no step stays within the type of its variable, so that a
-/// variable which wraps never passes it.
-pub(crate) fn counts_beyond_limit(program: &ReadProgram<'_, '_>) -> bool {
-    let number = |id| {
-        let literal = program.literal(id)?;
-        let digits = literal.rsplit('#').next()?.replace(['_', ' '], "");
-        digits.parse::<i128>().ok()
-    };
-    let mut limits = program.at(Place::To);
-    limits.any(|part| {
-        let Some(StatementKind::For { control, to, by, .. }) =
-            part.statement.map(|statement| &statement.kind)
-        else {
-            return false;
-        };
-        let range = program.type_of(*control).and_then(ElementaryType::integer_range);
-        let step = by.map_or(Some(1), number);
-        let (Some((least, most)), Some(to), Some(step)) = (range, number(*to), step) else {
-            return false;
-        };
-        step != 0 && !(least..=most).contains(&to.saturating_add(step))
-    })
+/// Returns what a comparison gives; `None` for another operator, and where no order is known.
+fn compared<N: PartialOrd>(operator: BinaryOperator, left: &N, right: &N) -> Option<bool> {
+    let order = left.partial_cmp(right)?;
+    match operator {
+        BinaryOperator::Equal => Some(order.is_eq()),
+        BinaryOperator::NotEqual => Some(order.is_ne()),
+        BinaryOperator::Less => Some(order.is_lt()),
+        BinaryOperator::LessOrEqual => Some(order.is_le()),
+        BinaryOperator::Greater => Some(order.is_gt()),
+        BinaryOperator::GreaterOrEqual => Some(order.is_ge()),
+        _ => None,
+    }
 }
 
 /// The first number that a program has wrong, beside those of its text.
@@ -209,8 +202,7 @@ impl WrongNumber<'_, '_, '_> {
             self.amounts().any(|number| Some(number) == most)
         };
         let is_plain = self.computed() == 0 && valued_types(self.program.text).len() < 2;
-        let is_counted_on = self.numbers().is_some_and(|(wanted, got)| got > wanted);
-        is_plain && counted.any(counts) || is_counted_on && counts_beyond_limit(self.program)
+        is_plain && counted.any(counts) || self.is_counted_on()
     }
 
     /// Returns whether the wrong value has the bits that a literal of the program has in another type, and no function converts it.
@@ -338,14 +330,32 @@ impl WrongNumber<'_, '_, '_> {
         is_copied || self.has_rounded_literal((ty, raw, got))
     }
 
-    /// Returns whether the program only compares integer literals of which one is beyond those that an LREAL tells apart.
+    /// Returns whether the wrong number is too great and computed in a loop that counts beyond the limit of its variable.
+    fn is_counted_on(&self) -> bool {
+        let name = wrong_values(&self.deviation.expected, &self.deviation.got).next();
+        let line = name.and_then(|(name, _)| self.program.computation(name));
+        let around = line.and_then(|line| self.program.loop_around(line));
+        let is_greater = self.numbers().is_some_and(|(wanted, got)| got > wanted);
+        is_greater && around.is_some() && around == loop_beyond_limit(self.program)
+    }
+
+    /// Returns whether the wrong truth value is what a comparison of two integer literals gives with the nearest LREAL of each.
     fn compares_beyond_lreal(&self) -> bool {
-        let is_truth_value = self.bits().is_some_and(|(ty, ..)| ty == ElementaryType::Bool);
-        let only_compares = operations(self.program.text)
-            .into_iter()
-            .eq(["comparison".to_owned()]);
-        let is_beyond = |amount: f64| amount > 2_f64.powi(f64::MANTISSA_DIGITS as i32);
-        is_truth_value && only_compares && self.amounts().any(is_beyond) && self.program.names.len() < 3
+        let Some((ElementaryType::Bool, _, got)) = self.bits() else {
+            return false;
+        };
+        let number = |id| number_of_literal(self.program.literal(id)?);
+        self.program.at(Place::Value).any(|part| {
+            let Some((operator, left, right)) = binary(self.program, part.id) else {
+                return false;
+            };
+            let (Some(left), Some(right)) = (number(left), number(right)) else {
+                return false;
+            };
+            let given = compared(operator, &left, &right);
+            let rounded = compared(operator, &(left as f64), &(right as f64));
+            given != rounded && rounded == Some(got != 0)
+        })
     }
 
     /// Returns whether the wrong value has the last bits of an integer literal with the digits of its nearest LREAL, where it must have

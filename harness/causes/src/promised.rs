@@ -3,6 +3,7 @@
 
 use crate::failure_sign::is_unread;
 use crate::line_features::passes_in_out;
+use crate::loop_limits::TO_LAST_VALUE;
 use crate::program::{Program, ReadProgram};
 use crate::question::wrong_values;
 use crate::reduction::Smallest;
@@ -57,7 +58,8 @@ pub(crate) fn promise<'s>(
     }
 }
 
-/// The features of which a wrong value tells by its pattern, whatever the case was about.
+/// The features of which a wrong value, or the size of a literal that is rejected, tells by its pattern, whatever the case was about. Table 10 has
+/// the range of each type; the types here are those that hold such numbers.
 pub(crate) const OF_PATTERNS: [(&str, &str); 13] = [
     (
         "conversion to an integer that does not bring it into its range",
@@ -78,7 +80,7 @@ pub(crate) const OF_PATTERNS: [(&str, &str); 13] = [
     ("integer of more than 63 bits", "ulint"),
     ("integer of more than 64 bits", "lreal"),
     ("FOR loop to its first value", "for"),
-    ("FOR loop to the last value of its type", "for"),
+    (TO_LAST_VALUE, "for"),
     ("initial value of a type", "type-initial-value"),
     ("initial value of a field", "field-initial-value"),
 ];

@@ -150,12 +150,12 @@ impl Questioner<'_> {
     /// # Errors
     /// [`EngineError`] where no session can be opened.
     pub(crate) fn deviation(&mut self, case: &Case) -> Result<Option<Deviation>, EngineError> {
-        let question = question(case);
+        let question = self.key(case);
         let answers = match self.answered.get(&question) {
             Some(known) => known.answers,
             None => {
-                let answers = match self.only_checks && case.expectation.accepted == Acceptance::Rejected {
-                    true => Answers::of_run(self.session.check(case.dialect, &case.source)?),
+                let answers = match self.is_only_checked(case) {
+                    true => self.check(case)?,
                     false => ask_stored(&mut self.session, case, self.store)?,
                 };
                 self.answered.keep(question, &answers, false);
@@ -163,6 +163,26 @@ impl Questioner<'_> {
             }
         };
         Ok(self.judged(case, answers)?.1)
+    }
+
+    /// Returns whether a case must be rejected, and is one of those that are only checked.
+    fn is_only_checked(&self, case: &Case) -> bool {
+        self.only_checks && case.expectation.accepted == Acceptance::Rejected
+    }
+
+    /// Returns the key of the answers about a case. A check says less than a run.
+    fn key(&self, case: &Case) -> String {
+        let question = question(case);
+        match self.is_only_checked(case) {
+            true => format!("check {question}"),
+            false => question,
+        }
+    }
+
+    /// Asks the engine to check the program of a case.
+    fn check(&mut self, case: &Case) -> Result<Answers, EngineError> {
+        let checked = self.session.check(case.dialect, &case.source)?;
+        Ok(Answers::of_run(checked))
     }
 
     /// Asks the engine about the programs that are asked about next, where it takes several together, so that the answers are known then.
@@ -175,7 +195,7 @@ impl Questioner<'_> {
         cases: impl IntoIterator<Item = &'a Case>,
         stop: &dyn Fn() -> bool,
     ) -> Result<(), EngineError> {
-        if !self.takes_packs() {
+        if !self.takes_packs() || self.only_checks {
             return Ok(());
         }
         let mut asked = HashSet::new();
@@ -241,19 +261,19 @@ impl Questioner<'_> {
 
     /// Returns whether the engine answered a case in this search.
     pub(crate) fn has_answered(&self, case: &Case) -> bool {
-        self.answered.get(&question(case)).is_some()
+        self.answered.get(&self.key(case)).is_some()
     }
 
     /// Returns whether the engine gave the same answer about a case each time in this search.
     pub(crate) fn is_steady(&self, case: &Case) -> bool {
         self.answered
-            .get(&question(case))
+            .get(&self.key(case))
             .is_some_and(|known| known.is_steady)
     }
 
     /// Notes that the engine gives the same answer about a case each time.
     pub(crate) fn note_steady(&self, case: &Case) {
-        let question = question(case);
+        let question = self.key(case);
         if let Some(known) = self.answered.get(&question) {
             self.answered.keep(question, &known.answers, true);
         }
@@ -271,7 +291,7 @@ impl Questioner<'_> {
         stop: &dyn Fn() -> bool,
     ) -> Result<Vec<Judged>, EngineError> {
         let answers = match self.pack_size_of(symptom).min(times) {
-            _ if self.only_checks => return Ok(vec![self.checked(case)?]),
+            _ if self.is_only_checked(case) => vec![Some(self.check(case)?)],
             0 | 1 => vec![Some(ask(&mut self.session, case)?)],
             size => ask_stored_together(&mut self.session, &vec![case; size], None, (size, stop))?,
         };
@@ -290,12 +310,6 @@ impl Questioner<'_> {
         }
         let seen = self.deviation(case)?;
         Ok(seen.map_or_else(|| sign.clone(), |seen| seen.sign))
-    }
-
-    /// Returns what the engine does with a case that it only checks.
-    fn checked(&mut self, case: &Case) -> Result<Judged, EngineError> {
-        let checked = self.session.check(case.dialect, &case.source)?;
-        self.judged(case, Answers::of_run(checked))
     }
 
     fn judged(&mut self, case: &Case, answers: Answers) -> Result<Judged, EngineError> {

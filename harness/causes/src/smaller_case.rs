@@ -168,7 +168,7 @@ fn expectation(whole: &Expectation, symptom: &Symptom, outcome: Outcome) -> Opti
                 ..Expectation::default()
             })
         }
-        // No program may make a compiler crash.
+        // No program may make a compiler crash, or write what cannot be built.
         Outcome::Rejected { .. }
             if is_open && matches!(symptom, Symptom::Crash(_) | Symptom::Unusable(_)) =>
         {

@@ -6,7 +6,7 @@ use crate::malformed::{forms_of_literals, words_with_digits};
 use crate::question::{Questioner, Takes};
 use crate::reduction::{has_fault, has_same_value};
 use crate::smaller_case::with_program;
-use crate::words::{LOOPS, has_word, words};
+use crate::words::{LOOPS, words};
 use std::cell::Cell;
 use stickler_engines::EngineError;
 use stickler_reduce::{CandidateJudge, Interestingness};
@@ -50,14 +50,13 @@ impl SmallerPrograms<'_, '_> {
             self.sign.symptom,
             Symptom::Value | Symptom::Missing | Symptom::Fault(_)
         );
-        let exits = |text: &str| {
-            words(text)
-                .iter()
-                .filter(|word| word.eq_ignore_ascii_case("EXIT"))
-                .count()
+        let number = |text: &str, sought: &[&str]| {
+            let words = words(text);
+            let is_sought = |word: &&&str| sought.iter().any(|one| one.eq_ignore_ascii_case(word));
+            words.iter().filter(is_sought).count()
         };
-        let has_loop = LOOPS.iter().any(|word| has_word(program, word));
-        !(is_run && has_loop) || exits(program) >= exits(self.start)
+        let needed = number(self.start, &["EXIT"]).min(number(program, &LOOPS));
+        !is_run || number(program, &["EXIT"]) >= needed
     }
 
     /// Judges one program.

@@ -8,7 +8,10 @@ use stickler_types::Dialect;
 /// The number of cases of a claim whose programs are looked at, from its first to its last.
 const SAMPLE: usize = 64;
 
-/// The features that all cases of a claim use, by the claim's basis.
+/// The number of cases below which what they have in common says nothing of the claim.
+const FEW: usize = 4;
+
+/// The features that all cases in a sample of those of a claim use, by the claim's basis.
 pub(crate) struct Subjects<'s>(HashMap<&'s str, BTreeSet<FeatureKey>>);
 
 impl<'s> Subjects<'s> {
@@ -18,7 +21,8 @@ impl<'s> Subjects<'s> {
         for case in cases.iter().filter(|case| bases.contains(&*case.basis)) {
             resting.entry(&case.basis).or_default().push(case);
         }
-        let shared = resting.into_iter().map(|(basis, cases)| {
+        let known = resting.into_iter().filter(|(_, cases)| cases.len() >= FEW);
+        let shared = known.map(|(basis, cases)| {
             let sample = cases.iter().step_by(cases.len().div_ceil(SAMPLE));
             let used = sample.map(|case| features(&case.source, Dialect::of(case.dialect)));
             (basis, used.reduce(|all, used| &all & &used).unwrap_or_default())

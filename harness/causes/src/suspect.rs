@@ -78,20 +78,24 @@ pub(crate) fn guard_of<'s>(program: &ReadProgram<'_, 's>, number: u32) -> Option
         .take(number.saturating_sub(1) as usize)
         .collect();
     before.into_iter().rev().map(str::trim).find(|line| {
-        let first = tokens(line).first().map(|token| token.kind);
-        closed += usize::from(matches!(
-            first,
-            Some(EndIf | EndCase | EndFor | EndWhile | EndRepeat)
-        ));
-        let opens = matches!(first, Some(If | Case | For | While | Repeat));
-        let is_guard = (opens || matches!(first, Some(Elsif | Else))) && closed == 0;
-        closed -= usize::from(opens && closed > 0);
-        is_guard
+        tokens(line).iter().rev().any(|token| match token.kind {
+            EndIf | EndCase | EndFor | EndWhile | EndRepeat => {
+                closed += 1;
+                false
+            }
+            If | Case | For | While | Repeat if closed > 0 => {
+                closed -= 1;
+                false
+            }
+            If | Case | For | While | Repeat => true,
+            Elsif | Else => closed == 0,
+            _ => false,
+        })
     })
 }
 
-/// Returns the line at which a program most probably stops: the last of the statements with most to them, and of calls only where
-/// nothing is done in what they call.
+/// Returns the line at which a program most probably stops: the last of the statements with most to them. A call of a unit that does
+/// something only leads to the statements of the unit, and comes after them.
 pub(crate) fn stopping(program: &ReadProgram<'_, '_>) -> u32 {
     let does_nothing = |name: &str| program.unit_of(name).is_none_or(|unit| unit.body.is_empty());
     let weighed = |number: &u32| {

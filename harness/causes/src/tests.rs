@@ -269,6 +269,7 @@ fn a_reduction_makes_only_those_programs_of_others_that_the_table_says() {
 #[test]
 fn each_pattern_that_is_promised_is_one_that_a_value_tells_and_a_feature_promises() {
     let named = [
+        include_str!("loop_limits.rs"),
         include_str!("malformed.rs"),
         include_str!("patterns.rs"),
         include_str!("essence.rs"),

@@ -165,7 +165,8 @@ impl Titled<'_, '_> {
         let subscript = target
             .split_once('[')
             .and_then(|(_, rest)| rest.split(']').next());
-        let is_computed = subscript.is_some_and(|subscript| subscript.trim().parse::<i64>().is_err());
+        let is_number = |subscript: &str| subscript.trim().parse::<i64>().is_ok();
+        let is_computed = subscript.is_some_and(|subscript| !subscript.split(',').all(is_number));
         is_computed && !target.eq_ignore_ascii_case(name)
     }
 

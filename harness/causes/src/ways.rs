@@ -7,7 +7,7 @@ use crate::words::type_of_word;
 use std::collections::BTreeSet;
 use stickler_syntax::Edits;
 use stickler_syntax::tree::{
-    BinaryOperator, ExpressionId, ExpressionKind, LiteralKind, StatementKind, UnaryOperator,
+    BinaryOperator, ExpressionId, ExpressionKind, Literal, LiteralKind, StatementKind, UnaryOperator,
 };
 use stickler_syntax::visitor::Place;
 use stickler_types::ElementaryType;
@@ -83,7 +83,7 @@ pub(crate) fn with_swapped_operands(program: &ReadProgram<'_, '_>) -> Option<Str
 
 /// Returns a program with variables in the place of the texts and truth values that are operands or arguments; `None` where it has none.
 pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Option<String> {
-    with_variables(program, |place, kind| match kind {
+    with_variables(program, |place, literal| match literal.kind {
         _ if place == Place::Value => None,
         LiteralKind::SingleByteText => Some("STRING"),
         LiteralKind::DoubleByteText => Some("WSTRING"),
@@ -94,13 +94,15 @@ pub(crate) fn with_variables_for_literals(program: &ReadProgram<'_, '_>) -> Opti
 
 /// Returns a program with variables in the place of the integers in its statements; `None` where it has none.
 pub(crate) fn with_variables_for_numbers(program: &ReadProgram<'_, '_>) -> Option<String> {
-    with_variables(program, |_, kind| (kind == LiteralKind::Integer).then_some("INT"))
+    with_variables(program, |_, literal| {
+        (literal.kind == LiteralKind::Integer && literal.prefix().is_none()).then_some("INT")
+    })
 }
 
 /// Returns a program with variables in the place of the literals in its statements for which `ty` gives a type.
 fn with_variables(
     program: &ReadProgram<'_, '_>,
-    ty: impl Fn(Place, LiteralKind) -> Option<&'static str>,
+    ty: impl Fn(Place, &Literal<'_>) -> Option<&'static str>,
 ) -> Option<String> {
     let mut edits = Edits::new();
     let mut declared = BTreeSet::new();
@@ -108,7 +110,7 @@ fn with_variables(
         let ExpressionKind::Literal(literal) = &part.expression.kind else {
             continue;
         };
-        let Some(ty) = ty(part.place, literal.kind).filter(|_| literal.prefix().is_none()) else {
+        let Some(ty) = ty(part.place, literal) else {
             continue;
         };
         let Some(end) = part

@@ -249,7 +249,15 @@ fn fault(expected: &[Fact], got: &[Fact]) -> Option<Symptom> {
     match (fault_of(expected), fault_of(got)) {
         (None, None) => None,
         (Some((wanted, _)), Some((reported, _))) if wanted == reported => None,
-        (_, Some((Fault::Own(words), _))) => Some(Symptom::Fault(normalize_message(words))),
+        (_, Some((Fault::Own(words), _))) => {
+            let normal = normalize_message(words);
+            // A code is a word with a digit.
+            Some(Symptom::Fault(if normal.is_empty() {
+                words.to_owned()
+            } else {
+                normal
+            }))
+        }
         (_, Some((reported, _))) => Some(Symptom::Fault(reported.to_string())),
         (Some((wanted, _)), None) => Some(Symptom::NotFaulted(wanted.to_string())),
     }

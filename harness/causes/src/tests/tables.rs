@@ -206,7 +206,7 @@ fn answer(question: &str, inputs: &[String]) -> String {
         )),
         "turned_round" => bodies(Vec::from_iter(ways::turned_round(&program))),
         "with_variables_for_literals" => lines(Vec::from_iter(ways::with_variables_for_literals(&program))),
-        "with_whole_output" => lines(forms::with_whole_output(&program)),
+        "with_variable_for_bit" => lines(forms::with_variable_for_bit(&program)),
         "with_fitting_operand" => lines(forms::with_fitting_operand(&program)),
         "with_first_parts" => bodies(forms::with_first_parts(&program)),
         "with_plainer_type" => lines(forms::with_plainer_type(&program)),

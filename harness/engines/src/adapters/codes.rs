@@ -20,11 +20,10 @@ impl CompilerCodes {
         (!matches!(meaning, CodeMeaning::Code(_))).then_some(meaning)
     }
 
-    /// Returns whether one of the codes means the same as a code of the registry.
-    pub(super) fn say_codes(&self) -> bool {
-        self.0
-            .values()
-            .any(|meaning| matches!(meaning.0, CodeMeaning::Code(_)))
+    /// Returns whether one of the codes means the same as this code of the registry.
+    pub(super) fn say(&self, sought: Code) -> bool {
+        let mut meanings = self.0.values();
+        meanings.any(|meaning| matches!(meaning.0, CodeMeaning::Code(code) if code == sought))
     }
 
     /// Returns the diagnostic with the code of the registry that means the same as the compiler's own, if there is one.

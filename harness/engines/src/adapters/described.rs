@@ -31,7 +31,7 @@ use regex_lite::Regex;
 use std::collections::BTreeMap;
 use std::env;
 use std::path::{Path, PathBuf};
-use stickler_types::DialectName;
+use stickler_types::{Code, DialectName};
 use template::{HERE, SCANS, fixed};
 use values::Printed;
 
@@ -67,7 +67,7 @@ impl DescribedEngine {
                 dialects: description.dialects.keys().map(|dialect| dialect.0).collect(),
                 abilities: abilities(&description),
                 grade: description.grade.unwrap_or_else(|| best_grade(&description)),
-                lacks: Vec::new(),
+                lacks: lacking(&description),
             },
             description,
             here: here.to_owned(),
@@ -163,10 +163,21 @@ fn abilities(description: &Description) -> Vec<Ability> {
 fn best_grade(description: &Description) -> Grade {
     match &description.diagnostic {
         Some(pattern) if !pattern.0.tells("line") => Grade::Rejected,
-        Some(pattern) if pattern.0.tells("code") && description.codes.say_codes() => Grade::Code,
+        Some(pattern)
+            if pattern.0.tells("code") && Code::ALL.iter().any(|code| description.codes.say(*code)) =>
+        {
+            Grade::Code
+        }
         Some(_) => Grade::Line,
         None => Grade::Rejected,
     }
+}
+
+/// Returns the codes of the registry that no code of the compiler means, where some do: their rejections are judged by lines.
+fn lacking(description: &Description) -> Vec<Code> {
+    let is_by_codes = description.grade.is_none() && best_grade(description) == Grade::Code;
+    let codes = Code::ALL.iter().copied().filter(|_| is_by_codes);
+    codes.filter(|code| !description.codes.say(*code)).collect()
 }
 
 impl Engine for DescribedEngine {

@@ -162,6 +162,9 @@ fn cause(
 fn smallest(lacked: &LackedFeature<'_>, dialect: DialectName, engine: &dyn Engine) -> (String, Vec<Fact>) {
     let Feature { key, program, .. } = lacked.feature;
     let refused = refusal(program, &lacked.got);
+    if refused.is_none() {
+        return (program.clone(), lacked.got.clone());
+    }
     let mut session = EngineSession::new(engine);
     let mut got = lacked.got.clone();
     let mut is_refused = |text: &str| {
@@ -173,7 +176,7 @@ fn smallest(lacked: &LackedFeature<'_>, dialect: DialectName, engine: &dyn Engin
             return Interestingness::Invalid;
         };
         let seen = judge(&case, &Answers::of_run(outcome), Grade::Rejected).got;
-        let is_same = refused.is_some() && refusal(text, &seen) == refused;
+        let is_same = refusal(text, &seen) == refused;
         if is_same {
             got = seen;
         }
