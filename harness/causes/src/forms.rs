@@ -127,12 +127,12 @@ pub(crate) fn with_whole_variable(program: &ReadProgram<'_, '_>) -> Vec<String> 
         group.is_some_and(|group| elementary(group.specification.span.text(program.text)).is_some())
     };
     let used = |part: &Part<'_, '_>| {
-        let name = part.name().filter(|name| is_elementary(name))?;
         let around = program.around(part).map(|around| &around.expression.kind);
         let is_bit = matches!(around, Some(ExpressionKind::Bit { .. }));
         let statement = part
             .statement
             .filter(|_| is_bit || part.place == Place::Control)?;
+        let name = part.name().filter(|name| is_elementary(name))?;
         Some((statement.span, format!("{name} := {name}")))
     };
     let used = program.parts.iter().filter_map(used);

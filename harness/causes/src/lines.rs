@@ -64,19 +64,16 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
             .or_else(|| enumeration_of(program, word).filter(|_| declared.is_none()));
         let group = declared.filter(|_| !is_own).and_then(|one| one.group);
         let definition = group.and_then(|group| definition(program, &group.specification));
-        let parameters = declared_in_empty(program, code, word);
-        for entry in entry
-            .map(|entry| entry + &section)
-            .into_iter()
-            .chain(definition)
-            .chain(parameters)
-        {
+        for entry in entry.map(|entry| entry + &section).into_iter().chain(definition) {
             if types.len() < MAX_TYPES && !types.contains(&entry) {
                 types.push(entry);
             }
         }
     }
-    for entry in parameters(program, number) {
+    for entry in declared_in_empty(program, code)
+        .into_iter()
+        .chain(parameters(program, number))
+    {
         if types.len() < MAX_TYPES && !types.contains(&entry) {
             types.push(entry);
         }
@@ -98,11 +95,11 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
 }
 
 /// Returns what the block declares that a line calls by a name without arguments, where it does nothing: only that can matter.
-fn declared_in_empty(program: &ReadProgram<'_, '_>, code: &str, name: &str) -> Vec<String> {
-    let is_called = matches!(words(code)[..], [called, "(", ")"] if called == name);
-    let block = program
-        .unit_of(name)
-        .filter(|block| is_called && block.body.is_empty());
+fn declared_in_empty(program: &ReadProgram<'_, '_>, code: &str) -> Vec<String> {
+    let block = match words(code)[..] {
+        [name, "(", ")"] => program.unit_of(name).filter(|block| block.body.is_empty()),
+        _ => None,
+    };
     let is_inside = |one: &&DeclaredName<'_, '_>| {
         block.is_some_and(|block| one.inside.is_some_and(|unit| unit.span == block.span))
     };

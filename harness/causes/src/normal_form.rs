@@ -11,7 +11,7 @@ use crate::passes::{Draft, plain_method, structure_method};
 use crate::patterns::leaves_range;
 use crate::program::read;
 use crate::question::{Deviation, Questioner};
-use crate::reduction::Smallest;
+use crate::reduction::{LONG, Smallest};
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
 use crate::ways;
 use crate::words::tokens;
@@ -116,7 +116,8 @@ pub(crate) fn normal_form(
         stop,
         normal: Normal::unasked(smallest),
     };
-    if smallest.flaky.is_some() {
+    // A long program has no page, and each form of it takes long to write and to ask about.
+    if smallest.flaky.is_some() || smallest.program.len() > LONG {
         return Ok(search.normal);
     }
     let symptom = smallest.deviation.sign.symptom.clone();

@@ -38,10 +38,12 @@ impl SmallerPrograms<'_, '_> {
     fn keeps_literals(&self, program: &str) -> bool {
         let is_of_numbers = |code: &str| is_of_reading(code) || code == Code::ArraySizeOverflow.as_str();
         let unread = matches!(&self.sign.symptom, Symptom::NotRejected(code) if is_of_numbers(code));
-        let forms = forms_of_literals(program);
         // A part of such a literal may have its form.
-        let has_form = !forms.is_empty() && forms == forms_of_literals(self.start);
-        !unread || has_form || words_with_digits(program).is_subset(&words_with_digits(self.start))
+        let has_form = || {
+            let forms = forms_of_literals(program);
+            !forms.is_empty() && forms == forms_of_literals(self.start)
+        };
+        !unread || words_with_digits(program).is_subset(&words_with_digits(self.start)) || has_form()
     }
 
     /// Returns whether a program with a loop still leaves it where the whole program does, by an EXIT: without that it may never end.
