@@ -36,7 +36,9 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     let is_in =
         |unit: Span| (program.line(unit)..=program.lines.line(unit.end.saturating_sub(1))).contains(&number);
     let mut types: Vec<String> = Vec::new();
-    for word in words(code) {
+    // A line may have many thousands of words, of which nobody sees more than the first.
+    let shown = clipped(code);
+    for word in words(&shown) {
         let is_it = |one: &&DeclaredName<'_, '_>| one.name.is(word) && one.group.is_some();
         let is_own = own.iter().any(|name| name.eq_ignore_ascii_case(word));
         let is_inside = |one: &&DeclaredName<'_, '_>| one.inside.is_some_and(|unit| is_in(unit.span));
@@ -70,7 +72,7 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
             }
         }
     }
-    for entry in declared_in_empty(program, code)
+    for entry in declared_in_empty(program, &shown)
         .into_iter()
         .chain(parameters(program, number))
     {
@@ -89,8 +91,8 @@ pub(crate) fn described(program: &ReadProgram<'_, '_>, number: u32) -> String {
     };
     let section = section.map_or(String::new(), |head| format!(" in {head}"));
     match types.is_empty() {
-        true => format!("`{}`{section}", clipped(code)),
-        false => format!("`{}`{section} ({})", clipped(code), types.join(", ")),
+        true => format!("`{shown}`{section}"),
+        false => format!("`{shown}`{section} ({})", types.join(", ")),
     }
 }
 
