@@ -1,4 +1,4 @@
-//! What the claims of a suite are about: the features of the language that all cases of a claim use.
+//! The features of the language that all cases of a claim use: a smaller program without one of them is none that the claim speaks of.
 
 use std::collections::{BTreeSet, HashMap};
 use stickler_suite::{Case, FeatureKey};
