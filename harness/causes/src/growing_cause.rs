@@ -83,9 +83,7 @@ impl GrowingCause {
             }
         };
         // No page of a code says how often it is told.
-        let is_told_twice = matches!(&shown.deviation.sign.symptom, Symptom::Surplus(code)
-            if shown.deviation.expected.iter().any(|fact| fact.diagnostic().is_some_and(|one| one.code.as_ref() == Some(code))));
-        let is_derived = is_derived || is_told_twice;
+        let is_derived = is_derived || shown.deviation.is_told_twice();
         if is_derived {
             // Where no claim speaks of the program, its plainest form says most.
             if shown.deviation.sign.symptom == Symptom::Value {

@@ -249,10 +249,13 @@ impl NormalSearch<'_, '_> {
     fn unchecked_place(&mut self, smallest: &Smallest) -> Result<(), EngineError> {
         let dialect = self.case.dialect;
         // A literal that is accepted alone is checked nowhere, whatever its place takes.
-        let is_of_literal = matches!(
-            &self.normal.deviation.sign.symptom,
-            Symptom::NotRejected(code) if [Code::ConstantOverflow, Code::RealLiteralOutOfRange].iter().any(|one| one.as_str() == code)
-        );
+        let is_of_literal = match &self.normal.deviation.sign.symptom {
+            Symptom::NotRejected(code) => matches!(
+                code.parse(),
+                Ok(Code::ConstantOverflow | Code::RealLiteralOutOfRange)
+            ),
+            _ => false,
+        };
         let is_alone = is_of_literal && self.normal.program != smallest.program;
         let small = (!is_alone).then(|| smallest.program.clone());
         for text in [self.normal.program.clone()].into_iter().chain(small) {

@@ -99,6 +99,15 @@ impl Deviation {
         Deviation { sign, expected, got }
     }
 
+    /// Returns whether the engine reports a mistake with its code and, beside that, with the same code once more.
+    pub(crate) fn is_told_twice(&self) -> bool {
+        let Symptom::Surplus(code) = &self.sign.symptom else {
+            return false;
+        };
+        let mut expected = self.expected.iter().filter_map(Fact::diagnostic);
+        expected.any(|one| one.code.as_ref() == Some(code))
+    }
+
     /// Removes the codes that the engine does not have from what it must report; those that begin with S are Stickler's own.
     pub(crate) fn forget_codes(&mut self, lacked: &[Code]) {
         let is_lacked = |code: Code| code.as_str().starts_with('S') || lacked.contains(&code);
