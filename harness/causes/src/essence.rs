@@ -5,7 +5,7 @@
 //! program contains; without a conversion, everything by which the program differs from an assignment.
 
 use crate::alone::{calculated, is_loop_alone};
-use crate::crash_place::crash_place;
+use crate::compiler_place::compiler_place;
 use crate::failure_sign::{Sign, is_of_reading};
 use crate::line_features::{IN_STATEMENTS, LINE_PLACES, LITERAL, ProgramAndLine};
 use crate::loop_limits::{TO_LAST_VALUE, loop_beyond_limit};
@@ -197,6 +197,10 @@ fn needs(
             (symptom, features, true)
         }
         Symptom::NotImplemented(words) => {
+            // What is missing at one place of a compiler is put right there, whatever needs it.
+            if let Some(place) = compiler_place(&normal.deviation.got) {
+                return (format!("not implemented at {place}"), BTreeSet::new(), false);
+            }
             let features = line.of_missing(&normal.deviation.got);
             (format!("not implemented {words}"), features, true)
         }
@@ -238,7 +242,7 @@ fn needs(
         Symptom::Crash(words) | Symptom::Unusable(words) => {
             let is_unusable = matches!(sign.symptom, Symptom::Unusable(_));
             // Where in its own source a compiler fails says more than its words.
-            if let Some(place) = crash_place(&normal.deviation.got) {
+            if let Some(place) = compiler_place(&normal.deviation.got) {
                 return (format!("crash at {place}"), BTreeSet::new(), false);
             }
             // What a compiler of C says of a header that was written for it depends on what follows.

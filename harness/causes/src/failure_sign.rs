@@ -1,5 +1,6 @@
 //! The sign of a failing program: its symptom, what the engine said, and where.
 
+use crate::compiler_place::compiler_place;
 use crate::malformed::forms_of_literals;
 use crate::patterns::amount;
 use crate::program::Program;
@@ -22,8 +23,9 @@ const MAX_WORDS: usize = 8;
 pub(crate) struct Sign {
     pub(crate) symptom: Symptom,
     /// The kind of token at the place of the first diagnostic, for mistakes of reading, whose messages say little else; the
-    /// operations of a program of which something is not implemented; how the first differing lines differ, for a rendered text; whether
-    /// a wrong number is far above the right one or far below it; how many bits a constant has that is accepted.
+    /// place in the compiler at which something is not implemented, or the operations of the program where it names none; how
+    /// the first differing lines differ, for a rendered text; whether a wrong number is far above the right one or far below it;
+    /// how many bits a constant has that is accepted.
     pub(crate) at: String,
 }
 
@@ -39,7 +41,7 @@ impl Sign {
             {
                 token_of(program, reason, facts.1)
             }
-            Symptom::NotImplemented(_) => work_of(program),
+            Symptom::NotImplemented(_) => compiler_place(facts.1).unwrap_or_else(|| work_of(program)),
             Symptom::Text => difference(facts),
             Symptom::Value => far(facts).unwrap_or_default().to_owned(),
             Symptom::NotRejected(code) if code == Code::ConstantOverflow.as_str() => size(program).to_owned(),

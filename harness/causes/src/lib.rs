@@ -35,7 +35,7 @@
 
 mod alone;
 mod claim;
-mod crash_place;
+mod compiler_place;
 mod essence;
 mod failed;
 mod failure_sign;

@@ -7,7 +7,7 @@
 use crate::alone::{alone, is_beginning_block, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
-use crate::passes::{Draft, plain_method, structure_method};
+use crate::passes::{plain_method, structure_method, unused_method};
 use crate::patterns::leaves_range;
 use crate::program::read;
 use crate::question::{Deviation, Questioner};
@@ -16,9 +16,11 @@ use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
 use crate::ways;
 use crate::words::tokens;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 use stickler_engines::EngineError;
 use stickler_reduce::{
-    CandidateJudge, Interestingness, ReductionBudget, ReductionMethod, StopReason, minimise_in_packs,
+    CandidateJudge, Interestingness, ReductionBudget, ReductionMethod, ReferenceRules, StopReason, TextDraft,
+    minimise_in_packs,
 };
 use stickler_reference::errors;
 use stickler_run::{Fact, Symptom};
@@ -129,6 +131,9 @@ pub(crate) fn normal_form(
     if matches!(&now, Symptom::NotRejected(code) if is_of_a_value(code)) {
         search.unchecked_place(smallest)?;
     }
+    if search.normal.program != smallest.program {
+        search.minimise(&unused_method())?;
+    }
     search.normal.is_operand = search.normal.program != smallest.program && !search.normal.is_unchecked();
     match now {
         Symptom::Value | Symptom::Missing if !search.normal.is_beginning() => {
@@ -170,11 +175,9 @@ struct NormalSearch<'s, 'e> {
 
 impl NormalSearch<'_, '_> {
     /// Makes the normal form lighter while the engine fails with it in the same way.
-    fn minimise(&mut self, method: &ReductionMethod<'_, Draft>) -> Result<(), EngineError> {
-        let start = Draft {
-            text: self.normal.program.clone(),
-            dialect: self.case.dialect,
-        };
+    fn minimise(&mut self, method: &ReductionMethod<'_, TextDraft>) -> Result<(), EngineError> {
+        let (text, dialect) = (&self.normal.program, self.case.dialect);
+        let start = TextDraft::new(text, dialect, Rc::new(ReferenceRules::new(text, dialect)));
         let stop = self.stop;
         let budget = ReductionBudget {
             tries: self.left + 1,
@@ -414,15 +417,15 @@ struct DraftJudge<'d, 's, 'e> {
 
 impl DraftJudge<'_, '_, '_> {
     /// Judges programs until one is the normal form: those behind it are judged again, as changes of it.
-    fn judged(&mut self, drafts: &[Draft]) -> Result<Vec<Interestingness>, EngineError> {
-        let cases = drafts.iter().map(|draft| self.search.case_of(&draft.text));
+    fn judged(&mut self, drafts: &[TextDraft]) -> Result<Vec<Interestingness>, EngineError> {
+        let cases = drafts.iter().map(|draft| self.search.case_of(draft.text()));
         let cases: Vec<Option<Case>> = cases.collect();
         let search = &mut *self.search;
         search.asked.ask_ahead(cases.iter().flatten(), search.stop)?;
         let mut answers = Vec::with_capacity(drafts.len());
         for (draft, case) in drafts.iter().zip(&cases) {
             answers.push(match case {
-                Some(case) => search.judge_case(&draft.text, case)?,
+                Some(case) => search.judge_case(draft.text(), case)?,
                 None => Interestingness::Invalid,
             });
             if answers.last() == Some(&Interestingness::Interesting) {
@@ -434,12 +437,12 @@ impl DraftJudge<'_, '_, '_> {
     }
 }
 
-impl CandidateJudge<Draft> for DraftJudge<'_, '_, '_> {
-    fn admits(&mut self, _: &Draft) -> bool {
+impl CandidateJudge<TextDraft> for DraftJudge<'_, '_, '_> {
+    fn admits(&mut self, _: &TextDraft) -> bool {
         self.error.is_none()
     }
 
-    fn judge(&mut self, drafts: &[Draft]) -> Vec<Interestingness> {
+    fn judge(&mut self, drafts: &[TextDraft]) -> Vec<Interestingness> {
         if std::mem::take(&mut self.is_start) {
             return vec![Interestingness::Interesting];
         }

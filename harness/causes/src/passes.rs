@@ -4,40 +4,28 @@ use crate::alone::{alone, beginning_blocks, distance, loops_alone};
 use crate::forms;
 use crate::plainness::{plainer_numbers, plainness};
 use crate::program::{ReadProgram, read};
-use crate::words::tokens;
+use crate::words::{has_word, tokens};
 use crate::work::operations;
-use std::hash::{DefaultHasher, Hash, Hasher};
-use stickler_reduce::{Pass, ReductionMethod, Sites};
+use stickler_reduce::{
+    METHOD, Pass, ReductionMethod, Sites, TextDraft, TextView, drop_units, drop_unused, text_pass,
+};
 use stickler_reference::errors;
 use stickler_run::Symptom;
 use stickler_syntax::Edits;
 use stickler_syntax::features::features;
-use stickler_types::{Dialect, DialectName};
+use stickler_types::Dialect;
 
-/// A program on its way to its normal form.
-#[derive(Clone)]
-pub(crate) struct Draft {
-    pub(crate) text: String,
-    pub(crate) dialect: DialectName,
-}
-
-impl Draft {
-    /// Takes one of several programs in the place of this one. Where several are chosen none is taken, so that they are tried one by
-    /// one, in their order.
-    fn alternative(&mut self, sites: &mut Sites, find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>) {
-        let found = read(&self.text, find);
-        let mut chosen = found.into_iter().filter(|_| sites.here());
-        if let (Some(one), None) = (chosen.next(), chosen.next()) {
-            self.text = one;
-        }
-    }
-
-    /// Makes some of several changes together.
-    fn change(&mut self, sites: &mut Sites, find: fn(&ReadProgram<'_, '_>) -> Vec<Edits>) {
-        let found = read(&self.text, find);
-        let mut chosen = Edits::new();
-        chosen.extend(found.into_iter().filter(|_| sites.here()));
-        self.text = chosen.apply(&self.text);
+/// Takes one of several programs in the place of another. Where several are chosen none is taken, so that they are tried one by
+/// one, in their order.
+fn take_one(
+    draft: &mut TextDraft,
+    sites: &mut Sites,
+    find: impl FnOnce(&ReadProgram<'_, '_>) -> Vec<String>,
+) {
+    let found = read(draft.text(), find);
+    let mut chosen = found.into_iter().filter(|_| sites.here());
+    if let (Some(one), None) = (chosen.next(), chosen.next()) {
+        draft.replace_text(one);
     }
 }
 
@@ -46,12 +34,12 @@ macro_rules! alternatives {
     ($name:literal, $find:expr) => {
         Pass {
             name: $name,
-            edit: |draft, sites| draft.alternative(sites, $find),
+            edit: |draft, sites| take_one(draft, sites, $find),
         }
     };
 }
 
-type NormalPass = Pass<Draft>;
+type NormalPass = Pass<TextDraft>;
 const OPERAND_ALONE: NormalPass = alternatives!("take an operand alone", operands_alone);
 const INITIAL_VALUES: NormalPass = alternatives!("leave the bodies out", forms::only_initial_values);
 const ONE_LESS: NormalPass = alternatives!("leave a statement out", forms::without_one_statement);
@@ -59,8 +47,8 @@ const BEGINNING: NormalPass = alternatives!("begin a variable of a function bloc
 const LOOP_ALONE: NormalPass = Pass {
     name: "take a loop alone",
     edit: |draft, sites| {
-        let dialect = draft.dialect;
-        draft.alternative(sites, |program| {
+        let dialect = draft.dialect();
+        take_one(draft, sites, |program| {
             let loops = loops_alone(program, dialect).into_iter();
             loops.map(|one| one.program).collect()
         });
@@ -76,8 +64,24 @@ const SAME_TYPES: NormalPass = alternatives!("make two types one", forms::with_s
 const PLAINER_TYPE: NormalPass = alternatives!("take a plainer type", forms::with_plainer_type);
 const PLAINER_NUMBERS: NormalPass = Pass {
     name: "take plainer numbers",
-    edit: |draft, sites| draft.change(sites, plainer_numbers),
+    edit: |draft, sites| {
+        draft.change("take plainer numbers", sites, |view| {
+            read(view.text(), plainer_numbers)
+        })
+    },
 };
+/// The passes for what nothing uses any more, since another operand or statement took the place of what used it.
+const UNUSED: [NormalPass; 2] = [
+    text_pass!("drop what the PROGRAM does not use", drop_other_units),
+    text_pass!("drop what is not used", drop_unused),
+];
+
+/// Lists changes that drop units other than the PROGRAM, without which there is another mistake.
+fn drop_other_units(view: &TextView<'_>) -> Vec<Edits> {
+    let mut changes = drop_units(view);
+    changes.retain(|change| has_word(&change.apply(view.text()), "PROGRAM"));
+    changes
+}
 
 /// Returns the operands of a program, each in a program of its own.
 fn operands_alone(program: &ReadProgram<'_, '_>) -> Vec<String> {
@@ -104,11 +108,11 @@ fn structure_passes(symptom: &Symptom) -> &'static [NormalPass] {
 
 /// Returns the weight of what a program does: one without a mistake is lighter, then an operand alone, then one with fewer operations,
 /// then with fewer features of the language, then with fewer words.
-fn structure(draft: &Draft) -> (u64, u128) {
-    let text = draft.text.as_str();
-    let has_mistake = !errors(text, draft.dialect).is_empty();
+fn structure(draft: &TextDraft) -> (u64, u128) {
+    let text = draft.text();
+    let has_mistake = !errors(text, draft.dialect()).is_empty();
     let form = 3 * u64::from(has_mistake) + distance(text);
-    let features = features(text, Dialect::of(draft.dialect)).into_iter();
+    let features = features(text, Dialect::of(draft.dialect())).into_iter();
     let features = features.count();
     let (mut words, mut size) = (0, 0_u128);
     for token in tokens(text) {
@@ -126,29 +130,31 @@ fn structure(draft: &Draft) -> (u64, u128) {
 }
 
 /// Returns the method that finds out what of a program a symptom needs.
-pub(crate) fn structure_method(symptom: &Symptom) -> ReductionMethod<'static, Draft> {
+pub(crate) fn structure_method(symptom: &Symptom) -> ReductionMethod<'static, TextDraft> {
     ReductionMethod {
         passes: structure_passes(symptom),
         weight: structure,
-        key,
+        ..METHOD
+    }
+}
+
+/// Returns the method that drops what a program does not use.
+pub(crate) fn unused_method() -> ReductionMethod<'static, TextDraft> {
+    ReductionMethod {
+        passes: &UNUSED,
+        ..METHOD
     }
 }
 
 /// Returns the method that makes the types of a program plainer, and its numbers where `with_numbers`.
-pub(crate) fn plain_method(with_numbers: bool) -> ReductionMethod<'static, Draft> {
+pub(crate) fn plain_method(with_numbers: bool) -> ReductionMethod<'static, TextDraft> {
     ReductionMethod {
         passes: if with_numbers {
             &[PLAINER_TYPE, PLAINER_NUMBERS]
         } else {
             &[PLAINER_TYPE]
         },
-        weight: |draft: &Draft| (0, read(&draft.text, plainness)),
-        key,
+        weight: |draft: &TextDraft| (0, read(draft.text(), plainness)),
+        ..METHOD
     }
-}
-
-fn key(draft: &Draft) -> u64 {
-    let mut hasher = DefaultHasher::new();
-    draft.text.hash(&mut hasher);
-    hasher.finish()
 }

@@ -58,6 +58,12 @@ impl TextDraft {
         self.rules.allow(&self.text, self.dialect)
     }
 
+    /// Takes another text in the place of this one.
+    pub fn replace_text(&mut self, text: String) {
+        self.text = text;
+        self.found = Rc::default();
+    }
+
     /// Makes the chosen changes of a pass. `find` lists all changes, in the order in which they are tried; it is called once
     /// for each text.
     pub fn change(

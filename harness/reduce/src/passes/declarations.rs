@@ -15,8 +15,9 @@ use stickler_syntax::visitor::Place;
 /// The type of the result of a function whose result does not matter.
 const PLAIN_RESULT: &str = "INT";
 
-/// Drops program organization units, configurations and sections of global variables.
-pub(crate) fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
+/// Lists changes that drop program organization units, configurations and sections of global variables.
+#[must_use]
+pub fn drop_units(view: &TextView<'_>) -> Vec<Edits> {
     let spans = view
         .unit
         .declarations

@@ -1,4 +1,4 @@
-//! The place in the source of a compiler at which it says that it crashed.
+//! The place in the source of a compiler at which it says that it crashed, or that something is not implemented.
 
 use stickler_run::Fact;
 
@@ -7,11 +7,11 @@ const SOURCE_FILES: [&str; 12] = [
     "c", "cc", "cpp", "cxx", "h", "hpp", "rs", "go", "java", "cs", "js", "ts",
 ];
 
-/// Returns the file, without its folders, and the line that a compiler names where it crashes, as in `vm/src/stack.rs:62:46` and `in file
-/// parse.cc at line 400`; `None` where it names none.
-pub(crate) fn crash_place(got: &[Fact]) -> Option<String> {
+/// Returns the file, without its folders, and the line that a compiler names where it crashes or does not go on, as in
+/// `vm/src/stack.rs:62:46`, `codegen/src/call.rs#L873` and `in file parse.cc at line 400`; `None` where it names none.
+pub(crate) fn compiler_place(got: &[Fact]) -> Option<String> {
     let reason = got.iter().find_map(|fact| match fact {
-        Fact::Crashed { reason } => Some(reason),
+        Fact::Crashed { reason } | Fact::NotImplemented { reason, .. } => Some(reason.replace("#L", ":")),
         _ => None,
     })?;
     let trimmed = |word: &str| word.trim_matches(|sign: char| !sign.is_alphanumeric()).to_owned();
