@@ -41,7 +41,8 @@ pub(crate) fn end_of_variables(text: &str, pou: &Pou<'_>) -> Option<usize> {
 }
 
 /// Returns a program with its bodies left out, so that its variables keep what they begin with; none where a unit of it has no
-/// variables. In a second form each body assigns one variable to itself, since not every compiler takes a body without a statement.
+/// variables. They come without the variables that the bodies used, with them, and in a last form each body assigns one variable to
+/// itself, since not every compiler takes a body without a statement.
 pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> {
     let text = program.text;
     let (mut edits, mut without) = (Edits::new(), Edits::new());
@@ -61,7 +62,7 @@ pub(crate) fn only_initial_values(program: &ReadProgram<'_, '_>) -> Vec<String> 
         }
     }
     let without = without_blank_lines(&without.apply(text)).0;
-    vec![without_unused(&without), edits.apply(text)]
+    vec![without_unused(&without), without, edits.apply(text)]
 }
 
 /// Returns a program with one of its bodies replaced by a single statement, for each body: a call of each instance of a function

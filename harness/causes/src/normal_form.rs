@@ -287,8 +287,11 @@ impl NormalSearch<'_, '_> {
             return Vec::new();
         }
         let all = all_variables(self.case, text);
-        let initial = read(text, forms::only_initial_values);
-        let keeps = is_beginning_block(text) || initial.iter().any(|initial| initial == text);
+        let (initial, is_empty) = read(text, |program| {
+            let is_empty = program.unit.pous().all(|pou| pou.body.is_empty());
+            (forms::only_initial_values(program), is_empty)
+        });
+        let keeps = is_empty || is_beginning_block(text) || initial.iter().any(|initial| initial == text);
         let is_observed = |one: &&Observation| {
             let mut observed = self.case.observe.iter();
             one.name.eq_ignore_ascii_case("into")

@@ -6,7 +6,7 @@ use stickler_syntax::tree::{
 };
 
 /// Returns whether an array of one dimension, whose limits are numbers, begins with more values than it has elements: a variable, a field or an
-/// element of one, or one of a type.
+/// element of one, one of a type, or one of a function block.
 pub(crate) fn has_more_values(program: &ReadProgram<'_, '_>) -> bool {
     let groups = program.names.iter().filter_map(|one| one.group);
     let mut begun = groups.filter_map(|group| Some((&group.specification, group.initializer.as_ref()?)));
@@ -15,15 +15,25 @@ pub(crate) fn has_more_values(program: &ReadProgram<'_, '_>) -> bool {
 
 /// Returns whether an initial value of this type, or a part of it, has more values than the array that it is given to has elements.
 fn exceeds(program: &ReadProgram<'_, '_>, ty: &TypeSpecification<'_>, initializer: &Initializer<'_>) -> bool {
-    let ty = match &ty.kind {
-        TypeSpecificationKind::Named(name) => program.declared_type(name.text).map(|one| &one.specification),
-        _ => Some(ty),
+    let (ty, block) = match &ty.kind {
+        TypeSpecificationKind::Named(name) => (
+            program.declared_type(name.text).map(|one| &one.specification),
+            program.unit.pous().find(|pou| pou.name.is(name.text)),
+        ),
+        _ => (Some(ty), None),
     };
     match (ty.map(|ty| &ty.kind), &initializer.kind) {
-        (Some(TypeSpecificationKind::Structure(fields)), InitializerKind::Structure(values)) => {
+        (structure, InitializerKind::Structure(values)) => {
+            let fields = match structure {
+                Some(TypeSpecificationKind::Structure(fields)) => &fields[..],
+                _ => &[],
+            };
+            let variables = block.into_iter().flat_map(|block| &block.blocks);
+            let fields = fields.iter().chain(variables.flat_map(|section| &section.groups));
+            let fields: Vec<&VariableGroup<'_>> = fields.collect();
             values.iter().any(|(field, value)| {
                 let has_name =
-                    |group: &&VariableGroup<'_>| group.names.iter().any(|name| name.is(field.text));
+                    |group: &&&VariableGroup<'_>| group.names.iter().any(|name| name.is(field.text));
                 let group = fields.iter().find(has_name);
                 group.is_some_and(|group| exceeds(program, &group.specification, value))
             })
