@@ -340,16 +340,11 @@ fn is_alike(one: &Fact, other: &Fact) -> bool {
 }
 
 /// Returns whether programs with this symptom are made smaller. A hang would take the whole time limit of each question;
-/// what a compiler renders or warns of, and what it answers beside the point, is plain without a smaller program.
+/// what a compiler warns of, and what it answers beside the point, is plain without a smaller program.
 pub(crate) const fn is_reducible(symptom: &Symptom) -> bool {
     !matches!(
         symptom,
-        Symptom::Hang
-            | Symptom::Error(_)
-            | Symptom::OtherType
-            | Symptom::Text
-            | Symptom::NotWarned(_)
-            | Symptom::Warned(_)
+        Symptom::Hang | Symptom::Error(_) | Symptom::OtherType | Symptom::NotWarned(_) | Symptom::Warned(_)
     )
 }
 

@@ -4,8 +4,10 @@ use crate::failure_sign::Sign;
 use crate::question::wrong_values;
 use std::sync::Arc;
 use stickler_reference::Limits;
-use stickler_run::{Reproducer, Symptom};
-use stickler_suite::{Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedValue};
+use stickler_run::{Reproducer, Symptom, rendered_bodies};
+use stickler_suite::{
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedFault, ExpectedText, ExpectedValue,
+};
 use stickler_types::{DialectName, NamedValue, Observation, Outcome, RunRequest};
 
 /// The maximum number of variables of a program that are looked at.
@@ -24,7 +26,10 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
     if !is_as_standard(case, program) {
         return None;
     }
-    let expectation = expectation(&case.expectation, &sign.symptom, outcome)?;
+    let expectation = match (&case.expectation.rendered, &sign.symptom) {
+        (Some(whole), Symptom::Text) => rendered(whole, program, case.dialect)?,
+        _ => expectation(&case.expectation, &sign.symptom, outcome)?,
+    };
     // A program that must only go on to its end has no values to look at.
     let goes_on = matches!(sign.symptom, Symptom::Fault(_)) && expectation.values.is_empty();
     Some(Case {
@@ -32,6 +37,20 @@ pub(crate) fn with_program(case: &Case, sign: &Sign, program: &str) -> Option<Ca
         observe: if goes_on { Arc::default() } else { observe.into() },
         expectation: Arc::new(expectation),
         ..case.clone()
+    })
+}
+
+/// Returns what a program must be rendered as that has some of the statements of a whole one; `None` where it has others.
+fn rendered(whole: &ExpectedText, program: &str, dialect: DialectName) -> Option<Expectation> {
+    let text = stickler_reference::render(program, dialect).ok()?;
+    let lines: Vec<Box<str>> = rendered_bodies(&text).into_iter().map(Box::from).collect();
+    let is_kept = lines.iter().all(|line| whole.lines.contains(line));
+    is_kept.then(|| Expectation {
+        rendered: Some(ExpectedText {
+            lines,
+            line: whole.line,
+        }),
+        ..Expectation::default()
     })
 }
 

@@ -32,6 +32,8 @@ pub struct Defects {
     pub stops: Option<(String, String)>,
     /// Values that it computes wrongly.
     pub computes: Vec<WrongValue>,
+    /// Texts that it renders as others.
+    pub renders: Vec<(String, String)>,
     /// Whether a loop that does not end takes all of its time.
     pub hangs: bool,
 }
@@ -77,7 +79,7 @@ impl DefectiveCompiler {
                 name: "defective".to_owned(),
                 version: "1".to_owned(),
                 dialects: vec![DialectName::IRONPLC_ED2, DialectName::IRONPLC_ED3],
-                abilities: vec![Ability::Execute],
+                abilities: vec![Ability::Execute, Ability::Render],
                 grade: Grade::Code,
                 lacks: Vec::new(),
             },
@@ -155,9 +157,15 @@ impl Session for Running<'_> {
         Outcome::ACCEPTED
     }
 
-    fn render(&mut self, _: DialectName, source: &str) -> Outcome {
+    fn render(&mut self, dialect: DialectName, source: &str) -> Outcome {
+        let text = match stickler_reference::render(source, dialect) {
+            Ok(text) => text,
+            Err(diagnostics) => return rejected(diagnostics),
+        };
+        let mut replaced = self.0.defects.renders.iter();
+        let text = replaced.find_map(|(from, into)| text.contains(from).then(|| text.replace(from, into)));
         Outcome::Rendered {
-            text: source.to_owned(),
+            text: text.unwrap_or_else(|| source.to_owned()),
         }
     }
 }

@@ -20,7 +20,7 @@ use std::sync::Arc;
 use stickler_causes::SearchLimits;
 use stickler_run::{Cause, Fact};
 use stickler_suite::{
-    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedValue, Placement, Suite, Wanted,
+    Acceptance, Case, Expectation, ExpectedDiagnostic, ExpectedText, ExpectedValue, Placement, Suite, Wanted,
 };
 use stickler_types::{DialectName, Observation, Value};
 
@@ -58,8 +58,8 @@ struct FailingCase {
 }
 
 impl FailingCase {
-    /// Returns the case. It must end with a value (`into = REAL#5.0`), be rejected (`7 P4035`) or be accepted; of one that is open,
-    /// nobody decides what must happen.
+    /// Returns the case. It must end with a value (`into = REAL#5.0`), be rendered (`renders i := 1; | i := 2;`), be rejected (`7 P4035`) or be
+    /// accepted; of one that is open, nobody decides what must happen.
     fn case(&self, number: usize) -> Case {
         let (has, does) = (&self.has, &self.does);
         let written = || format!("PROGRAM main\nVAR\n    {has}\nEND_VAR\n    {does}\nEND_PROGRAM\n");
@@ -78,6 +78,9 @@ impl FailingCase {
                 value,
                 line: 1,
             });
+        } else if let Some(lines) = self.must.strip_prefix("renders ") {
+            let lines = lines.split(" | ").map(Box::from).collect();
+            expectation.rendered = Some(ExpectedText { lines, line: 1 });
         } else if let Some((line, code)) = self.must.split_once(' ') {
             expectation.accepted = Acceptance::Rejected;
             expectation.diagnostics.push(ExpectedDiagnostic {
