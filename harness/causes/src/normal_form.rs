@@ -4,6 +4,11 @@
 //! its own: first an operand alone or fewer statements, then plainer types and numbers. Only the reference says what must happen with
 //! it, so it decides which cases belong together, and what the title names, and no case is failed by it.
 
+mod draft_judge;
+mod other_forms;
+
+pub(crate) use other_forms::NUMBERS_PLACELESS;
+
 use crate::alone::{alone, is_beginning_block, shows};
 use crate::failure_sign::{is_of_a_value, is_of_reading, is_unread};
 use crate::forms;
@@ -13,13 +18,13 @@ use crate::program::read;
 use crate::question::{Deviation, Questioner};
 use crate::reduction::{LONG, Smallest};
 use crate::smaller_case::{all_variables, as_the_reference, is_as_standard};
-use crate::ways;
 use crate::words::tokens;
+use draft_judge::DraftJudge;
 use std::collections::BTreeSet;
 use std::rc::Rc;
 use stickler_engines::EngineError;
 use stickler_reduce::{
-    CandidateJudge, Interestingness, ReductionBudget, ReductionMethod, ReferenceRules, StopReason, TextDraft,
+    Interestingness, ReductionBudget, ReductionMethod, ReferenceRules, StopReason, TextDraft,
     minimise_in_packs,
 };
 use stickler_reference::errors;
@@ -90,14 +95,6 @@ impl Normal {
         operands.filter_map(|one| one.literal).collect()
     }
 }
-
-/// The way of an engine whose diagnostics have no places.
-const ALL_PLACELESS: &str = "diagnostics without a place";
-/// The way of an engine that loses the places of numbers.
-pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
-
-/// A program with a variable that is not declared.
-const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
 
 /// Finds the normal form of the smallest program of a case, with at most so many questions to the engine. `stop` is asked before
 /// each.
@@ -305,28 +302,6 @@ impl NormalSearch<'_, '_> {
         }
     }
 
-    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. It is the numbers that have none
-    /// where the mistake is one of a number, or has a place with variables for them.
-    fn places(&mut self) -> Result<(), EngineError> {
-        let undeclared = as_the_reference(self.case, UNDECLARED, &[]);
-        if self
-            .deviation_of(undeclared.as_ref())?
-            .flatten()
-            .is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_)))
-        {
-            self.normal.way = Some(ALL_PLACELESS);
-            return Ok(());
-        }
-        let form = read(&self.normal.program, ways::with_variables_for_numbers);
-        let Some(form) = form else { return Ok(()) };
-        let is_of_number = errors(&form, self.case.dialect).is_empty();
-        let case = as_the_reference(self.case, &form, &[]);
-        if is_of_number || self.deviation_of(case.as_ref())? == Some(None) {
-            self.normal.way = Some(NUMBERS_PLACELESS);
-        }
-        Ok(())
-    }
-
     /// Returns how the engine deviates with a case; `None` where there is none, or no question is left.
     fn deviation_of(&mut self, case: Option<&Case>) -> Result<Option<Option<Deviation>>, EngineError> {
         let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) else {
@@ -334,130 +309,6 @@ impl NormalSearch<'_, '_> {
         };
         self.left -= 1;
         self.asked.deviation(case).map(Some)
-    }
-
-    /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
-    fn other_forms(&mut self) -> Result<(), EngineError> {
-        let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
-            (ways::in_two_steps(program), ways::turned_round(program))
-        });
-        let forms = [
-            (in_two_steps, "operation in the type of its target"),
-            (turned_round, "comparison in the type of its first operand"),
-        ];
-        for (form, way) in forms {
-            let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
-            if let Some(case) = case.filter(|_| !(self.stop)()) {
-                self.left = self.left.saturating_sub(1);
-                if self.asked.deviation(&case)?.is_none() {
-                    self.normal.way = Some(way);
-                    break;
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Asks for numbers with the types of what they are given to: where the program does not stop with these, the others have a type
-    /// of their own.
-    fn typed_numbers(&mut self) -> Result<(), EngineError> {
-        let form = read(&self.normal.program, ways::with_typed_numbers);
-        let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
-        if let Some(case) = case.filter(|_| !(self.stop)()) {
-            self.left = self.left.saturating_sub(1);
-            let is_right = self.asked.deviation(&case)?.is_none();
-            self.normal.way = is_right.then_some("number with a type of its own");
-        }
-        Ok(())
-    }
-
-    /// Asks for variables in the place of literals: where these are right, it is the literals that are not.
-    fn variables_for_literals(&mut self) -> Result<(), EngineError> {
-        let form = read(&self.normal.program, ways::with_variables_for_literals);
-        let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
-        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
-            self.left -= 1;
-            let seen = self.asked.deviation(&case)?;
-            let has_text = self.normal.program.contains(['\'', '"']);
-            let way = match has_text {
-                true => "text literal as an operand",
-                false => "truth literal as an operand",
-            };
-            self.normal.way = seen.is_none().then_some(way);
-            // A literal may be at fault beside what it is an operand of.
-            if let Some(deviation) = seen.filter(|seen| is_same(&self.normal.deviation, seen)) {
-                self.normal.program = case.source.to_string();
-                self.normal.deviation = deviation;
-                self.normal.has_variables = true;
-            }
-        }
-        Ok(())
-    }
-
-    /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
-    /// for that of the result.
-    fn swapped_operands(&mut self) -> Result<(), EngineError> {
-        let swapped = read(&self.normal.program, ways::with_swapped_operands);
-        let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
-        let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
-        if let Some(case) = case.filter(|case| is_mistaken(case) && !(self.stop)()) {
-            self.left = self.left.saturating_sub(1);
-            let is_rejected = self.asked.deviation(&case)?.is_none();
-            self.normal.way = is_rejected.then_some("operation in the type of its first operand");
-        }
-        Ok(())
-    }
-}
-
-/// The judge of the programs that may be the normal form.
-struct DraftJudge<'d, 's, 'e> {
-    search: &'d mut NormalSearch<'s, 'e>,
-    /// Whether nothing was judged yet: the start is the normal form so far.
-    is_start: bool,
-    /// The reason why the engine cannot be asked any more.
-    error: Option<EngineError>,
-}
-
-impl DraftJudge<'_, '_, '_> {
-    /// Judges programs until one is the normal form: those behind it are judged again, as changes of it.
-    fn judged(&mut self, drafts: &[TextDraft]) -> Result<Vec<Interestingness>, EngineError> {
-        let cases = drafts.iter().map(|draft| self.search.case_of(draft.text()));
-        let cases: Vec<Option<Case>> = cases.collect();
-        let search = &mut *self.search;
-        search.asked.ask_ahead(cases.iter().flatten(), search.stop)?;
-        let mut answers = Vec::with_capacity(drafts.len());
-        for (draft, case) in drafts.iter().zip(&cases) {
-            answers.push(match case {
-                Some(case) => search.judge_case(draft.text(), case)?,
-                None => Interestingness::Invalid,
-            });
-            if answers.last() == Some(&Interestingness::Interesting) {
-                break;
-            }
-        }
-        answers.resize(drafts.len(), Interestingness::Invalid);
-        Ok(answers)
-    }
-}
-
-impl CandidateJudge<TextDraft> for DraftJudge<'_, '_, '_> {
-    fn admits(&mut self, _: &TextDraft) -> bool {
-        self.error.is_none()
-    }
-
-    fn judge(&mut self, drafts: &[TextDraft]) -> Vec<Interestingness> {
-        if std::mem::take(&mut self.is_start) {
-            return vec![Interestingness::Interesting];
-        }
-        self.judged(drafts).unwrap_or_else(|failed| {
-            self.error = Some(failed);
-            vec![Interestingness::Invalid; drafts.len()]
-        })
-    }
-
-    fn pack_size(&self) -> usize {
-        let symptom = &self.search.normal.deviation.sign.symptom;
-        self.search.asked.pack_size_of(symptom)
     }
 }
 

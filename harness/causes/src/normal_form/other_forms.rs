@@ -1,0 +1,115 @@
+//! Asks for other forms of a small program that do the same: where the engine does right with one, it says in which way the engine does an
+//! operation or tells a mistake.
+
+use super::{NormalSearch, is_same};
+use crate::program::read;
+use crate::smaller_case::as_the_reference;
+use crate::ways;
+use stickler_engines::EngineError;
+use stickler_reference::errors;
+use stickler_run::Symptom;
+use stickler_suite::{Acceptance, Case};
+
+/// The way of an engine whose diagnostics have no places.
+const ALL_PLACELESS: &str = "diagnostics without a place";
+/// The way of an engine that loses the places of numbers.
+pub(crate) const NUMBERS_PLACELESS: &str = "numbers without a place";
+
+/// A program with a variable that is not declared.
+const UNDECLARED: &str = "PROGRAM main\nVAR\n    into : INT;\nEND_VAR\n    into := nobody;\nEND_PROGRAM\n";
+
+impl NormalSearch<'_, '_> {
+    /// Asks for the place of a variable that is not declared: an engine that loses it has no places at all. It is the numbers that have none
+    /// where the mistake is one of a number, or has a place with variables for them.
+    pub(super) fn places(&mut self) -> Result<(), EngineError> {
+        let undeclared = as_the_reference(self.case, UNDECLARED, &[]);
+        if self
+            .deviation_of(undeclared.as_ref())?
+            .flatten()
+            .is_some_and(|seen| matches!(seen.sign.symptom, Symptom::NoPlace(_)))
+        {
+            self.normal.way = Some(ALL_PLACELESS);
+            return Ok(());
+        }
+        let form = read(&self.normal.program, ways::with_variables_for_numbers);
+        let Some(form) = form else { return Ok(()) };
+        let is_of_number = errors(&form, self.case.dialect).is_empty();
+        let case = as_the_reference(self.case, &form, &[]);
+        if is_of_number || self.deviation_of(case.as_ref())? == Some(None) {
+            self.normal.way = Some(NUMBERS_PLACELESS);
+        }
+        Ok(())
+    }
+
+    /// Asks for other forms of the program: where one is right, it says how the engine does the operation.
+    pub(super) fn other_forms(&mut self) -> Result<(), EngineError> {
+        let (in_two_steps, turned_round) = read(&self.normal.program, |program| {
+            (ways::in_two_steps(program), ways::turned_round(program))
+        });
+        let forms = [
+            (in_two_steps, "operation in the type of its target"),
+            (turned_round, "comparison in the type of its first operand"),
+        ];
+        for (form, way) in forms {
+            let case = form.and_then(|form| as_the_reference(self.case, &form, &self.observe(&form)));
+            if let Some(case) = case.filter(|_| !(self.stop)()) {
+                self.left = self.left.saturating_sub(1);
+                if self.asked.deviation(&case)?.is_none() {
+                    self.normal.way = Some(way);
+                    break;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks for numbers with the types of what they are given to: where the program does not stop with these, the others have a type
+    /// of their own.
+    pub(super) fn typed_numbers(&mut self) -> Result<(), EngineError> {
+        let form = read(&self.normal.program, ways::with_typed_numbers);
+        let case = form.and_then(|form| as_the_reference(self.case, &form, &[]));
+        if let Some(case) = case.filter(|_| !(self.stop)()) {
+            self.left = self.left.saturating_sub(1);
+            let is_right = self.asked.deviation(&case)?.is_none();
+            self.normal.way = is_right.then_some("number with a type of its own");
+        }
+        Ok(())
+    }
+
+    /// Asks for variables in the place of literals: where these are right, it is the literals that are not.
+    pub(super) fn variables_for_literals(&mut self) -> Result<(), EngineError> {
+        let form = read(&self.normal.program, ways::with_variables_for_literals);
+        let case = form.and_then(|program| as_the_reference(self.case, &program, &[]));
+        if let Some(case) = case.filter(|_| self.left > 0 && !(self.stop)()) {
+            self.left -= 1;
+            let seen = self.asked.deviation(&case)?;
+            let has_text = self.normal.program.contains(['\'', '"']);
+            let way = match has_text {
+                true => "text literal as an operand",
+                false => "truth literal as an operand",
+            };
+            self.normal.way = seen.is_none().then_some(way);
+            // A literal may be at fault beside what it is an operand of.
+            if let Some(deviation) = seen.filter(|seen| is_same(&self.normal.deviation, seen)) {
+                self.normal.program = case.source.to_string();
+                self.normal.deviation = deviation;
+                self.normal.has_variables = true;
+            }
+        }
+        Ok(())
+    }
+
+    /// Asks for the operands of an accepted calculation in the other order: where that is rejected, the engine takes the type of the first one
+    /// for that of the result.
+    pub(super) fn swapped_operands(&mut self) -> Result<(), EngineError> {
+        let swapped = read(&self.normal.program, ways::with_swapped_operands);
+        let case = swapped.and_then(|program| as_the_reference(self.case, &program, &[]));
+        let is_mistaken = |case: &Case| case.expectation.accepted == Acceptance::Rejected;
+        if let Some(case) = case.filter(|case| is_mistaken(case) && !(self.stop)()) {
+            self.left = self.left.saturating_sub(1);
+            let is_rejected = self.asked.deviation(&case)?.is_none();
+            self.normal.way = is_rejected.then_some("operation in the type of its first operand");
+        }
+        Ok(())
+    }
+}
