@@ -287,11 +287,60 @@ pub enum StandardFunction {
     Len,
     /// CONCAT: pops `count` texts, pushes them joined.
     Concat,
+    /// LEFT: pops a text and a number of characters as an i64.
+    Left,
+    /// RIGHT.
+    Right,
+    /// MID: pops a text, a number of characters, and the position of the first one, from 1.
+    Mid,
+    /// INSERT: pops two texts and the number of characters of the first one that stay before the second.
+    Insert,
+    /// DELETE: pops what MID does.
+    Delete,
+    /// REPLACE: pops two texts, and the number and the position of the characters of the first one that the second replaces.
+    Replace,
+    /// FIND: pops two texts; pushes the position of the second in the first as INT, 0 where it is not there or empty.
+    Find,
+    /// SQRT and the other functions of one real number, and ATAN2: pops their operands. Where the function is not defined, the result is not
+    /// a number, or infinite.
+    Real(RealFunction),
     /// GT and its kin: pops `count` values, pushes a BOOL: whether each of them compares so with the one behind it.
     InOrder(ComparisonOperator),
 }
 
+/// The standard functions of real numbers.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum RealFunction {
+    /// SQRT.
+    SquareRoot,
+    /// LN.
+    NaturalLogarithm,
+    /// LOG: to the base 10.
+    Logarithm,
+    /// EXP.
+    Exponential,
+    /// SIN, of an angle in radians.
+    Sine,
+    /// COS.
+    Cosine,
+    /// TAN.
+    Tangent,
+    /// ASIN.
+    ArcSine,
+    /// ACOS.
+    ArcCosine,
+    /// ATAN.
+    ArcTangent,
+    /// ATAN2: the angle of the point with the ordinate of the first operand and the abscissa of the second.
+    ArcTangent2,
+}
+
 impl StandardFunction {
+    /// Returns whether the function gives an INT, whatever its inputs are.
+    pub(crate) const fn counts(self) -> bool {
+        matches!(self, StandardFunction::Len | StandardFunction::Find)
+    }
+
     /// Returns whether the function shifts or rotates bits.
     pub(crate) const fn moves_bits(self) -> bool {
         use StandardFunction::{Rol, Ror, Shl, Shr};

@@ -132,10 +132,15 @@ impl Machine<'_> {
             self.operands.push(is_in_order.into());
             return Ok(());
         }
-        let selector = match function {
-            StandardFunction::Sel | StandardFunction::Mux => Some(self.pop()?),
-            _ => None,
-        };
+        if function == StandardFunction::Find {
+            let (sought, text) = (self.pop_text()?, self.pop_text()?);
+            let found = standard::position(&text, &sought);
+            self.operands.push(narrow(found, ElementaryType::Int));
+            return Ok(());
+        }
+        let numbers = standard::number_count(function);
+        let deepest = self.operands.len().checked_sub(numbers);
+        let numbers = self.operands.split_off(deepest.ok_or(Halt::Missing("operand"))?);
         let texts = standard::text_count(function, count);
         let first = self
             .texts
@@ -144,7 +149,7 @@ impl Machine<'_> {
             .ok_or(Halt::Missing("text operand"))?;
         let result = standard::of_texts(
             function,
-            selector,
+            &numbers,
             self.texts.get_mut(first..).unwrap_or_default(),
         )?;
         self.spend_on_text(result.len() as u64)?;

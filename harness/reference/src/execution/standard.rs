@@ -6,11 +6,22 @@
 use super::arithmetic::absolute;
 use super::comparison::{compare, extreme};
 use super::stop::Halt;
-use crate::instruction::{FaultKind, StandardFunction};
+use crate::instruction::{FaultKind, RealFunction, StandardFunction};
 use crate::raw::narrow;
 use std::borrow::Cow;
 use std::cmp::Ordering;
+use std::ops::Range;
 use stickler_types::ElementaryType;
+
+/// Counts the numbers that a function takes from the stack besides its texts: a selector, a length, a position.
+pub(super) fn number_count(function: StandardFunction) -> usize {
+    use StandardFunction::{Delete, Insert, Left, Mid, Mux, Replace, Right, Sel};
+    match function {
+        Sel | Mux | Left | Right | Insert => 1,
+        Mid | Delete | Replace => 2,
+        _ => 0,
+    }
+}
 
 /// Counts the plain operands that a function takes from the stack, its selector included.
 pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
@@ -20,7 +31,9 @@ pub(super) fn operand_count(function: StandardFunction, count: u16) -> usize {
         StandardFunction::Sel | StandardFunction::Limit => 3,
         StandardFunction::Mux => usize::from(count) + 1,
         StandardFunction::Min | StandardFunction::Max | StandardFunction::InOrder(_) => usize::from(count),
-        StandardFunction::Len | StandardFunction::Concat => 0,
+        StandardFunction::Real(RealFunction::ArcTangent2) => 2,
+        StandardFunction::Real(_) => 1,
+        _ => number_count(function),
     }
 }
 
@@ -32,6 +45,10 @@ pub(super) fn of_plain(
 ) -> Result<u64, Halt> {
     match (function, operands) {
         (StandardFunction::Abs, &[value]) => Ok(absolute(of, value)),
+        (StandardFunction::Real(function), values) => {
+            let values: Vec<f64> = values.iter().map(|raw| real(of, *raw)).collect();
+            Ok(raw_of_real(of, of_reals(function, &values)))
+        }
         (StandardFunction::Sel, &[choice, if_false, if_true]) => {
             Ok(if choice == 0 { if_false } else { if_true })
         }
@@ -65,6 +82,41 @@ pub(super) fn of_plain(
             of,
         )),
         _ => Err(Halt::Missing("operand of a standard function")),
+    }
+}
+
+/// Returns the number of a raw real.
+fn real(of: ElementaryType, raw: u64) -> f64 {
+    match of {
+        ElementaryType::Real => f32::from_bits(raw as u32).into(),
+        _ => f64::from_bits(raw),
+    }
+}
+
+/// Returns the raw form of a number, rounded to the type.
+fn raw_of_real(of: ElementaryType, value: f64) -> u64 {
+    match of {
+        ElementaryType::Real => (value as f32).to_bits().into(),
+        _ => value.to_bits(),
+    }
+}
+
+/// Returns what a function of real numbers gives; of one of a REAL, before it is rounded to that type.
+fn of_reals(function: RealFunction, values: &[f64]) -> f64 {
+    use RealFunction::*;
+    let value = values.first().copied().unwrap_or(f64::NAN);
+    match function {
+        SquareRoot => value.sqrt(),
+        NaturalLogarithm => value.ln(),
+        Logarithm => value.log10(),
+        Exponential => value.exp(),
+        Sine => value.sin(),
+        Cosine => value.cos(),
+        Tangent => value.tan(),
+        ArcSine => value.asin(),
+        ArcCosine => value.acos(),
+        ArcTangent => value.atan(),
+        ArcTangent2 => value.atan2(values.get(1).copied().unwrap_or(f64::NAN)),
     }
 }
 
@@ -107,24 +159,84 @@ pub(super) type Text<'p> = Cow<'p, [u16]>;
 /// Counts the texts that a function takes from the stack.
 pub(super) fn text_count(function: StandardFunction, count: u16) -> usize {
     match function {
-        StandardFunction::Len => 1,
-        StandardFunction::Sel => 2,
+        StandardFunction::Len
+        | StandardFunction::Left
+        | StandardFunction::Right
+        | StandardFunction::Mid
+        | StandardFunction::Delete => 1,
+        StandardFunction::Sel
+        | StandardFunction::Insert
+        | StandardFunction::Replace
+        | StandardFunction::Find => 2,
         StandardFunction::Limit => 3,
         _ => usize::from(count),
     }
 }
 
-/// The resulting text for texts, the deepest first; `selector` is that of SEL and MUX.
+/// Returns the characters of a text of this length that a number of them from a position on are, as far as they are there.
+///
+/// Basis: iec-61131-3: Table 34 (positions count from 1; what lies outside the text is an error, of which the standard leaves the consequences
+/// open).
+fn range(text: &[u16], length: u64, position: i64) -> Range<usize> {
+    let start = position.saturating_sub(1);
+    let end = start.saturating_add(length.cast_signed());
+    let inside = |at: i64| usize::try_from(at.max(0)).map_or(text.len(), |at| at.min(text.len()));
+    let start = inside(start);
+    start..inside(end).max(start)
+}
+
+/// Returns the position of a text in another, from 1; 0 where it is not there, or is empty.
+pub(super) fn position(text: &[u16], sought: &[u16]) -> u64 {
+    let mut places = text.windows(sought.len().max(1));
+    let found = places.position(|place| place == sought);
+    found.map_or(0, |at| at as u64 + 1)
+}
+
+/// Returns what a function of texts and positions gives; `None` for another function.
+fn of_ranges(function: StandardFunction, numbers: &[u64], texts: &[Text<'_>]) -> Option<Vec<u16>> {
+    let joined = |text: &[u16], range: Range<usize>, between: &[u16]| {
+        let (before, behind) = (text.get(..range.start)?, text.get(range.end..)?);
+        Some([before, between, behind].concat())
+    };
+    match (function, numbers, texts) {
+        (StandardFunction::Left, &[length], [text]) => text.get(range(text, length, 1)).map(<[u16]>::to_vec),
+        (StandardFunction::Right, &[length], [text]) => {
+            let before = (text.len() as i64).saturating_sub(length.cast_signed().max(0));
+            let kept = range(text, length, before.saturating_add(1).max(1));
+            text.get(kept).map(<[u16]>::to_vec)
+        }
+        (StandardFunction::Mid, &[length, position], [text]) => {
+            let kept = range(text, length, position.cast_signed());
+            text.get(kept).map(<[u16]>::to_vec)
+        }
+        (StandardFunction::Delete, &[length, position], [text]) => {
+            joined(text, range(text, length, position.cast_signed()), &[])
+        }
+        (StandardFunction::Replace, &[length, position], [text, other]) => {
+            joined(text, range(text, length, position.cast_signed()), other)
+        }
+        (StandardFunction::Insert, &[position], [text, other]) => {
+            let at = range(text, 0, position.cast_signed().saturating_add(1));
+            joined(text, at, other)
+        }
+        _ => None,
+    }
+}
+
+/// The resulting text for texts, the deepest first; `numbers` are those of [`number_count`].
 pub(super) fn of_texts<'p>(
     function: StandardFunction,
-    selector: Option<u64>,
+    numbers: &[u64],
     texts: &mut [Text<'p>],
 ) -> Result<Text<'p>, Halt> {
     let missing = Halt::Missing("operand of a standard function");
+    if let Some(text) = of_ranges(function, numbers, texts) {
+        return Ok(Cow::Owned(text));
+    }
     let chosen = match function {
         StandardFunction::Concat => return Ok(Cow::Owned(texts.concat())),
         StandardFunction::Sel | StandardFunction::Mux => {
-            let selector = selector.ok_or(missing)?;
+            let selector = numbers.first().copied().ok_or(missing)?;
             let index = if function == StandardFunction::Sel {
                 selector.min(1)
             } else {

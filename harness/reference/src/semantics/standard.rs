@@ -10,6 +10,7 @@ use super::misfit::misfit;
 use super::promotion::PromotedOperands;
 use super::standard_signatures::{StandardInput, StandardOperation, StandardSignature};
 use super::types::{TypeId, TypeKind};
+use crate::conversion::implicit;
 use crate::instruction::{Instruction, LogicOperator, StandardFunction};
 use stickler_syntax::source::Span;
 use stickler_syntax::tree::{Argument, ExpressionId};
@@ -42,7 +43,9 @@ impl<'m> Lowering<'m> {
             return Inferred::Error;
         };
         match signature.operation {
-            StandardOperation::Function(StandardFunction::Len, _) => Inferred::from(ElementaryType::Int),
+            StandardOperation::Function(function, _) if function.counts() => {
+                Inferred::from(ElementaryType::Int)
+            }
             StandardOperation::Function(function, of) => {
                 self.infer_common((function, of), &signature.common(&values))
             }
@@ -59,10 +62,26 @@ impl<'m> Lowering<'m> {
         if let Some(promoted) = self.promoted_call(function, &inferred) {
             return Inferred::from(promoted.result);
         }
-        match rules.common_of_all(&inferred) {
+        match self.as_real(function.0, rules.common_of_all(&inferred)) {
             Inferred::Known(ty) if !self.takes(function, ty) => Inferred::Error,
             Inferred::Known(ty) if !inferred.iter().all(|&one| rules.goes_with(one, ty)) => Inferred::Error,
             common => common,
+        }
+    }
+
+    /// Returns what a function of real numbers takes arguments for that have this type in common: integers for the real type to which
+    /// they convert implicitly, if there is one.
+    fn as_real(&self, function: StandardFunction, common: Inferred) -> Inferred {
+        let of = common.elementary().filter(|ty| ty.is_integer());
+        match (function, common) {
+            (StandardFunction::Real(_), Inferred::Integer(_)) => Inferred::Real,
+            (StandardFunction::Real(_), Inferred::Known(_)) => {
+                let dialect = self.model.source.dialect;
+                let mut reals = [ElementaryType::Real, ElementaryType::Lreal].into_iter();
+                let real = reals.find(|real| of.is_some_and(|of| implicit(of, *real, dialect).is_some()));
+                real.map_or(common, Inferred::from)
+            }
+            _ => common,
         }
     }
 
@@ -153,9 +172,9 @@ impl<'m> Lowering<'m> {
             self.mask_shift_count(of);
         }
         self.emit_standard(call, function, of, common.len());
-        match function {
-            StandardFunction::Len => LoweredValue::of(ElementaryType::Int),
-            _ => LoweredValue::computed(ty),
+        match function.counts() {
+            true => LoweredValue::of(ElementaryType::Int),
+            false => LoweredValue::computed(ty),
         }
     }
 
@@ -208,7 +227,7 @@ impl<'m> Lowering<'m> {
             }
             return None;
         }
-        let common = rules.common_of_all(&inferred);
+        let common = self.as_real(function.0, rules.common_of_all(&inferred));
         let ty = match common {
             Inferred::Known(ty) => Some(held_to(rules, &inferred, ty, wanted)),
             Inferred::Text { wide, .. } => Some(TypeId::of(super::literals::text_type(wide))),
@@ -295,12 +314,12 @@ impl<'m> Lowering<'m> {
         }
         let usual = match function.1 {
             GenericType::String => ElementaryType::String,
-            GenericType::Num => ElementaryType::Lreal,
+            GenericType::Num | GenericType::Real => ElementaryType::Lreal,
             _ => ElementaryType::Lword,
         };
         let usual = TypeId::of(usual);
         let wanted = match function.0 {
-            StandardFunction::Len => Some(usual),
+            function if function.counts() => Some(usual),
             _ => wanted.filter(|&ty| self.takes(function, ty)),
         };
         let Some(target) = wanted else {

@@ -3,7 +3,7 @@
 //! Basis: iec-61131-3: Tables 28 to 34.
 
 use super::parameters::ParameterList;
-use crate::instruction::StandardFunction;
+use crate::instruction::{RealFunction, StandardFunction};
 use std::fmt::{Debug, Formatter, Result};
 use stickler_syntax::tree::{BinaryOperator, UnaryOperator};
 use stickler_types::{ElementaryType, GenericType};
@@ -60,14 +60,53 @@ const VALUE_AND_COUNT: (ParameterList, &[StandardInput]) = (
     &[StandardInput::Common, StandardInput::Integer],
 );
 
+const TEXT_AND_LENGTH: (ParameterList, &[StandardInput]) = (
+    ParameterList::exactly(&["IN", "L"]),
+    &[StandardInput::Common, StandardInput::Integer],
+);
+const TEXT_AND_RANGE: (ParameterList, &[StandardInput]) = (
+    ParameterList::exactly(&["IN", "L", "P"]),
+    &[
+        StandardInput::Common,
+        StandardInput::Integer,
+        StandardInput::Integer,
+    ],
+);
+
 /// All standard functions that are no conversions.
-pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 29] = {
+pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 47] = {
     use BinaryOperator as Operator;
     use GenericType::{Any, Bit, Elementary, Num, String};
     use StandardFunction as Function;
     const GATE: &[StandardInput] = &[StandardInput::Exactly(ElementaryType::Bool)];
+    const TWO_AND_POSITION: &[StandardInput] = &[
+        StandardInput::Common,
+        StandardInput::Common,
+        StandardInput::Integer,
+    ];
+    const TWO_AND_RANGE: &[StandardInput] = &[
+        StandardInput::Common,
+        StandardInput::Common,
+        StandardInput::Integer,
+        StandardInput::Integer,
+    ];
     [
         function("ABS", Function::Abs, Num, (ONE, &[])),
+        real("SQRT", RealFunction::SquareRoot, ONE),
+        real("LN", RealFunction::NaturalLogarithm, ONE),
+        real("LOG", RealFunction::Logarithm, ONE),
+        real("EXP", RealFunction::Exponential, ONE),
+        real("SIN", RealFunction::Sine, ONE),
+        real("COS", RealFunction::Cosine, ONE),
+        real("TAN", RealFunction::Tangent, ONE),
+        real("ASIN", RealFunction::ArcSine, ONE),
+        real("ACOS", RealFunction::ArcCosine, ONE),
+        real("ATAN", RealFunction::ArcTangent, ONE),
+        real(
+            "ATAN2",
+            RealFunction::ArcTangent2,
+            ParameterList::exactly(&["Y", "X"]),
+        ),
         operator(Operator::Add, SEVERAL),
         operator(Operator::Multiply, SEVERAL),
         operator(Operator::Subtract, TWO),
@@ -106,6 +145,23 @@ pub(super) static STANDARD_FUNCTIONS: [StandardSignature; 29] = {
         operator(Operator::NotEqual, TWO),
         function("LEN", Function::Len, String, (ONE, &[])),
         function("CONCAT", Function::Concat, String, (SEVERAL, &[])),
+        function("LEFT", Function::Left, String, TEXT_AND_LENGTH),
+        function("RIGHT", Function::Right, String, TEXT_AND_LENGTH),
+        function("MID", Function::Mid, String, TEXT_AND_RANGE),
+        function(
+            "INSERT",
+            Function::Insert,
+            String,
+            (ParameterList::exactly(&["IN1", "IN2", "P"]), TWO_AND_POSITION),
+        ),
+        function("DELETE", Function::Delete, String, TEXT_AND_RANGE),
+        function(
+            "REPLACE",
+            Function::Replace,
+            String,
+            (ParameterList::exactly(&["IN1", "IN2", "L", "P"]), TWO_AND_RANGE),
+        ),
+        function("FIND", Function::Find, String, (TWO, &[])),
     ]
 };
 
@@ -131,6 +187,15 @@ const fn function(
     row(name, StandardOperation::Function(function, of), parameters)
 }
 
+const fn real(name: &'static str, of: RealFunction, parameters: ParameterList) -> StandardSignature {
+    function(
+        name,
+        StandardFunction::Real(of),
+        GenericType::Real,
+        (parameters, &[]),
+    )
+}
+
 const fn operator(operator: BinaryOperator, parameters: ParameterList) -> StandardSignature {
     row(
         operator.function_name(),
@@ -141,7 +206,7 @@ const fn operator(operator: BinaryOperator, parameters: ParameterList) -> Standa
 
 /// Finds the standard function of a name.
 pub(super) fn standard_function(name: &str) -> Option<&'static StandardSignature> {
-    let longest = "CONCAT".len();
+    let longest = "REPLACE".len();
     if !(2..=longest).contains(&name.len()) {
         return None;
     }
