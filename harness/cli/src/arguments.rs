@@ -32,7 +32,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use numbers::whole;
 use std::path::PathBuf;
-use stickler_types::DialectName;
+use stickler_types::{ClockSetting, DialectName, Value};
 
 /// The conformance suite for compilers of IEC 61131-3 Structured Text.
 ///
@@ -230,6 +230,9 @@ pub struct EvalArguments {
     /// Run N scans
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = whole::<u32>(0, u32::MAX.into()), allow_negative_numbers = true)]
     pub scans: u32,
+    /// Let TIME, such as T#10ms, pass from each scan to the next, for timers
+    #[arg(long, value_name = "TIME", value_parser = duration)]
+    pub cycle: Option<i64>,
     /// Print only this variable; may be repeated, may be a path [default: all elementary variables of the program]
     #[arg(long, value_name = "NAME")]
     pub observe: Vec<String>,
@@ -241,6 +244,16 @@ pub struct ExplainArguments {
     /// A code such as P4035; all codes are listed where none is given
     #[arg(value_name = "CODE")]
     pub code: Option<String>,
+}
+
+/// Parses a duration that is no less than none: its nanoseconds.
+fn duration(text: &str) -> Result<i64, String> {
+    let value = Value::parse(text).ok();
+    let setting = value.and_then(|value| ClockSetting::at(1, &value));
+    let nanoseconds = setting.map(|setting| setting.nanoseconds);
+    nanoseconds
+        .filter(|nanoseconds| *nanoseconds >= 0)
+        .ok_or_else(|| "expected a duration of 0 or more, such as T#10ms".to_owned())
 }
 
 /// The dialects that there are now: those of stickler.toml once that file was read.

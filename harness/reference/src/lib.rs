@@ -33,6 +33,7 @@ mod api;
 pub mod conversion;
 pub mod execution;
 pub mod instruction;
+mod library;
 mod raw;
 pub mod semantics;
 

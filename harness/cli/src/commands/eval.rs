@@ -3,13 +3,15 @@
 use crate::arguments::EvalArguments;
 use crate::exit::Exit;
 use crate::{output, snippet, source_file};
-use anyhow::bail;
+use anyhow::{bail, ensure};
 use std::io::{self, Write};
 use stickler_reference::Limits;
-use stickler_types::{Diagnostic, Observation, Outcome, RunRequest, Value};
+use stickler_types::{ClockSetting, Diagnostic, Observation, Outcome, RunRequest, Value};
 
 /// The maximum number of values that are shown where no variable is named.
 const MAX_VALUES: usize = 1000;
+/// The maximum number of scans between which time passes.
+const MAX_TIMED_SCANS: u32 = 1_000_000;
 
 /// Prints the final values in the form of a `values` mark. For a rejected program, writes the diagnostics to stderr; for one
 /// that faults, prints the values so far and writes the fault to stderr.
@@ -26,8 +28,10 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
     }
     let names = names(arguments, &text);
     let observe: Vec<Observation> = names.iter().map(|name| Observation::last(name, "")).collect();
+    let clock = clock(arguments)?;
     let request = RunRequest {
         scans: arguments.scans,
+        clock: &clock,
         ..RunRequest::once(dialect, &text, &observe)
     };
     match stickler_reference::run(&request, Limits::default()) {
@@ -53,6 +57,22 @@ pub fn execute(arguments: &EvalArguments, out: &mut dyn Write) -> anyhow::Result
         Ok(other) => bail!("the reference answered {other}"),
         Err(error) => bail!(error),
     }
+}
+
+/// Returns the time before each scan, where some passes between them.
+fn clock(arguments: &EvalArguments) -> anyhow::Result<Vec<ClockSetting>> {
+    let Some(cycle) = arguments.cycle else {
+        return Ok(Vec::new());
+    };
+    ensure!(
+        arguments.scans <= MAX_TIMED_SCANS,
+        "--cycle goes with at most {MAX_TIMED_SCANS} scans; make --scans smaller"
+    );
+    let at = |before: u32| ClockSetting {
+        before,
+        nanoseconds: cycle.saturating_mul(i64::from(before) - 1),
+    };
+    Ok((1..=arguments.scans).map(at).collect())
 }
 
 /// Returns the names of the variables on the command line, or of all variables where none is named.

@@ -1,6 +1,7 @@
 //! Checking and rendering: all that can be said about a source text without running it.
 
 use super::located::locate;
+use crate::library::with_blocks;
 use crate::semantics::{self, CheckedProgram};
 use stickler_syntax::decoding::decode;
 use stickler_syntax::diagnostic::{SpannedDiagnostic, has_errors};
@@ -19,7 +20,26 @@ pub(super) struct Checked {
 }
 
 impl Checked {
+    /// Checks a source text, with those standard function blocks that it uses and does not declare.
     pub fn new(source: &str, dialect: &Dialect) -> Checked {
+        let alone = Checked::alone(source, dialect);
+        let Some(text) = with_blocks(source, &alone.diagnostics) else {
+            return alone;
+        };
+        let mut whole = Checked::alone(&text, dialect);
+        // What is not closed ends in the blocks.
+        let end = source.len() as u32;
+        for diagnostic in &mut whole.diagnostics {
+            diagnostic.span.start = diagnostic.span.start.min(end);
+            diagnostic.span.end = diagnostic.span.end.min(end);
+        }
+        Checked {
+            lines: alone.lines,
+            ..whole
+        }
+    }
+
+    fn alone(source: &str, dialect: &Dialect) -> Checked {
         let lines = LineIndex::new(source);
         let (unit, mut diagnostics) = stickler_syntax::parse(source, dialect);
         let (program, found) = semantics::check(&unit, source, &lines, dialect);

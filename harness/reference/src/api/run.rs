@@ -14,7 +14,7 @@ use stickler_types::{Outcome, RunRequest};
 /// in which they were asked for.
 ///
 /// Where the program faults, values after scans that were not finished are left out, and those after the last scan are the
-/// values at the fault. No function of the reference reads the clock yet.
+/// values at the fault. Of the language only the standard timers look at the clock.
 ///
 /// # Errors
 /// [`RequestError`] where the request does not fit the program; a program that is not acceptable, or that faults,
@@ -44,7 +44,7 @@ pub fn execute(
     limits: Limits,
 ) -> Result<Outcome, RequestError> {
     let mut observer = Observer::new(program, request.observe, request.scans)?;
-    let mut settings = Settings::new(program, request.set, request.scans)?;
+    let mut settings = Settings::new(program, request)?;
     let mut machine = Machine::new(&program.program, limits.steps);
     match scan_all(&mut machine, &mut observer, &mut settings, request.scans) {
         Ok(()) => Ok(Outcome::executed(observer.finish(&machine))),

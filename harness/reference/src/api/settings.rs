@@ -3,8 +3,9 @@
 use super::observe::{check_scan, resolve};
 use super::request::RequestError;
 use crate::execution::Machine;
+use crate::library::CLOCKS;
 use crate::semantics::{CheckedProgram, ObservedType};
-use stickler_types::{Setting, Value};
+use stickler_types::{RunRequest, Setting, Value};
 
 /// The variables to set, in the form that the machine takes.
 pub(super) struct Settings<'a> {
@@ -28,16 +29,22 @@ enum SettingValue<'a> {
 }
 
 impl<'a> Settings<'a> {
-    /// Finds each variable's place, and holds the value against its type.
-    pub fn new(
-        program: &CheckedProgram,
-        set: &'a [Setting],
-        scans: u32,
-    ) -> Result<Settings<'a>, RequestError> {
+    /// Finds each variable's place, and holds the value against its type; the clock is set where timers look at it.
+    pub fn new(program: &CheckedProgram, request: &RunRequest<'a>) -> Result<Settings<'a>, RequestError> {
+        let set = request.set.iter();
         let mut list = set
-            .iter()
-            .map(|setting| ResolvedSetting::new(program, setting, scans))
+            .map(|setting| ResolvedSetting::new(program, setting, request.scans))
             .collect::<Result<Vec<_>, _>>()?;
+        for (_, clock) in CLOCKS {
+            let Ok(place) = resolve(program, clock) else {
+                continue;
+            };
+            list.extend(request.clock.iter().map(|time| ResolvedSetting {
+                before: time.before,
+                address: place.address,
+                value: SettingValue::Plain(time.nanoseconds.cast_unsigned()),
+            }));
+        }
         list.sort_by_key(|setting| setting.before);
         Ok(Settings { list, applied: 0 })
     }

@@ -1,0 +1,81 @@
+//! The standard function blocks, written in Structured Text in the folder `library`: those that a program uses and does not declare are
+//! compiled with it.
+//!
+//! Basis: iec-61131-3: Tables 43 to 46.
+
+use std::collections::BTreeSet;
+use stickler_syntax::diagnostic::SpannedDiagnostic;
+use stickler_types::ElementaryType;
+
+const TEXTS: [&str; 4] = [
+    include_str!("../library/bistable.st"),
+    include_str!("../library/edge.st"),
+    include_str!("../library/counter.st"),
+    include_str!("../library/timer.st"),
+];
+
+/// The types of counters, of which the first one's are written in `library`.
+const COUNTED: [ElementaryType; 5] = [
+    ElementaryType::Int,
+    ElementaryType::Dint,
+    ElementaryType::Lint,
+    ElementaryType::Udint,
+    ElementaryType::Ulint,
+];
+
+/// The types of timers, with the global variables in which they find the time that has passed since the start of the program.
+pub(crate) const CLOCKS: [(ElementaryType, &str); 2] = [
+    (ElementaryType::Time, "stickler_clock"),
+    (ElementaryType::Ltime, "stickler_long_clock"),
+];
+
+/// Returns a source text with those standard function blocks behind it for whose names diagnostics say that they are not declared; `None`
+/// where there are none.
+pub(crate) fn with_blocks(source: &str, diagnostics: &[SpannedDiagnostic]) -> Option<String> {
+    let named = diagnostics
+        .iter()
+        .map(|one| one.span.text(source).to_ascii_uppercase());
+    let named: BTreeSet<String> = named.collect();
+    let blocks: Vec<String> = named.iter().filter_map(|name| block(name)).collect();
+    let clocks = CLOCKS.iter().filter(|(_, clock)| {
+        let mut blocks = blocks.iter();
+        blocks.any(|block| block.contains(clock))
+    });
+    let clocks = clocks.map(|(ty, clock)| format!("VAR_GLOBAL {clock} : {}; END_VAR", ty.name()));
+    let added: Vec<String> = clocks.chain(blocks.iter().cloned()).collect();
+    (!added.is_empty()).then(|| format!("{source}\n{}\n", added.join("\n")))
+}
+
+/// Returns the text of a standard function block by its name in capital letters, such as `CTU` and `CTU_DINT`; `None` for other names.
+fn block(name: &str) -> Option<String> {
+    let typed = name.rsplit_once('_').and_then(|(block, ty)| {
+        let ty = ElementaryType::from_name(ty)?;
+        Some((block, ty))
+    });
+    match typed {
+        Some((block, ty)) if COUNTED.contains(&ty) && block.starts_with("CT") => {
+            let (least, greatest) = ty.integer_range()?;
+            let text = written(block)?.replace("INT#-32768", "{least}");
+            let text = text.replace("INT#32767", "{greatest}").replace("INT", ty.name());
+            let text = text.replace("{least}", &format!("{}#{least}", ty.name()));
+            let text = text.replace("{greatest}", &format!("{}#{greatest}", ty.name()));
+            Some(text.replacen(block, name, 1))
+        }
+        Some((block, ty)) if block.starts_with('T') => {
+            let (_, clock) = CLOCKS.iter().find(|(timed, _)| *timed == ty)?;
+            let text = written(block)?.replace("TIME", ty.name());
+            Some(text.replace(CLOCKS[0].1, clock).replacen(block, name, 1))
+        }
+        _ => written(name).map(str::to_owned),
+    }
+}
+
+/// Returns the text of a function block that is written in `library`.
+fn written(name: &str) -> Option<&'static str> {
+    const END: &str = "END_FUNCTION_BLOCK";
+    let head = format!("FUNCTION_BLOCK {name}\n");
+    let behind = TEXTS
+        .iter()
+        .find_map(|text| text.find(&head).map(|at| &text[at..]))?;
+    behind.find(END).map(|end| &behind[..end + END.len()])
+}
