@@ -13,7 +13,7 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_types::DialectName;
+use stickler_types::{DialectName, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -32,7 +32,11 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
-    let (asserted, recordings) = known(arguments, &function)?;
+    let Known {
+        asserted,
+        recordings,
+        contradictions,
+    } = known(arguments, &function)?;
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -60,6 +64,9 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
             only_reference: engines.iter().all(|named| named.asked_for == REFERENCE),
         };
         page.write(out)?;
+        for told in &contradictions {
+            writeln!(out, "\nAgainst other sources, {}", wrap(told))?;
+        }
     }
     Ok(
         match results.iter().any(|results| results.contradict(engines.len())) {
@@ -69,14 +76,22 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     )
 }
 
-/// Returns what cases assert of a function, and the recordings of compilers: both from the folder of cases, where there is one.
+/// What the folder of cases holds on a function.
+#[derive(Default)]
+struct Known {
+    /// The results that cases assert.
+    asserted: Vec<AssertedResult>,
+    /// The recordings of compilers.
+    recordings: Vec<Recording>,
+    /// The statements of sources against others of the same system.
+    contradictions: Vec<String>,
+}
+
+/// Returns what the folder of cases holds on a function, where there is one.
 ///
 /// # Errors
 /// A folder of cases that was named and is not there, or a recording that cannot be read.
-fn known(
-    arguments: &ConversionsArguments,
-    function: &str,
-) -> anyhow::Result<(Vec<AssertedResult>, Vec<Recording>)> {
+fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Known> {
     let folder = match CaseFolder::locate(arguments.cases.as_deref()) {
         Ok(folder) => folder,
         Err(error) if arguments.cases.is_some() => return Err(error),
@@ -84,15 +99,19 @@ fn known(
             output::note(
                 "values that cases hold are not shown, for there is no folder of cases; name one with --cases DIR",
             );
-            return Ok((Vec::new(), Vec::new()));
+            return Ok(Known::default());
         }
     };
-    let asserted = documented::asserted_results(&folder.load_mentioning(function), function);
+    let suite = folder.load_mentioning(function);
     let recordings = match arguments.recorded || arguments.engine.is_empty() {
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
-    Ok((asserted, recordings))
+    Ok(Known {
+        asserted: documented::asserted_results(&suite, function),
+        recordings,
+        contradictions: documented::contradictions(&suite, function),
+    })
 }
 
 /// Returns every signature that one of the dialects has, each once.
