@@ -46,7 +46,9 @@ impl fmt::Display for Reason {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Reason::Rejected => "must be rejected by the compiler (--with rejected exports them too)",
-            Reason::Open => "may be accepted or rejected: no source in Stickler says (--with open exports them too)",
+            Reason::Open => {
+                "may be accepted or rejected: no source in Stickler says (--with open exports them too)"
+            }
             Reason::Named => "named by --without",
             Reason::Sampled => "not drawn by --sample",
             Reason::Scans => "need several scans, a clock, or variables that are set from outside",

@@ -65,7 +65,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         };
         page.write(out)?;
         for told in &contradictions {
-            writeln!(out, "\nAgainst other sources, {}", wrap(told))?;
+            writeln!(out, "\n{}", wrap(&format!("Against other sources, {told}")))?;
         }
     }
     Ok(

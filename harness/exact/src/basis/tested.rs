@@ -28,11 +28,9 @@ impl UnaryCall<'_> {
         match (self.rules, self.from.family(), self.to.family()) {
             (Rules::Rusty, Signed | Unsigned, Signed | Unsigned) => Some(RUSTY_TO_NUMBER),
             (Rules::Rusty, BitString | Boolean, BitString | Boolean) => Some(RUSTY_TO_BITS),
-            (
-                Rules::Strucpp,
-                Signed | Unsigned | Duration | TimeOfDay,
-                Signed | Unsigned,
-            ) => self.of_conversion(raw),
+            (Rules::Strucpp, Signed | Unsigned | Duration | TimeOfDay, Signed | Unsigned) => {
+                self.of_conversion(raw)
+            }
             _ => None,
         }
     }
