@@ -13,7 +13,8 @@ use stickler_conversions::recording::Recording;
 use stickler_conversions::{FunctionDialects, all_functions, find_function};
 use stickler_engines::Identity;
 use stickler_exact::Signature;
-use stickler_types::{DialectName, wrap};
+use stickler_suite::SourceKind;
+use stickler_types::{DialectName, Value, wrap};
 
 /// Shows the results of a function for boundary values, or for the given values; lists the functions where none is named.
 /// Each result comes from a program that runs on an engine, and is compared with the documents.
@@ -29,14 +30,18 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
     };
     let function = function.to_ascii_uppercase();
     let FunctionDialects { having, lacking } = find_function(&function, &arguments.dialect)?;
-    let calls = overview::calls(&arguments.values, signatures(&function, &having))?;
+    let mut calls = overview::calls(&arguments.values, signatures(&function, &having))?;
     interrupt::at_once()?;
     let engines = engines::by_names(&arguments.engine)?;
     let Known {
         asserted,
+        printed,
         recordings,
         contradictions,
     } = known(arguments, &function)?;
+    if arguments.values.is_empty() {
+        add_printed(&mut calls, &printed);
+    }
     let recorded: Vec<Identity> = recordings.iter().map(Recording::identity).collect();
     let mut asked = Vec::with_capacity(engines.len() + recordings.len());
     for named in &engines {
@@ -65,7 +70,7 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
         };
         page.write(out)?;
         for told in &contradictions {
-            writeln!(out, "\n{}", wrap(&format!("Against other sources, {told}")))?;
+            writeln!(out, "\n{}", wrap(&format!("But {told}")))?;
         }
     }
     Ok(
@@ -81,6 +86,8 @@ pub fn execute(arguments: &ConversionsArguments, out: &mut dyn Write) -> anyhow:
 struct Known {
     /// The results that cases assert.
     asserted: Vec<AssertedResult>,
+    /// The operands of those of them that rest on a document, with the dialect.
+    printed: Vec<(DialectName, Vec<Value>)>,
     /// The recordings of compilers.
     recordings: Vec<Recording>,
     /// The statements of sources against others of the same system.
@@ -107,11 +114,34 @@ fn known(arguments: &ConversionsArguments, function: &str) -> anyhow::Result<Kno
         true => folder.usable_recordings()?,
         false => Vec::new(),
     };
+    let asserted = documented::asserted_results(&suite, function);
+    let is_printed = |one: &&AssertedResult| {
+        let source = suite.sources.of(&one.basis);
+        source.is_some_and(|(source, _)| source.kind == SourceKind::Document)
+    };
+    let printed = asserted.iter().filter(is_printed);
     Ok(Known {
-        asserted: documented::asserted_results(&suite, function),
+        printed: printed.map(|one| (one.dialect, one.operands.clone())).collect(),
+        asserted,
         recordings,
         contradictions: documented::contradictions(&suite, function),
     })
+}
+
+/// Adds the operands whose results pages print and no rule gives, so that they are shown without being asked for.
+fn add_printed(calls: &mut [(Signature, Vec<Vec<Value>>)], printed: &[(DialectName, Vec<Value>)]) {
+    for (dialect, operands) in printed {
+        for (signature, shown) in &mut *calls {
+            let is_new = signature.takes(operands) && !shown.contains(operands);
+            if is_new
+                && stickler_exact::expected(signature, operands, *dialect)
+                    .basis
+                    .is_none()
+            {
+                shown.push(operands.clone());
+            }
+        }
+    }
 }
 
 /// Returns every signature that one of the dialects has, each once.

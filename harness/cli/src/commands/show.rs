@@ -65,7 +65,7 @@ fn write_group(group: &[&Case], suite: &Suite, out: &mut dyn Write) -> io::Resul
         )?;
     }
     for against in contradictions(case, suite) {
-        writeln!(out, "{DIM}against{DIM:#}   {against}")?;
+        writeln!(out, "{DIM}but{DIM:#}       {against}")?;
     }
     if !case.is_open() {
         writeln!(out, "{DIM}binds{DIM:#}     {}", bound(case, suite))?;
